@@ -1,0 +1,2 @@
+//! The program `trimalla`.
+fn main() {}

@@ -1,0 +1,39 @@
+//! The planar straight-line graph a mesh is made from.
+
+use crate::geometry::Point;
+
+/// A region seed: the region around it gets an attribute and, where given, an area bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// A point inside the region.
+    pub seed: Point,
+    /// The attribute that the region's triangles get.
+    pub attribute: f64,
+    /// The largest area of a triangle in the region, in squared coordinate units.
+    pub max_area: Option<f64>,
+}
+
+/// A planar straight-line graph: points, segments between them, hole and region seeds.
+///
+/// # Shape
+/// Marker and attribute columns are empty or have one entry (`attributes_per_point` entries) an element.
+/// Nothing is checked here: `Pslg` is what a caller or a file says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pslg {
+    /// Input vertices; a vertex is named by its index here, always.
+    pub points: Vec<Point>,
+    /// Boundary marker a vertex; empty or `points.len()` entries.
+    pub point_markers: Vec<i32>,
+    /// Number of attributes a vertex carries.
+    pub attributes_per_point: usize,
+    /// Vertex attributes, row after row.
+    pub point_attributes: Vec<f64>,
+    /// Input segments as pairs of vertex indices.
+    pub segments: Vec<[u32; 2]>,
+    /// Marker a segment; empty or `segments.len()` entries.
+    pub segment_markers: Vec<i32>,
+    /// Hole seeds: what can be reached from them without crossing a segment is removed.
+    pub holes: Vec<Point>,
+    /// Region seeds.
+    pub regions: Vec<Region>,
+}

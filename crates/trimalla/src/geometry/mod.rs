@@ -1,0 +1,3 @@
+//! Coordinates without half-edges.
+mod point;
+pub use point::Point;

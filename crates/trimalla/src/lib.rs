@@ -1,0 +1,4 @@
+//! Planar triangulation and quality mesh refinement.
+pub mod domain;
+pub mod geometry;
+pub mod triangulation;
