@@ -1,0 +1,423 @@
+//! The flat half-edge arrays and the only functions that write them.
+
+use super::ids::{FaceId, HalfEdgeId, VertexId};
+use super::journal::{Column, Entry, Journal};
+
+/// Triangles as triples of half-edges, closed to a sphere by ghost faces.
+///
+/// # Shape
+/// `origin` and `twin` have three entries a face slot, `outgoing` one a vertex slot. `mark` is empty
+/// until the first constraint and parallel to `origin` from then on. A dead slot holds one fixed
+/// value; free lists are last in, first out.
+///
+/// # Guarantees
+/// Equality compares every array, dead slots and free lists included: two equal meshes answer every
+/// later operator alike.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HalfEdgeMesh {
+    pub(super) origin: Vec<VertexId>,
+    pub(super) twin: Vec<HalfEdgeId>,
+    pub(super) mark: Vec<u32>,
+    pub(super) outgoing: Vec<HalfEdgeId>,
+    pub(super) free_faces: Vec<FaceId>,
+    pub(super) free_vertices: Vec<VertexId>,
+}
+
+/// Reading.
+impl HalfEdgeMesh {
+    /// The vertex a half-edge starts at.
+    #[must_use]
+    #[inline]
+    pub fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.origin[h.index()]
+    }
+
+    /// The vertex a half-edge ends at.
+    #[must_use]
+    #[inline]
+    pub fn dest(&self, h: HalfEdgeId) -> VertexId {
+        self.origin[h.next().index()]
+    }
+
+    /// The vertex opposite a half-edge in its face.
+    #[must_use]
+    #[inline]
+    pub fn apex(&self, h: HalfEdgeId) -> VertexId {
+        self.origin[h.prev().index()]
+    }
+
+    /// The other side of a half-edge.
+    #[must_use]
+    #[inline]
+    pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.twin[h.index()]
+    }
+
+    /// The next outgoing half-edge counter-clockwise around the origin.
+    #[must_use]
+    #[inline]
+    pub fn ccw(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.twin(h.prev())
+    }
+
+    /// The next outgoing half-edge clockwise around the origin.
+    #[must_use]
+    #[inline]
+    pub fn cw(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.twin(h).next()
+    }
+
+    /// The constraint mark of a half-edge, 0 for none.
+    #[must_use]
+    #[inline]
+    pub fn mark(&self, h: HalfEdgeId) -> u32 {
+        if self.mark.is_empty() { 0 } else { self.mark[h.index()] }
+    }
+
+    /// Whether a half-edge carries a constraint mark.
+    #[must_use]
+    #[inline]
+    pub fn is_marked(&self, h: HalfEdgeId) -> bool {
+        self.mark(h) != 0
+    }
+
+    /// A half-edge that starts at `v`; `None` where the vertex has no edges.
+    #[must_use]
+    #[inline]
+    pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.outgoing.get(v.index()).and_then(|h| h.some())
+    }
+
+    /// Vertices of a face, counter-clockwise.
+    #[must_use]
+    #[inline]
+    pub fn face_vertices(&self, f: FaceId) -> [VertexId; 3] {
+        let k = f.index() * 3;
+        [self.origin[k], self.origin[k + 1], self.origin[k + 2]]
+    }
+
+    /// Whether a slot holds a face (a ghost included).
+    #[must_use]
+    #[inline]
+    pub fn is_alive(&self, f: FaceId) -> bool {
+        self.origin.get(f.index() * 3).is_some_and(|&v| v != VertexId::DEAD)
+    }
+
+    /// Whether a face has the vertex at infinity.
+    #[must_use]
+    #[inline]
+    pub fn is_ghost(&self, f: FaceId) -> bool {
+        let [a, b, c] = self.face_vertices(f);
+        !(a.is_finite() && b.is_finite() && c.is_finite())
+    }
+
+    /// Whether a slot holds a face of three finite vertices.
+    #[must_use]
+    #[inline]
+    pub fn is_real(&self, f: FaceId) -> bool {
+        self.is_alive(f) && !self.is_ghost(f)
+    }
+
+    /// The finite edge of a ghost face: the half-edge opposite the vertex at infinity.
+    #[must_use]
+    #[inline]
+    pub fn ghost_edge(&self, f: FaceId) -> Option<HalfEdgeId> {
+        f.half_edges().into_iter().find(|&h| !self.apex(h).is_finite())
+    }
+
+    /// Whether a half-edge has a real face to its left and a ghost to its right.
+    #[must_use]
+    #[inline]
+    pub fn is_boundary(&self, h: HalfEdgeId) -> bool {
+        self.is_real(h.face()) && self.is_ghost(self.twin(h).face())
+    }
+
+    /// Number of face slots, dead and ghost ones included.
+    #[must_use]
+    pub fn face_slots(&self) -> usize {
+        self.origin.len() / 3
+    }
+
+    /// Number of vertex slots, unused ones included.
+    #[must_use]
+    pub fn vertex_slots(&self) -> usize {
+        self.outgoing.len()
+    }
+
+    /// Number of faces, ghosts included.
+    #[must_use]
+    pub fn live_faces(&self) -> usize {
+        self.face_slots() - self.free_faces.len()
+    }
+
+    /// Slots freed and not yet used again, the next one to be used last.
+    #[must_use]
+    pub fn free_faces(&self) -> &[FaceId] {
+        &self.free_faces
+    }
+
+    /// Vertex slots freed and not yet used again.
+    #[must_use]
+    pub fn free_vertices(&self) -> &[VertexId] {
+        &self.free_vertices
+    }
+
+    /// Whether constraint marks are kept.
+    #[must_use]
+    pub fn has_marks(&self) -> bool {
+        !self.mark.is_empty()
+    }
+
+    /// The real faces, oldest slot first.
+    pub fn real_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
+        (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_real(f))
+    }
+
+    /// The ghost faces, oldest slot first.
+    pub fn ghost_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
+        (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_alive(f) && self.is_ghost(f))
+    }
+
+    /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
+    pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
+        (0..self.origin.len()).map(HalfEdgeId::from_index).filter(|&h| {
+            if !self.is_alive(h.face()) || !self.origin(h).is_finite() || !self.dest(h).is_finite() {
+                return false;
+            }
+            let t = self.twin(h);
+            match (self.is_ghost(h.face()), self.is_ghost(t.face())) {
+                (false, true) => true,
+                (true, false) => false,
+                _ => h < t,
+            }
+        })
+    }
+
+    /// The half-edge from `a` to `b`, if there is one.
+    ///
+    /// # Complexity
+    /// The degree of `a`.
+    #[must_use]
+    pub fn half_edge_between(&self, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
+        self.star(a).find(|&h| self.dest(h) == b)
+    }
+}
+
+/// Writing: nothing else in the crate touches the arrays.
+impl HalfEdgeMesh {
+    /// A mesh of unused vertices and no faces, with room for the faces of a triangulation of them.
+    #[must_use]
+    pub(crate) fn with_vertices(vertices: usize) -> Self {
+        Self { outgoing: vec![HalfEdgeId::NONE; vertices], ..Self::default() }
+    }
+
+    /// A mesh from finished `origin` and `twin` arrays, as bulk builders make them.
+    ///
+    /// # Complexity
+    /// Linear.
+    pub(crate) fn from_arrays(origin: Vec<VertexId>, twin: Vec<HalfEdgeId>, vertices: usize) -> Self {
+        let mut outgoing = vec![HalfEdgeId::NONE; vertices];
+        for (i, &v) in origin.iter().enumerate() {
+            if let Some(slot) = outgoing.get_mut(v.index()) {
+                *slot = HalfEdgeId::from_index(i);
+            }
+        }
+        Self { origin, twin, outgoing, ..Self::default() }
+    }
+
+    #[inline(always)]
+    pub(super) fn set_origin<J: Journal>(&mut self, h: HalfEdgeId, v: VertexId, j: &mut J) {
+        let slot = &mut self.origin[h.index()];
+        if J::ACTIVE {
+            j.note(Column::Origin, h.0, u64::from(slot.0));
+        }
+        *slot = v;
+    }
+
+    #[inline(always)]
+    pub(super) fn set_twin<J: Journal>(&mut self, h: HalfEdgeId, t: HalfEdgeId, j: &mut J) {
+        let slot = &mut self.twin[h.index()];
+        if J::ACTIVE {
+            j.note(Column::Twin, h.0, u64::from(slot.0));
+        }
+        *slot = t;
+    }
+
+    /// Makes two half-edges each other's twin.
+    #[inline(always)]
+    pub(crate) fn glue<J: Journal>(&mut self, a: HalfEdgeId, b: HalfEdgeId, j: &mut J) {
+        self.set_twin(a, b, j);
+        self.set_twin(b, a, j);
+    }
+
+    /// Sets the constraint mark of one half-edge; the caller sets the twin's.
+    #[inline(always)]
+    pub(super) fn set_mark_one_side<J: Journal>(&mut self, h: HalfEdgeId, m: u32, j: &mut J) {
+        let slot = &mut self.mark[h.index()];
+        if *slot != m {
+            if J::ACTIVE {
+                j.note(Column::Mark, h.0, u64::from(*slot));
+            }
+            *slot = m;
+        }
+    }
+
+    /// Sets the constraint mark of an edge, both sides.
+    pub(crate) fn set_mark<J: Journal>(&mut self, h: HalfEdgeId, m: u32, j: &mut J) {
+        if self.mark.is_empty() {
+            if m == 0 {
+                return;
+            }
+            self.mark = vec![0; self.origin.len()];
+            if J::ACTIVE {
+                j.note(Column::MarksAdded, 0, 0);
+            }
+        }
+        self.set_mark_one_side(h, m, j);
+        self.set_mark_one_side(self.twin(h), m, j);
+    }
+
+    #[inline(always)]
+    pub(crate) fn set_outgoing<J: Journal>(&mut self, v: VertexId, h: HalfEdgeId, j: &mut J) {
+        if let Some(slot) = self.outgoing.get_mut(v.index()) {
+            if J::ACTIVE {
+                j.note(Column::Outgoing, v.0, u64::from(slot.0));
+            }
+            *slot = h;
+        }
+    }
+
+    /// Points `v` to `to` where it pointed to `from`.
+    #[inline(always)]
+    pub(super) fn move_outgoing<J: Journal>(&mut self, v: VertexId, from: HalfEdgeId, to: HalfEdgeId, j: &mut J) {
+        if self.outgoing.get(v.index()) == Some(&from) {
+            self.set_outgoing(v, to, j);
+        }
+    }
+
+    /// Points `v` to `to` where the half-edge it kept no longer starts at it.
+    #[inline]
+    pub(crate) fn rehome<J: Journal>(&mut self, v: VertexId, to: HalfEdgeId, j: &mut J) {
+        if let Some(h) = self.outgoing(v)
+            && self.origin(h) != v
+        {
+            self.set_outgoing(v, to, j);
+        }
+    }
+
+    /// A face slot: the newest freed one, or a new one at the end.
+    #[inline]
+    pub(crate) fn take_face<J: Journal>(&mut self, j: &mut J) -> FaceId {
+        if let Some(f) = self.free_faces.pop() {
+            if J::ACTIVE {
+                j.note(Column::FaceReused, f.0, u64::from(f.0));
+            }
+            return f;
+        }
+        let f = FaceId::from_index(self.face_slots());
+        self.origin.extend([VertexId::DEAD; 3]);
+        self.twin.extend([HalfEdgeId::NONE; 3]);
+        if !self.mark.is_empty() {
+            self.mark.extend([0; 3]);
+        }
+        if J::ACTIVE {
+            j.note(Column::FaceAppended, f.0, 0);
+        }
+        f
+    }
+
+    /// Writes the three vertices of a face.
+    #[inline]
+    pub(crate) fn set_face<J: Journal>(&mut self, f: FaceId, v: [VertexId; 3], j: &mut J) {
+        for (h, v) in f.half_edges().into_iter().zip(v) {
+            self.set_origin(h, v, j);
+        }
+    }
+
+    /// Kills a face: its slot holds the fixed dead value and goes onto the free list.
+    ///
+    /// Twins and vertices that pointed into it are the caller's to mend.
+    pub(crate) fn free_face<J: Journal>(&mut self, f: FaceId, j: &mut J) {
+        for h in f.half_edges() {
+            self.set_origin(h, VertexId::DEAD, j);
+            self.set_twin(h, HalfEdgeId::NONE, j);
+            if !self.mark.is_empty() {
+                self.set_mark_one_side(h, 0, j);
+            }
+        }
+        self.free_faces.push(f);
+        if J::ACTIVE {
+            j.note(Column::FaceFreed, f.0, 0);
+        }
+    }
+
+    /// A vertex slot: the newest freed one, or a new one at the end. It has no edges yet.
+    pub(crate) fn take_vertex<J: Journal>(&mut self, j: &mut J) -> VertexId {
+        if let Some(v) = self.free_vertices.pop() {
+            if J::ACTIVE {
+                j.note(Column::VertexReused, v.0, u64::from(v.0));
+            }
+            return v;
+        }
+        let v = VertexId::from_index(self.outgoing.len());
+        self.outgoing.push(HalfEdgeId::NONE);
+        if J::ACTIVE {
+            j.note(Column::VertexAppended, v.0, 0);
+        }
+        v
+    }
+
+    /// Puts a vertex slot without edges onto the free list.
+    pub(crate) fn free_vertex<J: Journal>(&mut self, v: VertexId, j: &mut J) {
+        self.free_vertices.push(v);
+        if J::ACTIVE {
+            j.note(Column::VertexFreed, v.0, 0);
+        }
+    }
+
+    /// Room for that many more faces.
+    pub(crate) fn reserve_faces(&mut self, faces: usize) {
+        self.origin.reserve(3 * faces);
+        self.twin.reserve(3 * faces);
+    }
+
+    /// Puts back one overwritten entry; says whether the column is one of the mesh's.
+    pub(crate) fn undo(&mut self, entry: Entry) -> bool {
+        let i = entry.index as usize;
+        #[allow(clippy::cast_possible_truncation, reason = "these columns were widened from u32")]
+        let old = entry.old as u32;
+        match entry.column {
+            Column::Origin => self.origin[i] = VertexId(old),
+            Column::Twin => self.twin[i] = HalfEdgeId(old),
+            Column::Mark => self.mark[i] = old,
+            Column::MarksAdded => self.mark.clear(),
+            Column::Outgoing => self.outgoing[i] = HalfEdgeId(old),
+            Column::FaceAppended => {
+                self.origin.truncate(3 * i);
+                self.twin.truncate(3 * i);
+                self.mark.truncate(if self.mark.is_empty() { 0 } else { 3 * i });
+            }
+            Column::FaceFreed => drop(self.free_faces.pop()),
+            Column::FaceReused => self.free_faces.push(FaceId(old)),
+            Column::VertexAppended => self.outgoing.truncate(i),
+            Column::VertexFreed => drop(self.free_vertices.pop()),
+            Column::VertexReused => self.free_vertices.push(VertexId(old)),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Replaces every vertex id `v` by `new[v]`, in place; ids of `outgoing` move along.
+    pub(crate) fn relabel(&mut self, new: &[VertexId], vertices: usize) {
+        let mut outgoing = vec![HalfEdgeId::NONE; vertices];
+        for (v, &h) in self.outgoing.iter().enumerate() {
+            outgoing[new[v].index()] = h;
+        }
+        self.outgoing = outgoing;
+        for v in &mut self.origin {
+            if let Some(&n) = new.get(v.index()) {
+                *v = n;
+            }
+        }
+    }
+}

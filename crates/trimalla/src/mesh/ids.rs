@@ -1,0 +1,122 @@
+//! Typed ids: a vertex cannot name a face.
+
+use std::fmt;
+
+macro_rules! id_type {
+    ($(#[$doc:meta])* $name:ident, $letter:literal) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(transparent)]
+        pub struct $name(pub u32);
+
+        impl $name {
+            /// The id as an index into an array.
+            #[must_use]
+            #[inline]
+            pub const fn index(self) -> usize {
+                self.0 as usize
+            }
+
+            /// The id with this index.
+            ///
+            /// # Guarantees
+            /// Exact for indices below 2³² − 2; triangulations are refused beyond that long before.
+            #[must_use]
+            #[inline]
+            #[allow(clippy::cast_possible_truncation, reason = "sizes are bounded where arrays grow")]
+            pub const fn from_index(index: usize) -> Self {
+                Self(index as u32)
+            }
+        }
+
+        impl fmt::Debug for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, concat!($letter, "{}"), self.0)
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "{}", self.0)
+            }
+        }
+    };
+}
+
+id_type! {
+    /// A vertex: the caller's index, always; Steiner points follow the input.
+    VertexId, "v"
+}
+
+id_type! {
+    /// One side of an edge, directed; belongs to face `h / 3`, which lies to its left.
+    HalfEdgeId, "h"
+}
+
+id_type! {
+    /// A triangle slot; half-edges `3f`, `3f + 1`, `3f + 2` run counter-clockwise around it.
+    FaceId, "f"
+}
+
+impl VertexId {
+    /// The vertex at infinity, third corner of every ghost face.
+    pub const INFINITE: Self = Self(u32::MAX);
+    /// Origin of the half-edges of a dead slot.
+    pub(crate) const DEAD: Self = Self(u32::MAX - 1);
+
+    /// Whether this is a vertex with coordinates.
+    #[must_use]
+    #[inline]
+    pub const fn is_finite(self) -> bool {
+        self.0 != Self::INFINITE.0
+    }
+}
+
+impl HalfEdgeId {
+    /// No half-edge: twin of a dead slot, half-edge of an unused vertex.
+    pub(crate) const NONE: Self = Self(u32::MAX);
+
+    /// The face to the left.
+    #[must_use]
+    #[inline]
+    pub const fn face(self) -> FaceId {
+        FaceId(self.0 / 3)
+    }
+
+    /// The next half-edge counter-clockwise around the face.
+    #[must_use]
+    #[inline]
+    pub const fn next(self) -> Self {
+        if self.0 % 3 == 2 { Self(self.0 - 2) } else { Self(self.0 + 1) }
+    }
+
+    /// The previous half-edge counter-clockwise around the face.
+    #[must_use]
+    #[inline]
+    pub const fn prev(self) -> Self {
+        if self.0 % 3 == 0 { Self(self.0 + 2) } else { Self(self.0 - 1) }
+    }
+
+    /// `Some` of a real half-edge, `None` of the sentinel.
+    #[must_use]
+    #[inline]
+    pub(crate) fn some(self) -> Option<Self> {
+        (self != Self::NONE).then_some(self)
+    }
+}
+
+impl FaceId {
+    /// The face's half-edge number `k`, 0 to 2.
+    #[must_use]
+    #[inline]
+    pub const fn half_edge(self, k: u32) -> HalfEdgeId {
+        HalfEdgeId(self.0 * 3 + k)
+    }
+
+    /// The three half-edges, counter-clockwise.
+    #[must_use]
+    #[inline]
+    pub const fn half_edges(self) -> [HalfEdgeId; 3] {
+        [self.half_edge(0), self.half_edge(1), self.half_edge(2)]
+    }
+}

@@ -1,0 +1,36 @@
+//! Half-edges without coordinates: who is next to whom.
+//!
+//! The mesh closes every triangulation to a sphere. A *ghost face* joins each boundary edge to one
+//! vertex at infinity, [`VertexId::INFINITE`], so every half-edge has a twin and no operator asks
+//! whether it stands at the border.
+//!
+//! ```text
+//!   half-edge h   origin(h) ── h ──> dest(h)         face(h)  = h / 3
+//!                      \            /                next(h), prev(h): arithmetic in the triple
+//!                       \  face(h) /                 twin(h): stored, the other side
+//!                        \        /
+//!                         apex(h)
+//! ```
+//!
+//! * [`HalfEdgeMesh`] holds two flat arrays, `origin` and `twin`, and one half-edge a vertex;
+//! * [`operators`] rewire it, each with its drawing;
+//! * [`Journal`] notes what an operator overwrites, so that it can be taken back exactly;
+//! * circulators ([`HalfEdgeMesh::star`], …) walk a neighbourhood;
+//! * [`SideTable`] keeps user data beside elements.
+//!
+//! This room knows no coordinates; [`crate::triangulation`] adds them.
+
+mod circulators;
+mod half_edges;
+mod ids;
+mod journal;
+pub mod operators;
+mod side_table;
+#[cfg(test)]
+mod tests;
+
+pub use circulators::{BoundaryLoop, Star};
+pub use half_edges::HalfEdgeMesh;
+pub use ids::{FaceId, HalfEdgeId, VertexId};
+pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
+pub use side_table::SideTable;

@@ -1,0 +1,58 @@
+//! Flip: the other diagonal of a quadrilateral.
+
+use crate::mesh::{HalfEdgeId, HalfEdgeMesh, Journal};
+
+impl HalfEdgeMesh {
+    /// Replaces edge `e` by the other diagonal of its two faces.
+    ///
+    /// ```text
+    ///            q                          q
+    ///          /   \                      / | \
+    ///        /       \                  /   |   \
+    ///      /           \              o     p    \      e = x→y becomes d→y
+    ///     x ──── e ────> y    ──>    x      |      y    o = y→x becomes q→x
+    ///      \ <── o ──── /             \     |    e      p = q→d, the new diagonal (was q→x)
+    ///        \       /                  \   |   /
+    ///          \   /                      \ | /
+    ///            d                          d
+    /// ```
+    ///
+    /// Half-edges `e` and `o` change places so that the two outer edges opposite `q`
+    /// are `e` and `next(o)` afterwards: what a Lawson loop looks at next.
+    /// Returns the new diagonal from `q` to `d`.
+    ///
+    /// # Guarantees
+    /// The edge must be unmarked. Flipping the returned diagonal, and so on, four times in all,
+    /// restores the faces (in other slots).
+    #[inline]
+    pub(crate) fn flip<J: Journal>(&mut self, e: HalfEdgeId, j: &mut J) -> HalfEdgeId {
+        let o = self.twin(e);
+        let (x, y) = (self.origin(e), self.origin(o));
+        let p = self.rewire_flip(e, j);
+        self.move_outgoing(x, e, o.next(), j);
+        self.move_outgoing(y, o, e.next(), j);
+        p
+    }
+
+    /// [`flip`](Self::flip) without the vertices' half-edges, for builders that set those at the end.
+    #[inline(always)]
+    pub(crate) fn rewire_flip<J: Journal>(&mut self, e: HalfEdgeId, j: &mut J) -> HalfEdgeId {
+        let o = self.twin(e);
+        let (p, r) = (e.prev(), o.prev());
+        let (q, d) = (self.origin(p), self.origin(r));
+        let (outer_r, outer_p) = (self.twin(r), self.twin(p));
+        self.set_origin(e, d, j);
+        self.set_origin(o, q, j);
+        self.glue(e, outer_r, j);
+        self.glue(o, outer_p, j);
+        self.glue(p, r, j);
+        if !self.mark.is_empty() {
+            let (mark_r, mark_p) = (self.mark[r.index()], self.mark[p.index()]);
+            self.set_mark_one_side(e, mark_r, j);
+            self.set_mark_one_side(o, mark_p, j);
+            self.set_mark_one_side(p, 0, j);
+            self.set_mark_one_side(r, 0, j);
+        }
+        p
+    }
+}
