@@ -1,3 +1,17 @@
-//! Coordinates without half-edges.
+//! Coordinates without half-edges: points, exact predicates, constructions and curve order.
+//!
+//! Two kinds of function live here, and they never mix. A *predicate* ([`orient2d`], [`in_circle`], …) answers with
+//! an enum or a boolean and is exact for every finite `f64`; topology may rest on it. A *construction*
+//! ([`Segment::crossing_point`], [`Triangle::circumcenter`], …) answers with rounded numbers; it is the same on every
+//! platform and does not overflow where its result is representable, and whoever builds on it must prove it again.
+mod order;
 mod point;
-pub use point::Point;
+pub mod predicates;
+
+pub use order::{lexicographic, lexicographically_less};
+pub use point::{Point, Vector};
+pub use predicates::{
+    CircleSide, Orientation, SegmentContact, angle_at_least, ccw, collinear, in_circle,
+    in_circle_perturbed, in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact,
+    segments_cross_properly, strictly_between, triangle_angles_at_least,
+};

@@ -1,0 +1,113 @@
+//! The final proof that an angle is not below a bound.
+//!
+//! With `u`, `v` the edges at the apex and `c = cos²(alpha)`, `alpha` in (0°, 90°]: the angle is below `alpha` exactly if
+//! `u.v > 0` and `(u.v)² > c |u|² |v|²`. All of it is a polynomial of degree five in the input, whose sign is exact.
+
+use super::super::Point;
+use super::ROUNDING;
+use super::disk;
+use super::exact::{Difference, ExactSum};
+use core::cmp::Ordering;
+
+/// Error bound of the rounded polynomial against `|u|² |v|²`.
+///
+/// In roundings: each squared length carries 4, their product 9, times `c <= 1` makes 10. The scalar product is off by at
+/// most 4 times `|ux vx| + |uy vy| <= |u| |v|`, hence its square by 8 + 1. The subtraction adds 2. That is 21; 32 leaves
+/// room for the terms of second order and for the rounding of the bound itself.
+const ANGLE_BOUND: f64 = 32.0 * ROUNDING;
+/// Squared lengths between these bounds keep every product of the filter a normal number (2^-400, 2^400).
+const SQUARES: core::ops::RangeInclusive<f64> =
+    f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
+
+/// Tells whether the angle at `apex` between the rays to `u` and `v` is at least the one whose squared cosine is `cos_sq`.
+///
+/// # Units
+/// `cos_sq` is taken as the exact number that it is, in `[0, 1]`; it stands for an angle of at most 90 degrees.
+///
+/// # Guarantees
+/// Exact for every finite input. Symmetric in `u` and `v`. `false` if `u` or `v` coincides with `apex`.
+#[must_use]
+#[inline]
+pub fn angle_at_least(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
+    let (to_u, to_v) = (u - apex, v - apex);
+    let (u_sq, v_sq) = (to_u.length_sq(), to_v.length_sq());
+    if SQUARES.contains(&u_sq) && SQUARES.contains(&v_sq) {
+        let lengths = u_sq * v_sq;
+        let dot = to_u.dot(to_v);
+        let excess = dot * dot - cos_sq * lengths;
+        let bound = ANGLE_BOUND * lengths;
+        if excess < -bound {
+            return true;
+        }
+        if excess > bound {
+            // |dot| exceeds 2^-24 |u| |v| by far more than its error: its sign is right.
+            return dot < 0.0;
+        }
+    }
+    angle_at_least_exact(apex, u, v, cos_sq)
+}
+
+/// Tells whether all angles of the triangle `abc` are at least the one whose squared cosine is `cos_sq`.
+///
+/// # Guarantees
+/// As for [`angle_at_least`]; the order of the points does not matter.
+#[must_use]
+#[inline]
+pub fn triangle_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
+    angle_at_least(a, b, c, cos_sq)
+        && angle_at_least(b, c, a, cos_sq)
+        && angle_at_least(c, a, b, cos_sq)
+}
+
+/// Decides what the filter left open.
+#[cold]
+#[inline(never)]
+fn angle_at_least_exact(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
+    if u == apex || v == apex {
+        return false;
+    }
+    disk::summed_sign(u, v, apex) != Ordering::Greater
+        || excess_sign(apex, u, v, cos_sq) != Ordering::Greater
+}
+
+/// The sign of `(u.v)² - c |u|² |v|²`.
+fn excess_sign(apex: Point, u: Point, v: Point, cos_sq: f64) -> Ordering {
+    let from_apex = |p: Point| [Difference::new(p.x, apex.x), Difference::new(p.y, apex.y)];
+    let (u, v) = (from_apex(u), from_apex(v));
+    let cos_sq = Difference::number(cos_sq);
+    let mut sum = ExactSum::new();
+    for i in 0..2 {
+        for j in 0..2 {
+            sum.add([u[i], v[i], u[j], v[j]]);
+            sum.subtract([cos_sq, u[i], u[i], v[j], v[j]]);
+        }
+    }
+    sum.sign()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_that_are_met_exactly_hold() {
+        // 45 degrees: cos² is exactly one half.
+        for s in [5e-324, 1e-300, 0.1, 1.0, 3.0, 1e300, f64::MAX] {
+            let (apex, u, v) = (Point::new(0.0, 0.0), Point::new(s, 0.0), Point::new(s, s));
+            assert!(angle_at_least(apex, u, v, 0.5));
+            assert!(angle_at_least(apex, v, u, 0.5));
+            assert!(!angle_at_least(apex, u, v, 0.5_f64.next_down()));
+            assert!(triangle_angles_at_least(apex, u, v, 0.5));
+            assert!(!triangle_angles_at_least(apex, u, v, 0.49));
+            assert!(angle_at_least(u, apex, v, 0.0));
+        }
+    }
+
+    #[test]
+    fn degenerate_triangles_have_no_angle_to_certify() {
+        let (a, b) = (Point::new(0.0, 0.0), Point::new(1.0, 1.0));
+        assert!(!triangle_angles_at_least(a, a, b, 0.99));
+        assert!(!triangle_angles_at_least(a, b, Point::new(2.0, 2.0), 0.99));
+        assert!(angle_at_least(b, a, Point::new(2.0, 2.0), 0.75));
+    }
+}
