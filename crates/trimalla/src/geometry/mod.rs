@@ -4,10 +4,25 @@
 //! an enum or a boolean and is exact for every finite `f64`; topology may rest on it. A *construction*
 //! ([`Segment::crossing_point`], [`Triangle::circumcenter`], …) answers with rounded numbers; it is the same on every
 //! platform and does not overflow where its result is representable, and whoever builds on it must prove it again.
+mod angle;
+mod bounding_box;
+mod circle;
+mod containment;
+mod frame;
+mod hilbert;
+pub mod math;
 mod order;
 mod point;
 pub mod predicates;
+mod ring;
+mod segment;
+mod triangle;
 
+pub use angle::Angle;
+pub use bounding_box::BoundingBox;
+pub use circle::Circle;
+pub use containment::Containment;
+pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
 pub use predicates::{
@@ -15,3 +30,6 @@ pub use predicates::{
     in_circle_perturbed, in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact,
     segments_cross_properly, strictly_between, triangle_angles_at_least,
 };
+pub use ring::Ring;
+pub use segment::Segment;
+pub use triangle::Triangle;

@@ -77,7 +77,7 @@ pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> CircleSide {
 /// reverse the answer, even ones keep it. Where [`in_circle`] is not `On`, the answer is the same.
 ///
 /// # Source
-/// The tie rule is this library's (`design.md` section 2); the derivative of the determinant with respect to one
+/// The tie rule is this library's own; the derivative of the determinant with respect to one
 /// height is the cofactor of that entry, which is an orientation of the three other points.
 #[must_use]
 #[inline]

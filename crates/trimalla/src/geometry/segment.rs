@@ -1,0 +1,192 @@
+//! A straight segment.
+
+use super::frame::Frame;
+use super::predicates::{SegmentContact, on_segment, segment_contact};
+use super::{BoundingBox, Point, Vector, lexicographically_less};
+
+/// A straight segment between two points, which may coincide.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Segment {
+    /// The end it starts from.
+    pub start: Point,
+    /// The end it goes to.
+    pub end: Point,
+}
+
+impl Segment {
+    /// The segment from `start` to `end`.
+    #[must_use]
+    #[inline]
+    pub const fn new(start: Point, end: Point) -> Self {
+        Self { start, end }
+    }
+
+    /// Both ends, start first.
+    #[must_use]
+    #[inline]
+    pub const fn ends(self) -> [Point; 2] {
+        [self.start, self.end]
+    }
+
+    /// The same segment from its other end.
+    #[must_use]
+    #[inline]
+    pub const fn reversed(self) -> Self {
+        Self::new(self.end, self.start)
+    }
+
+    /// The point halfway, rounded: see [`Point::midpoint`].
+    #[must_use]
+    #[inline]
+    pub fn midpoint(self) -> Point {
+        Point::midpoint(self.start, self.end)
+    }
+
+    /// The point at parameter `t`, rounded: see [`Point::lerp`].
+    #[must_use]
+    #[inline]
+    pub fn at(self, t: f64) -> Point {
+        Point::lerp(self.start, self.end, t)
+    }
+
+    /// The squared length `dx * dx + dy * dy`, rounded, unscaled: see [`Point::distance_sq`].
+    #[must_use]
+    #[inline]
+    pub fn length_sq(self) -> f64 {
+        Point::distance_sq(self.start, self.end)
+    }
+
+    /// The length, rounded.
+    ///
+    /// # Guarantees
+    /// Infinite only if the length itself passes `f64::MAX`, zero only if the ends coincide.
+    #[must_use]
+    #[inline]
+    pub fn length(self) -> f64 {
+        let frame = Frame::new(self.start, [self.end]);
+        frame.length(frame.local(self.end).length_sq().sqrt())
+    }
+
+    /// The smallest box around the segment.
+    #[must_use]
+    #[inline]
+    pub fn bounding_box(self) -> BoundingBox {
+        BoundingBox::around(self.start).including(self.end)
+    }
+
+    /// The only point that two segments share: rounded where they cross, exact where an end lies on the other segment.
+    ///
+    /// # Guarantees
+    /// `None` exactly if the segments share no point or more than one; that decision is exact. The result has the same
+    /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both.
+    ///
+    /// # Source
+    /// The parameter is the ratio of the distances of the ends from the other line, which are added, never subtracted.
+    #[must_use]
+    pub fn crossing_point(self, other: Self) -> Option<Point> {
+        match segment_contact(self.start, self.end, other.start, other.end) {
+            SegmentContact::Crossing => Some(self.proper_crossing(other)),
+            SegmentContact::Touching => self.shared_end(other),
+            SegmentContact::Apart | SegmentContact::Overlapping => None,
+        }
+    }
+
+    /// The crossing of two segments that cross in a point inside both.
+    fn proper_crossing(self, other: Self) -> Point {
+        let (one, two) = (self.sorted(), other.sorted());
+        let (one, two) = if lexicographically_less(two.start, one.start) {
+            (two, one)
+        } else {
+            (one, two)
+        };
+        let frame = Frame::new(two.start, [two.end, one.start, one.end]);
+        let direction = frame.local(two.end);
+        let distance = |p: Point| direction.cross(frame.local(p)).abs();
+        let (from_start, from_end) = (distance(one.start), distance(one.end));
+        let t = from_start / (from_start + from_end);
+        let point = one.at(if t.is_nan() { 0.5 } else { t });
+        two.bounding_box().clamp(one.bounding_box().clamp(point))
+    }
+
+    /// The end that lies on the other segment, of two segments that touch.
+    fn shared_end(self, other: Self) -> Option<Point> {
+        let of_other = other
+            .ends()
+            .into_iter()
+            .find(|p| on_segment(self.start, self.end, *p));
+        of_other.or_else(|| {
+            self.ends()
+                .into_iter()
+                .find(|p| on_segment(other.start, other.end, *p))
+        })
+    }
+
+    /// The segment directed from its lexicographically smaller end.
+    fn sorted(self) -> Self {
+        if lexicographically_less(self.end, self.start) {
+            self.reversed()
+        } else {
+            self
+        }
+    }
+
+    /// The displacement from start to end, which overflows for ends too far apart.
+    #[must_use]
+    #[inline]
+    pub fn direction(self) -> Vector {
+        self.end - self.start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn segment(x0: f64, y0: f64, x1: f64, y1: f64) -> Segment {
+        Segment::new(Point::new(x0, y0), Point::new(x1, y1))
+    }
+
+    #[test]
+    fn diagonals_cross_in_the_middle_at_every_size() {
+        for s in [5e-324, 1e-300, 1.0, 1e300, f64::MAX] {
+            let (one, two) = (segment(-s, -s, s, s), segment(-s, s, s, -s));
+            assert_eq!(one.crossing_point(two), Some(Point::new(0.0, 0.0)));
+        }
+    }
+
+    #[test]
+    fn a_crossing_does_not_depend_on_directions_or_order() {
+        let (one, two) = (segment(0.1, 0.2, 7.3, 5.9), segment(0.3, 6.1, 6.7, 0.4));
+        let expected = one.crossing_point(two);
+        assert!(expected.is_some());
+        for (a, b) in [
+            (one, two.reversed()),
+            (two, one),
+            (two.reversed(), one.reversed()),
+        ] {
+            assert_eq!(a.crossing_point(b), expected);
+        }
+    }
+
+    #[test]
+    fn touching_segments_share_an_end_exactly() {
+        let (one, two) = (segment(0.0, 0.0, 1.0, 0.0), segment(0.3, 0.0, 0.3, 1.0));
+        assert_eq!(one.crossing_point(two), Some(two.start));
+        assert_eq!(two.crossing_point(one), Some(two.start));
+        assert_eq!(one.crossing_point(one), None);
+        assert_eq!(one.crossing_point(segment(0.0, 1.0, 1.0, 1.0)), None);
+    }
+
+    #[test]
+    fn lengths_neither_overflow_nor_vanish() {
+        let big = 2.0_f64.powi(1000);
+        assert_eq!(segment(0.0, 0.0, 3.0 * big, 4.0 * big).length(), 5.0 * big);
+        let s = 5e-324;
+        assert_eq!(segment(0.0, 0.0, 3.0 * s, 4.0 * s).length(), 5.0 * s);
+        assert_eq!(
+            segment(-f64::MAX, 0.0, f64::MAX, 0.0).length(),
+            f64::INFINITY
+        );
+        assert_eq!(segment(2.0, 2.0, 2.0, 2.0).length(), 0.0);
+    }
+}
