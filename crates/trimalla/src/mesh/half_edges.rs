@@ -216,13 +216,19 @@ impl HalfEdgeMesh {
     /// # Complexity
     /// Linear.
     pub(crate) fn from_arrays(origin: Vec<VertexId>, twin: Vec<HalfEdgeId>, vertices: usize) -> Self {
-        let mut outgoing = vec![HalfEdgeId::NONE; vertices];
-        for (i, &v) in origin.iter().enumerate() {
-            if let Some(slot) = outgoing.get_mut(v.index()) {
+        let mut mesh = Self { origin, twin, ..Self::default() };
+        mesh.keep_half_edges(vertices);
+        mesh
+    }
+
+    /// Gives every vertex with edges a half-edge of its own, in one pass; what bulk builders end with.
+    pub(crate) fn keep_half_edges(&mut self, vertices: usize) {
+        self.outgoing = vec![HalfEdgeId::NONE; vertices];
+        for (i, &v) in self.origin.iter().enumerate() {
+            if let Some(slot) = self.outgoing.get_mut(v.index()) {
                 *slot = HalfEdgeId::from_index(i);
             }
         }
-        Self { origin, twin, outgoing, ..Self::default() }
     }
 
     #[inline(always)]

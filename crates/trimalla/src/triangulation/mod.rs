@@ -1,3 +1,20 @@
 //! Topology, coordinates and marks of a triangulation, and its invariants.
+//!
+//! [`Triangulation`] is any triangulation: it promises that its faces are strictly counter-clockwise by
+//! the exact test and closed by ghosts, not that it is Delaunay. It is closed by its convex hull or by
+//! the border of a domain ([`Closure`]), and every dimension from −1 to 2 is a legal state.
+//!
+//! [`Triangulation::check`] names every broken invariant; tests call it after every change.
+
+mod canonical;
+mod check;
+mod compact;
 mod indexed;
+#[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
+mod triangulation;
+mod undo;
+
+pub use check::Fault;
+pub use compact::CompactMap;
 pub use indexed::IndexedMesh;
+pub use triangulation::{Closure, Triangulation};

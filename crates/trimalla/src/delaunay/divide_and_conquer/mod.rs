@@ -51,7 +51,8 @@
 //! `[Valenzuela09]`, section 4.2, describes the same algorithm; there the candidates are compared by a rounded
 //! in-circle test, here by an exact one. The cuts are those of `[Dwyer87]`.
 
-pub(crate) mod convert;
+mod build;
+mod convert;
 mod edge_records;
 mod merge;
 #[cfg(test)]
@@ -62,7 +63,8 @@ use std::ops::Range;
 
 use crate::geometry::{Orientation, Point, orient2d};
 
-pub(crate) use edge_records::{Edge, EdgeRecords};
+pub(super) use build::build;
+use edge_records::{Edge, EdgeRecords};
 
 /// The largest number of points that fits: a record and a half-edge for each of six directed edges a point, all
 /// numbered in 32 bits, with room for two marks.

@@ -1,0 +1,130 @@
+//! Incremental construction in bulk.
+//!
+//! 1. Order the points along a curve and copy them into that order ([`super::order`]).
+//! 2. Start from the first three that are not collinear. Where there are none, the sorted points are
+//!    a chain, and done.
+//! 3. Insert the others round by round: walk from the last face, split, flip.
+//! 4. Give vertices their half-edges, and the caller's indices back.
+//!
+//! # Guarantees
+//! Equal points become one vertex, the one of lowest index; the others map to it.
+//!
+//! # Complexity
+//! Expected O(n log n) for any point set, linear in practice. No allocation per point.
+//!
+//! # Source
+//! `[Lawson77]`, `[AmentaCR03]`; `[Valenzuela09]` algorithm 4.1.
+
+use super::insert::insert_at;
+use super::lawson::Lawson;
+use super::order;
+use crate::geometry::{Orientation, Point, lexicographic, orient2d};
+use crate::locate::Locus;
+use crate::mesh::{FaceId, NoJournal, VertexId};
+use crate::triangulation::Triangulation;
+
+/// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.
+pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> Triangulation {
+    let chosen: Option<Vec<Point>> = subset.map(|s| s.iter().map(|v| points[v.index()]).collect());
+    let curve = order::along_curve(chosen.as_deref().unwrap_or(points));
+    let caller = |i: u32| subset.map_or(VertexId(i), |s| s[i as usize]);
+    let names: Vec<VertexId> = curve.into_iter().map(caller).collect();
+    drop(chosen);
+    let mut t = Triangulation::of_unused(names.iter().map(|v| points[v.index()]).collect());
+    let same = insert_all(&mut t);
+    name_vertices(&mut t, points, names, &same);
+    t
+}
+
+/// Inserts every vertex; returns pairs of vertices at the same place, the used one second.
+fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
+    let order = order::rounds(t.points.len());
+    let Some(first) = first_triangle(t, &order) else { return chain(t) };
+    t.mesh.reserve_faces(2 * t.points.len());
+    start_with(t, first);
+    let mut same = Vec::new();
+    let mut lawson = Lawson::default();
+    let mut last = FaceId(0);
+    for &i in &order {
+        let v = VertexId(i);
+        if first.contains(&v) {
+            continue;
+        }
+        let locus = t.locate_from(last, t.point(v));
+        if let Locus::Vertex(w) = locus {
+            same.push((v, w));
+            continue;
+        }
+        last = match locus {
+            Locus::Face(f) => f,
+            Locus::Edge(h) | Locus::Outside(h) => h.face(),
+            _ => last,
+        };
+        insert_at::<false, _>(t, v, locus, &mut lawson, &mut NoJournal);
+    }
+    t.mesh.keep_half_edges(t.points.len());
+    same
+}
+
+/// The first vertex of the order, the first one elsewhere, and the first one off their line,
+/// counter-clockwise.
+fn first_triangle(t: &Triangulation, order: &[u32]) -> Option<[VertexId; 3]> {
+    let mut vertices = order.iter().map(|&i| VertexId(i));
+    let a = vertices.next()?;
+    let b = vertices.find(|&v| t.point(v) != t.point(a))?;
+    vertices.find_map(|c| match orient2d(t.point(a), t.point(b), t.point(c)) {
+        Orientation::CounterClockwise => Some([a, b, c]),
+        Orientation::Clockwise => Some([b, a, c]),
+        Orientation::Collinear => None,
+    })
+}
+
+/// One triangle between three ghosts.
+fn start_with(t: &mut Triangulation, [a, b, c]: [VertexId; 3]) {
+    let j = &mut NoJournal;
+    let h = t.mesh.start_chain(a, b, j);
+    t.mesh.attach_outside(h, h, c, j);
+    t.set_state(2, t.closure, None, j);
+}
+
+/// Collinear vertices, sorted, as a chain.
+fn chain(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
+    let mut sorted: Vec<VertexId> = (0..t.points.len()).map(VertexId::from_index).collect();
+    sorted.sort_by(|&a, &b| lexicographic(t.point(a), t.point(b)).then(a.cmp(&b)));
+    let mut same = Vec::new();
+    let mut distinct: Vec<VertexId> = Vec::new();
+    for v in sorted {
+        match distinct.last() {
+            Some(&w) if t.point(w) == t.point(v) => same.push((v, w)),
+            _ => distinct.push(v),
+        }
+    }
+    let j = &mut NoJournal;
+    match distinct[..] {
+        [] => {}
+        [v] => t.set_state(0, t.closure, Some(v), j),
+        [a, b, ref rest @ ..] => {
+            let mut end = t.mesh.start_chain(a, b, j);
+            for &v in rest {
+                end = t.mesh.extend_chain(end, v, j);
+            }
+            t.set_state(1, t.closure, None, j);
+        }
+    }
+    same
+}
+
+/// From storage order back to the caller's ids; equal points become the one of lowest id.
+fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<VertexId>, same: &[(VertexId, VertexId)]) {
+    for &(v, w) in same {
+        // Whichever was inserted, the lowest id is used.
+        if names[v.index()] < names[w.index()] {
+            names.swap(v.index(), w.index());
+        }
+    }
+    t.mesh.relabel(&names, points.len());
+    t.points = points.to_vec();
+    t.lone = t.lone.map(|v| names[v.index()]);
+    t.duplicates = same.iter().map(|&(v, w)| (names[v.index()], names[w.index()])).collect();
+    t.duplicates.sort_unstable();
+}

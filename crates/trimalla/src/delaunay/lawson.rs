@@ -1,0 +1,111 @@
+//! Lawson's loop: flip what fails the circle test until nothing does.
+
+use crate::geometry::{CircleSide, Orientation, in_circle_perturbed};
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::triangulation::{Closure, Triangulation};
+
+/// A stack of edges to look at, kept between insertions so that none allocates.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lawson {
+    stack: Vec<HalfEdgeId>,
+    /// Edges flipped since the last [`take_flips`](Self::take_flips).
+    flips: u64,
+}
+
+impl Lawson {
+    /// Puts an edge on the stack.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, h: HalfEdgeId) {
+        self.stack.push(h);
+    }
+
+    /// Legalises around a new vertex `q`: every edge on the stack lies opposite `q` in its own face.
+    ///
+    /// ```text
+    ///            q                    q
+    ///          /   \                / | \
+    ///         / e,o \              /  |  \       d inside the circle of x, y, q:
+    ///        x ───── y    ──>     x   |   y      flip, then look at x–d and d–y
+    ///         \     /              \  |  /
+    ///          \   /                \ | /
+    ///            d                    d
+    /// ```
+    ///
+    /// Every flip adds an edge at `q`, and none is ever taken away: at most as many flips as there
+    /// are vertices. `OUTGOING` says whether vertices keep their half-edges meanwhile.
+    ///
+    /// # Source
+    /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
+    #[inline]
+    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) {
+        while let Some(e) = self.stack.pop() {
+            let o = t.mesh.twin(e);
+            if !t.mesh.is_marked(e) && conflicts(t, e, o) {
+                self.flips += 1;
+                if OUTGOING {
+                    t.mesh.flip(e, j);
+                } else {
+                    t.mesh.rewire_flip(e, j);
+                }
+                self.stack.push(e);
+                self.stack.push(o.next());
+            }
+        }
+    }
+
+    /// Legalises everywhere: edges on the stack may lie anywhere; the four sides of a flipped pair
+    /// are looked at again.
+    ///
+    /// Flips raise the lifted surface nowhere, so the loop ends; `[Lawson77]` bounds it by the square of the
+    /// number of vertices.
+    pub(crate) fn legalise_all<J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) {
+        while let Some(e) = self.stack.pop() {
+            if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
+                continue;
+            }
+            let o = t.mesh.twin(e);
+            if conflicts(t, e, o) {
+                self.flips += 1;
+                t.mesh.flip(e, j);
+                self.stack.extend([e, e.next(), o, o.next()]);
+            }
+        }
+    }
+
+    /// The number of flips since this was last asked.
+    pub(crate) fn take_flips(&mut self) -> u64 {
+        std::mem::take(&mut self.flips)
+    }
+}
+
+/// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included).
+#[inline(always)]
+fn conflicts(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId) -> bool {
+    let [x, y, d, q] = [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o), t.mesh.apex(e)];
+    let point = |v: VertexId| t.points.get(v.index());
+    // The vertex at infinity has no coordinates: the look-up doubles as the test for ghosts.
+    match (point(x), point(y), point(d), point(q)) {
+        (Some(&x), Some(&y), Some(&d), Some(&q)) => in_circle_perturbed(y, x, d, q) == CircleSide::Inside,
+        _ => ghost_conflicts(t, [x, y, d, q]),
+    }
+}
+
+/// The circle test where one corner is at infinity: circles through infinity are half-planes.
+///
+/// Across a spoke x–∞ the ghost beyond has a hull edge; the edge conflicts if the near corner sees it.
+#[cold]
+#[inline(never)]
+fn ghost_conflicts(t: &Triangulation, [x, y, d, q]: [VertexId; 4]) -> bool {
+    if t.closure == Closure::Domain || t.dimension < 2 {
+        return false; // A domain's ghosts claim no convexity; a chain has nothing to flip.
+    }
+    let hull_edge = if !y.is_finite() {
+        [x, d] // e = x→∞: the ghost beyond is (x, d, ∞)
+    } else if !x.is_finite() {
+        [d, y] // e = ∞→y: the ghost beyond is (d, y, ∞)
+    } else {
+        return false; // A hull edge between a face and its ghost.
+    };
+    let [a, b] = hull_edge.map(|v| t.point(v));
+    crate::geometry::orient2d(a, b, t.point(q)) == Orientation::CounterClockwise
+}

@@ -1,0 +1,161 @@
+//! Removal of a vertex, in every dimension.
+//!
+//! 1. Flip spokes away while the two faces beside one form a strictly convex quadrilateral. A star-shaped
+//!    polygon always has such an ear, until one of these is left:
+//! 2. * three faces around an inner vertex: they become one;
+//!    * four, the vertex on a diagonal of its neighbours: they become two (also on the border);
+//!    * a vertex on the hull whose neighbours form a convex path: the path is the new hull.
+//! 3. The edges of the hole and those flipped go to Lawson's loop.
+//!
+//! Each flip takes a spoke away, so there are fewer flips than neighbours; each is found by looking at the
+//! neighbours of the last. The result is the (constrained) Delaunay triangulation without the vertex,
+//! because Lawson's loop ends in no other.
+
+use super::lawson::Lawson;
+use crate::geometry::{Point, strictly_between};
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::triangulation::{Closure, Triangulation};
+
+/// Why a vertex cannot be removed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RemoveError {
+    /// The vertex does not exist or is not part of the triangulation.
+    #[error("vertex {0} is not used")]
+    Unused(VertexId),
+    /// A constrained edge ends at the vertex.
+    #[error("vertex {vertex} at {point} is an end of a constrained edge")]
+    Constrained {
+        /// The vertex.
+        vertex: VertexId,
+        /// Where it lies.
+        point: Point,
+    },
+    /// The place a vertex should move to is not finite.
+    #[error("vertex cannot move to {0}, which is not finite")]
+    NotFinite(Point),
+}
+
+/// Takes `v` out of the triangulation; it stays as an unused vertex.
+pub(crate) fn remove_vertex<J: Journal>(t: &mut Triangulation, v: VertexId, lawson: &mut Lawson, j: &mut J) -> Result<(), RemoveError> {
+    if v.index() >= t.points.len() || !t.is_used(v) {
+        return Err(RemoveError::Unused(v));
+    }
+    if t.star(v).any(|h| t.is_marked(h)) {
+        return Err(RemoveError::Constrained { vertex: v, point: t.point(v) });
+    }
+    match t.dimension {
+        0 => t.set_state(-1, t.closure, None, j),
+        1 => remove_from_chain(t, v, j),
+        _ => {
+            let rim: Vec<HalfEdgeId> = t.star(v).map(|h| h.next()).map(|h| t.twin(h)).collect();
+            remove_from_plane(t, v, j);
+            lower_dimension(t, j);
+            legalise_hole(t, &rim, lawson, j);
+        }
+    }
+    Ok(())
+}
+
+/// The rim was kept as half-edges outside the hole, which flips and unsplits leave where they are.
+fn legalise_hole<J: Journal>(t: &mut Triangulation, rim: &[HalfEdgeId], lawson: &mut Lawson, j: &mut J) {
+    if t.dimension < 2 {
+        return;
+    }
+    for &outer in rim {
+        if t.is_alive(outer.face()) {
+            for h in t.twin(outer).face().half_edges() {
+                lawson.push(h);
+            }
+        }
+    }
+    lawson.legalise_all(t, j);
+}
+
+/// Where removal left no face, what is left is a chain.
+fn lower_dimension<J: Journal>(t: &mut Triangulation, j: &mut J) {
+    // A triangulation of the plane has at least one real face beside a ghost.
+    let flat = t.ghost_faces().next().and_then(|g| t.ghost_edge(g)).is_some_and(|e| t.is_ghost(t.twin(e).face()));
+    if flat {
+        t.set_state(1, t.closure, None, j);
+    }
+}
+
+fn remove_from_chain<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
+    let edges: Vec<HalfEdgeId> = t.edges_around(v).collect();
+    match edges[..] {
+        [h, g] if t.dest(h) != t.dest(g) => {
+            t.mesh.unsplit_edge(h, j);
+        }
+        [h, ..] => {
+            let other = t.dest(h);
+            if t.degree(other) > 1 {
+                let towards = t.twin(h);
+                t.mesh.shorten_chain(towards, j);
+            } else {
+                t.mesh.end_chain(h, j);
+                t.set_state(0, t.closure, Some(other), j);
+            }
+        }
+        [] => {}
+    }
+}
+
+/// Flips spokes of `v` away and takes it out.
+fn remove_from_plane<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
+    let mut spokes: Vec<HalfEdgeId> = t.star(v).collect();
+    while let Some(h) = spokes.pop() {
+        // A spoke that was flipped away no longer starts at v.
+        if t.origin(h) != v || !is_ear(t, h) {
+            continue;
+        }
+        let (before, after) = (t.cw(h), t.ccw(h));
+        let (a, c) = (t.dest(before), t.dest(after));
+        t.mesh.flip(h, j);
+        // The neighbours' ears changed; find their spokes again, their slots may have moved.
+        spokes.extend(t.star(v).filter(|&s| t.dest(s) == a || t.dest(s) == c));
+    }
+    take_out(t, v, j);
+}
+
+/// Whether spoke `h` = v→b between neighbours a (clockwise) and c (counter-clockwise) can be flipped:
+/// (a, b, c) and (a, c, v) are strictly counter-clockwise.
+///
+/// ```text
+///          c                   c
+///        / | \               /   \
+///       v ─h─ b     ──>     v     b
+///        \ | /               \   /         (and the edge a–c)
+///          a                   a
+/// ```
+fn is_ear(t: &Triangulation, h: HalfEdgeId) -> bool {
+    let (a, b, c) = (t.dest(t.cw(h)), t.dest(h), t.dest(t.ccw(h)));
+    let finite = a.is_finite() && b.is_finite() && c.is_finite();
+    finite && a != c && t.is_ccw(a, b, c) && t.is_ccw(a, c, t.origin(h)) && !t.is_marked(h)
+}
+
+/// What is left when no ear is: step 2 of the prose above.
+fn take_out<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
+    let spokes: Vec<HalfEdgeId> = t.star(v).collect();
+    let on_hull = spokes.iter().any(|&h| !t.dest(h).is_finite());
+    match spokes.len() {
+        3 if !on_hull => {
+            t.mesh.unsplit_face(spokes[0], j);
+        }
+        4 => {
+            let straight = spokes.iter().copied().find(|&h| {
+                let opposite = t.dest(t.ccw(t.ccw(h)));
+                let ends = t.dest(h).is_finite() && opposite.is_finite();
+                ends && strictly_between(t.point(t.dest(h)), t.point(opposite), t.point(v))
+            });
+            match straight {
+                Some(h) => {
+                    t.mesh.unsplit_edge(h, j);
+                }
+                None => t.mesh.detach_outside(v, j),
+            }
+        }
+        _ => t.mesh.detach_outside(v, j),
+    }
+    debug_assert!(t.closure == Closure::Hull || !on_hull, "boundary vertices of a domain end constrained edges");
+}

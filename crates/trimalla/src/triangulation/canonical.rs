@@ -1,0 +1,37 @@
+//! The canonical form: what two algorithms must share.
+
+use super::triangulation::Triangulation;
+use crate::mesh::VertexId;
+
+impl Triangulation {
+    /// The triangles, each rotated to its smallest vertex id, sorted.
+    ///
+    /// Algorithms, insertion orders and thread counts must agree on it; slots may differ.
+    #[must_use]
+    pub fn canonical(&self) -> Vec<[VertexId; 3]> {
+        let mut list: Vec<_> = self.real_faces().map(|f| rotate_to_smallest(self.face_vertices(f))).collect();
+        list.sort_unstable();
+        list
+    }
+
+    /// The edges of a chain in dimension 1, or all edges, each from its smaller vertex id, sorted.
+    #[must_use]
+    pub fn canonical_edges(&self) -> Vec<[VertexId; 2]> {
+        let mut list: Vec<_> = self
+            .edges()
+            .map(|h| {
+                let (a, b) = (self.origin(h), self.dest(h));
+                [a.min(b), a.max(b)]
+            })
+            .collect();
+        list.sort_unstable();
+        list
+    }
+}
+
+fn rotate_to_smallest(mut t: [VertexId; 3]) -> [VertexId; 3] {
+    while t[0] > t[1] || t[0] > t[2] {
+        t.rotate_left(1);
+    }
+    t
+}
