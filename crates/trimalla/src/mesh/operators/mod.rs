@@ -24,3 +24,5 @@ mod outside;
 mod refill;
 mod split;
 mod unsplit;
+
+pub(crate) use refill::Side;

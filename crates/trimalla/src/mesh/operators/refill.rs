@@ -7,8 +7,10 @@ use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 pub(crate) enum Side {
     /// To side `.1` of new face `.0` of the same refill.
     New(u32, u32),
-    /// To the rim: this half-edge outside the cavity (or across a doubled rim edge).
+    /// To the rim: this half-edge outside the cavity; the edge carries this mark.
     Rim(HalfEdgeId, u32),
+    /// To side `.1` of new face `.0`, across an edge that dangled into the cavity and carries mark `.2`.
+    Doubled(u32, u32, u32),
 }
 
 impl HalfEdgeMesh {
@@ -34,6 +36,7 @@ impl HalfEdgeMesh {
             for (k, h) in (0..3).zip(f.half_edges()) {
                 let (twin, mark) = match sides[i][k] {
                     Side::New(g, s) => (faces[g as usize].half_edge(s), 0),
+                    Side::Doubled(g, s, mark) => (faces[g as usize].half_edge(s), mark),
                     Side::Rim(t, mark) => {
                         self.set_twin(t, h, j);
                         (t, mark)
