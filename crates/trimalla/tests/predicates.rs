@@ -32,7 +32,7 @@ fn from_last(points: &[Point]) -> Vec<[IBig; 2]> {
         let (significand, exponent) = parts(v);
         IBig::from(significand) << (exponent - unit).max(0) as usize
     };
-    let (last, others) = points.split_last().unwrap();
+    let (last, others) = points.split_last().expect("points");
     let (x, y) = (integer(last.x), integer(last.y));
     others
         .iter()
@@ -81,7 +81,7 @@ fn oracle_angle_at_least(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
 }
 
 fn rational_orientation(a: Point, b: Point, c: Point) -> Ordering {
-    let rational = |v: f64| RBig::try_from(v).unwrap();
+    let rational = |v: f64| RBig::try_from(v).expect("finite");
     let [ax, ay, bx, by, cx, cy] = [a.x, a.y, b.x, b.y, c.x, c.y].map(rational);
     let left = (ax - &cx) * (by - &cy);
     left.cmp(&((ay - cy) * (bx - cx)))
@@ -97,7 +97,7 @@ fn side_sign(side: CircleSide) -> Ordering {
 
 // ---- points to try -------------------------------------------------------------------------------
 
-/// A small generator of fixed seed (SplitMix64).
+/// A small generator of fixed seed (the mixer of Steele, Lea and Flood).
 struct Random(u64);
 
 impl Random {
@@ -131,11 +131,12 @@ impl Random {
         }
     }
 
-    /// A point whose coordinates are at most four steps away.
+    /// A point whose coordinates are at most four steps away (stepping below zero is left out).
     fn nudged(&mut self, p: Point) -> Point {
-        let mut nudge = |value: f64| match self.below(9) {
-            n @ 0..4 => (0..=n).fold(value, |v, _| v.next_down()),
-            n => (4..n).fold(value, |v, _| v.next_up()),
+        let mut nudge = |value: f64| {
+            let steps = self.below(9) as u64;
+            let moved = f64::from_bits((value.to_bits() + steps).saturating_sub(4));
+            if moved.is_finite() { moved } else { value }
         };
         Point::new(nudge(p.x), nudge(p.y))
     }

@@ -106,13 +106,12 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
         + c_lift * (ab.abs() + ba.abs());
     let guard = UNDERFLOW_GUARD * (a_lift + b_lift + c_lift + 1.0);
     let bound = CIRCLE_BOUND * magnitude + guard;
-    if determinant > bound {
-        Some(CircleSide::Inside)
-    } else if determinant < -bound {
-        Some(CircleSide::Outside)
+    let side = if determinant > 0.0 {
+        CircleSide::Inside
     } else {
-        None
-    }
+        CircleSide::Outside
+    };
+    (determinant.abs() > bound).then_some(side)
 }
 
 /// Decides what the filter left open.
