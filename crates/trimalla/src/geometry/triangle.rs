@@ -318,7 +318,7 @@ mod tests {
             assert_eq!(t.locate(Point::new(2.0, 1.5)), Containment::On);
             assert_eq!(t.locate(Point::new(4.0, 0.0)), Containment::On);
             assert_eq!(
-                t.locate(Point::new(2.0, 1.5_f64.next_up())),
+                t.locate(Point::new(2.0, 1.5 + f64::EPSILON)),
                 Containment::Outside
             );
         }

@@ -28,6 +28,39 @@ pub(super) fn common_integers<const N: usize>(values: [f64; N]) -> Option<[i64; 
     }))
 }
 
+/// Digits of a small integer.
+const SMALL_BITS: u64 = 12;
+/// The sum with this number leaves no digits for a fraction: 1.5 * 2^52.
+const ROUND_TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+/// Biased exponents for which a scale factor and its inverse are normal numbers.
+const SCALABLE: core::ops::RangeInclusive<u64> = 1023 - 900..=1023 + 900;
+
+/// The differences `a - b` as integers below 2^12 in magnitude, up to a common power of two.
+///
+/// Polynomials of degree four with up to sixteen terms have no rounding errors in them: sixteen products of 48 bits make
+/// 52. This is how neighbours of a grid look, and it costs less than [`common_integers`].
+///
+/// # Guarantees
+/// `None` where a difference is rounded or has too many digits, or where all are zero or any is not finite.
+#[inline]
+pub(super) fn small_differences<const N: usize>(pairs: [(f64, f64); N]) -> Option<[f64; N]> {
+    let differences = pairs.map(|(a, b)| a - b);
+    let largest = differences
+        .iter()
+        .fold(0, |m, d| biased_exponent(*d).max(m));
+    if !SCALABLE.contains(&largest) {
+        return None;
+    }
+    let scale = f64::from_bits((2 * 1023 + SMALL_BITS - 1 - largest) << 52);
+    let unit = f64::from_bits((largest - (SMALL_BITS - 1)) << 52);
+    let small = differences.map(|d| (d * scale + ROUND_TO_INTEGER) - ROUND_TO_INTEGER);
+    let exact = (0..N).fold(true, |exact, i| {
+        let ((a, b), difference) = (pairs[i], differences[i]);
+        exact & (a - difference == b) & (difference + b == a) & (small[i] * unit == difference)
+    });
+    exact.then_some(small)
+}
+
 /// The exponent field: zero for subnormal numbers and zero.
 #[inline]
 const fn biased_exponent(value: f64) -> u64 {
@@ -43,7 +76,7 @@ const fn significand(value: f64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::common_integers;
+    use super::{common_integers, small_differences};
 
     #[test]
     fn integers_keep_their_ratios() {
@@ -55,6 +88,21 @@ mod tests {
         }
         assert_eq!(common_integers([5e-324, -1e-323]), Some([256, -512]));
         assert_eq!(common_integers([0.0, -0.0]), Some([0, 0]));
+    }
+
+    #[test]
+    fn small_differences_are_exact_or_refused() {
+        let found = small_differences([(1e6, 1e6 - 3.0), (0.5, 1.0), (7.0, 7.0)]);
+        assert_eq!(found, Some([3072.0, -512.0, 0.0]));
+        assert_eq!(small_differences([(0.3, 0.1)]), None);
+        assert_eq!(small_differences([(1.0, 0.0), (1e-4, 0.0)]), None);
+        assert_eq!(
+            small_differences([(2.0_f64.powi(890), 0.0), (5e-324, 0.0)]),
+            None
+        );
+        assert_eq!(small_differences([(1.0, 1.0)]), None);
+        assert_eq!(small_differences([(f64::MAX, -f64::MAX)]), None);
+        assert_eq!(small_differences([(f64::NAN, 1.0)]), None);
     }
 
     #[test]
