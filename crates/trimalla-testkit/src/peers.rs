@@ -14,7 +14,8 @@ use crate::shared::shared_root;
 /// Runs the shared `tools/check_mesh.py` on `<stem>.node` and `<stem>.ele`.
 ///
 /// # Shape
-/// `input` is a `.poly` or `.node` file. `None` where python3, numpy or the script are missing: nothing was checked.
+/// `input` is a `.poly` or `.node` file. `None` where python3, numpy or the script are missing:
+/// nothing was checked.
 ///
 /// # Errors
 /// What the checker printed, where it found a problem or could not read a file.
@@ -46,7 +47,8 @@ pub fn check_mesh(
     Some(Err(said))
 }
 
-/// Writes mesh and input to a fresh folder below the temporary one, runs [`check_mesh`] there, removes the folder.
+/// Writes mesh and input to a fresh folder below the temporary one, runs [`check_mesh`] there,
+/// removes the folder.
 ///
 /// # Errors
 /// The outer result: the files could not be written. The inner one: see [`check_mesh`].
@@ -104,7 +106,8 @@ fn poly_text(pslg: &Pslg) -> String {
     )
 }
 
-/// Points as a `.node` file; the exponent form of Rust is the shortest that reads back the same bits.
+/// Points as a `.node` file; the exponent form of Rust is the shortest that reads back the same
+/// bits.
 fn node_text(points: &[Point]) -> String {
     let rows = points
         .iter()

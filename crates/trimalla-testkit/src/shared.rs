@@ -8,8 +8,9 @@ const MARK: &str = "data/README.md";
 /// The folder `shared`, which holds `data/` and `tools/`.
 ///
 /// # Guarantees
-/// Looks at the environment variable `TRIMALLA_SHARED` first (the path of `shared`, or of its parent), then walks up
-/// from this crate and from the current directory, looking for `shared/data/README.md`.
+/// Looks at the environment variable `TRIMALLA_SHARED` first (the path of `shared`, or of its
+/// parent), then walks up from this crate and from the current directory, looking for
+/// `shared/data/README.md`.
 #[must_use]
 pub fn shared_root() -> Option<PathBuf> {
     let named = std::env::var_os("TRIMALLA_SHARED").map(PathBuf::from);
@@ -50,7 +51,8 @@ pub fn say_skipped(why: &str) {
     eprintln!("skipped: {why}");
 }
 
-/// The folder of the shared inputs, or one line `skipped: shared data not found` and a return from the calling test.
+/// The folder of the shared inputs, or one line `skipped: shared data not found` and a return from
+/// the calling test.
 ///
 /// # Examples
 /// ```

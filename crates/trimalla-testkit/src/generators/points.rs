@@ -6,6 +6,27 @@ use trimalla::geometry::Point;
 
 use super::rng::SplitMix64;
 
+/// The next double above a positive one; `f64::next_up` is younger than our oldest supported
+/// compiler.
+#[must_use]
+pub fn next_up(value: f64) -> f64 {
+    assert!(
+        value > 0.0 && value.is_finite(),
+        "{value} is not positive and finite"
+    );
+    f64::from_bits(value.to_bits() + 1)
+}
+
+/// The next double below a positive one.
+#[must_use]
+pub fn next_down(value: f64) -> f64 {
+    assert!(
+        value > 0.0 && value.is_finite(),
+        "{value} is not positive and finite"
+    );
+    f64::from_bits(value.to_bits() - 1)
+}
+
 /// Declares the kinds once: name, key, description, maker.
 macro_rules! point_set_kinds {
     ($($(#[doc = $doc:literal])+ $kind:ident = $key:literal => $maker:expr;)+) => {
@@ -27,8 +48,8 @@ macro_rules! point_set_kinds {
         /// The points of a kind.
         ///
         /// # Shape
-        /// About `n` points, never more; kinds with a fixed set give that set, cut to `n`. Orders are shuffled unless
-        /// the kind says otherwise.
+        /// About `n` points, never more; kinds with a fixed set give that set, cut to `n`. Orders
+        /// are shuffled unless the kind says otherwise.
         #[must_use]
         pub fn point_set(kind: PointSetKind, n: usize, seed: u64) -> Vec<Point> {
             let rng = &mut SplitMix64::new(seed);
@@ -46,70 +67,88 @@ point_set_kinds! {
     /// Four gaussian clusters of width 1e-9 at the corners of the unit square (A18).
     GaussianClusters = "gaussian-clusters" => gaussian_clusters;
     /// Integer grid: every cell is cocircular (A09).
-    IntegerGrid = "integer-grid" => |n, rng| grid(n, rng, |i, j| Point::new(i, j));
+    IntegerGrid = "integer-grid" => |n, rng| grid(n, rng, Point::new);
     /// Integer grid times 0.1: cells are only nearly cocircular, rows only nearly straight.
     TenthGrid = "tenth-grid" => |n, rng| grid(n, rng, |i, j| Point::new(0.1 * i, 0.1 * j));
     /// Grid of quarters with offset: exactly representable (A11).
-    QuarterGrid = "quarter-grid" => |n, rng| grid(n, rng, |i, j| Point::new(0.25 + 0.25 * i, 0.5 + 0.25 * j));
+    QuarterGrid = "quarter-grid" =>
+        |n, rng| grid(n, rng, |i, j| Point::new(0.25 + 0.25 * i, 0.5 + 0.25 * j));
     /// Integer grid rotated by a whole number of degrees (A10).
     RotatedGrid = "rotated-grid" => rotated_grid;
     /// Centimetre grid at an UTM offset (A23).
-    UtmGrid = "utm-grid" => |n, rng| grid(n, rng, |i, j| Point::new(500_000.0 + i * 0.001, 4_649_776.0 + j * 0.001));
+    UtmGrid = "utm-grid" =>
+        |n, rng| grid(n, rng, |i, j| Point::new(500_000.0 + i * 0.001, 4_649_776.0 + j * 0.001));
     /// The 36 integer points of x² + y² = 65² (A12).
     Cocircular65 = "cocircular-65" => |_, rng| integer_circle(65, rng);
     /// The 108 integer points of x² + y² = 1105² (A12).
     Cocircular1105 = "cocircular-1105" => |_, rng| integer_circle(1105, rng);
     /// The 36 integer points of x² + y² = 65² and the centre (A12).
-    CocircularWithCentre = "cocircular-with-centre" => |_, rng| with_centre(integer_circle(65, rng));
+    CocircularWithCentre = "cocircular-with-centre" =>
+        |_, rng| with_centre(integer_circle(65, rng));
     /// Rounded points of the unit circle (A13).
     RoundedCircle = "rounded-circle" => |n, rng| shuffled(circle(n, 1.0), rng);
     /// Two rings of radii 1 and 1 + ulp (A14).
-    TwinRings = "twin-rings" => |n, rng| shuffled([circle(n / 2, 1.0), circle(n - n / 2, 1.0_f64.next_up())].concat(), rng);
+    TwinRings = "twin-rings" =>
+        |n, rng| shuffled([circle(n / 2, 1.0), circle(n - n / 2, next_up(1.0))].concat(), rng);
     /// A hub in a ring: one vertex of the highest degree (A14).
     Hub = "hub" => |n, rng| with_centre(shuffled(circle(n.saturating_sub(1), 1.0), rng));
     /// Exactly collinear, both coordinates changing, and one point beside the line.
-    CollinearExact = "collinear-exact" => |n, rng| shuffled(beside(Point::new(0.0, 1.0), n, |i| Point::new(3.0 * i, 2.0 * i)), rng);
+    CollinearExact = "collinear-exact" =>
+        |n, rng| shuffled(beside(Point::new(0.0, 1.0), n, |i| Point::new(3.0 * i, 2.0 * i)), rng);
     /// Nearly collinear by rounding: (0.1 i, 0.3 i) (A02).
-    CollinearRounded = "collinear-rounded" => |n, rng| shuffled(indexed(n, |i| Point::new(0.1 * i, 3.0 * (0.1 * i))), rng);
+    CollinearRounded = "collinear-rounded" =>
+        |n, rng| shuffled(indexed(n, |i| Point::new(0.1 * i, 3.0 * (0.1 * i))), rng);
     /// All on a vertical line (A02).
     VerticalLine = "vertical-line" => |n, rng| shuffled(indexed(n, |i| Point::new(0.0, i)), rng);
     /// All on a horizontal line (A02).
-    HorizontalLine = "horizontal-line" => |n, rng| shuffled(indexed(n, |i| Point::new(i, 0.0)), rng);
+    HorizontalLine = "horizontal-line" =>
+        |n, rng| shuffled(indexed(n, |i| Point::new(i, 0.0)), rng);
     /// All on the diagonal (A02).
     DiagonalLine = "diagonal-line" => |n, rng| shuffled(indexed(n, |i| Point::new(i, i)), rng);
     /// All on the diagonal, each twice.
-    DiagonalTwice = "diagonal-twice" => |n, rng| shuffled(indexed(n, |i| Point::new((i / 2.0).floor(), (i / 2.0).floor())), rng);
+    DiagonalTwice = "diagonal-twice" =>
+        |n, rng| shuffled(indexed(n, |i| Point::new((i / 2.0).floor(), (i / 2.0).floor())), rng);
     /// All equal (A03).
     AllEqual = "all-equal" => |n, _| indexed(n, |_| Point::new(0.3, 0.7));
     /// All equal except one (A04).
-    AllEqualButOne = "all-equal-but-one" => |n, rng| shuffled(beside(Point::new(1.0, 1.0), n, |_| Point::new(0.3, 0.7)), rng);
+    AllEqualButOne = "all-equal-but-one" =>
+        |n, rng| shuffled(beside(Point::new(1.0, 1.0), n, |_| Point::new(0.3, 0.7)), rng);
     /// Uniform, three in ten repeat an earlier one (A05).
     Duplicates = "duplicates" => duplicates;
     /// Points that differ in the sign of a zero only, on a small grid (A06).
-    SignedZeros = "signed-zeros" => |n, rng| repeat(n, rng, |_, rng| Point::new(signed_small(rng), signed_small(rng)));
+    SignedZeros = "signed-zeros" =>
+        |n, rng| repeat(n, rng, |_, rng| Point::new(signed_small(rng), signed_small(rng)));
     /// A 3 × 3 block of neighbours 1 ulp apart at (1, 1) in a square of ±10 (A07).
-    UlpBlock = "ulp-block" => |n, rng| ulp_block(n, rng, 3, 1.0, &[(-10.0, -10.0), (10.0, -10.0), (10.0, 10.0), (-10.0, 10.0)]);
+    UlpBlock = "ulp-block" =>
+        |n, rng| ulp_block(n, rng, 3, 1.0, &[(-10.0, -10.0), (10.0, -10.0), (10.0, 10.0), (-10.0, 10.0)]);
     /// A block of neighbours 1 ulp apart at (0.5, 0.5) against (12, 12) and (24, 24) (A08).
-    UlpBlockOnLine = "ulp-block-on-line" => |n, rng| ulp_block(n, rng, 64, 0.5, &[(12.0, 12.0), (24.0, 24.0)]);
+    UlpBlockOnLine = "ulp-block-on-line" =>
+        |n, rng| ulp_block(n, rng, 64, 0.5, &[(12.0, 12.0), (24.0, 24.0)]);
     /// Exponents from 1e-300 to 1e300, both signs, zeros among them.
-    MixedExponents = "mixed-exponents" => |n, rng| repeat(n, rng, |_, rng| Point::new(wild(rng, 300.0), wild(rng, 300.0)));
+    MixedExponents = "mixed-exponents" =>
+        |n, rng| repeat(n, rng, |_, rng| Point::new(wild(rng, 300.0), wild(rng, 300.0)));
     /// Exponents from 2^-60 to 2^60.
-    ModerateExponents = "moderate-exponents" => |n, rng| repeat(n, rng, |_, rng| Point::new(wild(rng, 18.0), wild(rng, 18.0)));
+    ModerateExponents = "moderate-exponents" =>
+        |n, rng| repeat(n, rng, |_, rng| Point::new(wild(rng, 18.0), wild(rng, 18.0)));
     /// Ordinates 5.6e141, abscissas from 1e-313 to 5e141, and one point below (A21).
     MixedMagnitudes = "mixed-magnitudes" => mixed_magnitudes;
     /// Uniform, rounded to 12 bits: many ties and duplicates (A24 in small).
-    CoarseUniform = "coarse-uniform" => |n, rng| repeat(n, rng, |_, rng| Point::new(coarse(rng), coarse(rng)));
+    CoarseUniform = "coarse-uniform" =>
+        |n, rng| repeat(n, rng, |_, rng| Point::new(coarse(rng), coarse(rng)));
     /// Uniform, rounded through `f32` (A24).
-    F32Rounded = "f32-rounded" => |n, rng| repeat(n, rng, |_, rng| Point::new(through_f32(rng.unit()), through_f32(rng.unit())));
+    F32Rounded = "f32-rounded" =>
+        |n, rng| repeat(n, rng, |_, rng| Point::new(through_f32(rng.unit()), through_f32(rng.unit())));
     /// Zero to five points, as the seed says (A01).
     Tiny = "tiny" => tiny;
     /// (i, i²), in order (A16).
     Parabola = "parabola" => |n, _| indexed(n, |i| Point::new(i, i * i));
     /// (2^i, 0 or 1) for i from −140 (A16).
-    Exponential = "exponential" => |n, rng| shuffled(indexed(n, |i| Point::new(libm::exp2((i / 2.0).floor() - 140.0), i % 2.0)), rng);
+    Exponential = "exponential" =>
+        |n, rng| shuffled(indexed(n, |i| Point::new(libm::exp2((i / 2.0).floor() - 140.0), i % 2.0)), rng);
     /// Archimedean spiral, in order (A16).
     Spiral = "spiral" => |n, _| indexed(n, |i| polar(1.0 + 0.05 * i, 0.3 * i));
-    /// A rotated straight side: its points are nearly collinear and on the hull; one point above it (A15).
+    /// A rotated straight side: its points are nearly collinear and on the hull; one point above it
+    /// (A15).
     NearCollinearHull = "near-collinear-hull" => near_collinear_hull;
     /// The square of ±1e308: differences overflow (A20).
     HugeSquare = "huge-square" => |n, rng| square(n, rng, 1e308);
@@ -122,7 +161,8 @@ point_set_kinds! {
     /// A disc and three points at 1e15: a finite super-triangle loses hull triangles (A25).
     FarTriangle = "far-triangle" => far_triangle;
     /// A box of width one ulp (A19).
-    UlpWideBox = "ulp-wide-box" => |n, rng| repeat(n, rng, |i, rng| Point::new(if i % 2 == 0 { 1.0 } else { 1.0_f64.next_up() }, rng.unit()));
+    UlpWideBox = "ulp-wide-box" =>
+        |n, rng| repeat(n, rng, |i, rng| Point::new(if i % 2 == 0 { 1.0 } else { next_up(1.0) }, rng.unit()));
     /// Random walk, in order: neighbours in the list are neighbours in the plane.
     RandomWalk = "random-walk" => random_walk;
 }
@@ -227,7 +267,8 @@ fn signed_small(rng: &mut SplitMix64) -> f64 {
     [-1.0, -0.0, 0.0, 1.0][rng.below(4)]
 }
 
-/// Four in five from the upper end of the range are points of a block of 1-ulp steps; the rest are the given ones.
+/// Four in five from the upper end of the range are points of a block of 1-ulp steps; the rest are
+/// the given ones.
 fn ulp_block(
     n: usize,
     rng: &mut SplitMix64,
@@ -235,7 +276,7 @@ fn ulp_block(
     corner: f64,
     far: &[(f64, f64)],
 ) -> Vec<Point> {
-    let step = corner.next_up() - corner;
+    let step = next_up(corner) - corner;
     let mut block: Vec<Point> = (0..side * side)
         .map(|k| {
             Point::new(

@@ -97,7 +97,8 @@ pub(super) fn zigzag(n: usize, _: &mut SplitMix64) -> Pslg {
     rings(&[&outline], &[])
 }
 
-/// See [`super::PslgKind::NestedSquares`]: side lengths 2, 4, 6, …; the innermost ring but one is a hole, and so on.
+/// See [`super::PslgKind::NestedSquares`]: side lengths 2, 4, 6, …; the innermost ring but one is a
+/// hole, and so on.
 pub(super) fn nested_squares(n: usize, _: &mut SplitMix64) -> Pslg {
     let levels = (n / 4).max(1);
     let mut pslg = Pslg::default();
@@ -210,7 +211,8 @@ pub(super) fn koch(n: usize, _: &mut SplitMix64) -> Pslg {
     ring(&outline)
 }
 
-/// The first four of the five corners that replace a side; the tooth points to the right of the side.
+/// The first four of the five corners that replace a side; the tooth points to the right of the
+/// side.
 fn koch_step(a: Point, b: Point) -> [Point; 4] {
     let third = Point::new((b.x - a.x) / 3.0, (b.y - a.y) / 3.0);
     let (sin, cos) = (libm::sin(-PI / 3.0), libm::cos(PI / 3.0));
@@ -222,7 +224,8 @@ fn koch_step(a: Point, b: Point) -> [Point; 4] {
     [a, p, tip, Point::new(b.x - third.x, b.y - third.y)]
 }
 
-/// See [`super::PslgKind::Hilbert`]: the curve starts at (0, 0), ends at (s − 1, 0), and returns below.
+/// See [`super::PslgKind::Hilbert`]: the curve starts at (0, 0), ends at (s − 1, 0), and returns
+/// below.
 pub(super) fn hilbert(n: usize, _: &mut SplitMix64) -> Pslg {
     let mut side = 2;
     while 4 * side * side <= n {

@@ -1,8 +1,10 @@
-//! Drawings that have broken constrained triangulators: the list of kinds. How they are made is in `soups` and `polygons`.
+//! Drawings that have broken constrained triangulators: the list of kinds. How they are made is in
+//! `soups` and `polygons`.
 
 use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
 
+use super::points::{next_down, next_up};
 use super::rng::SplitMix64;
 use super::{polygons, soups};
 
@@ -23,8 +25,8 @@ macro_rules! pslg_kinds {
                 match self { $(Self::$kind => $key,)+ }
             }
 
-            /// Whether every input of the kind is clean: no segments cross or overlap, none has a vertex inside. Equal
-            /// points and equal segments may occur.
+            /// Whether every input of the kind is clean: no segments cross or overlap, none has a
+            /// vertex inside. Equal points and equal segments may occur.
             #[must_use]
             pub const fn is_clean(self) -> bool {
                 match self { $(Self::$kind => pslg_kinds!(@ $clean),)+ }
@@ -62,17 +64,20 @@ pslg_kinds! {
     /// Random points, segments added as long as they touch nothing.
     NonCrossing = "non-crossing", clean => |n, rng| soups::non_crossing(n, rng, |rng| rng.unit());
     /// The same on a small integer grid: many collinear and cocircular points.
-    NonCrossingGrid = "non-crossing-grid", clean => |n, rng| soups::non_crossing(n, rng, |rng| rng.below(7) as f64);
+    NonCrossingGrid = "non-crossing-grid", clean =>
+        |n, rng| soups::non_crossing(n, rng, |rng| rng.below(7) as f64);
     /// Vertices inside one segment, in random order (B04).
     PointsOnSegment = "points-on-segment", dirty => soups::points_on_segment;
     /// A vertex 1 ulp left and one 1 ulp right of a segment: it must not be snapped (B05).
-    NearMiss = "near-miss", clean => |_, _| soups::lines(&[(0.0, 0.0), (3.0, 1.0), (1.5, 0.5_f64.next_up()), (1.5, 0.5_f64.next_down())], &[[0, 1]]);
+    NearMiss = "near-miss", clean =>
+        |_, _| soups::lines(&[(0.0, 0.0), (3.0, 1.0), (1.5, next_up(0.5)), (1.5, next_down(0.5))], &[[0, 1]]);
     /// T-junctions: one exact foot, one rounded; the shared vertex is not listed (B06).
     TJunctions = "t-junctions", dirty => |_, _| soups::t_junctions();
     /// Collinear overlaps: partial, contained, a chain of half overlaps (B03).
     CollinearOverlaps = "collinear-overlaps", dirty => soups::collinear_overlaps;
     /// Nearly parallel segments that cross (B09).
-    NearParallel = "near-parallel", dirty => |_, _| soups::lines(&[(0.0, 0.0), (1.0, 0.0), (0.0, -1e-17), (1.0, 1e-17)], &[[0, 1], [2, 3]]);
+    NearParallel = "near-parallel", dirty =>
+        |_, _| soups::lines(&[(0.0, 0.0), (1.0, 0.0), (0.0, -1e-17), (1.0, 1e-17)], &[[0, 1], [2, 3]]);
     /// Equal segments, reversed, zero-length, and between equal points (B01, B02).
     RepeatedSegments = "repeated-segments", clean => soups::repeated_segments;
     /// Segments from one vertex to a circle (B12).
@@ -81,7 +86,8 @@ pslg_kinds! {
     NarrowStar = "narrow-star", clean => |n, _| soups::segment_star(n, n as f64 * 1.7e-11);
     /// Hanging segments inside the channel of a long one (B14).
     Hanging = "hanging", clean => soups::hanging;
-    /// Two parallel segments a small gap apart in a box (D03); the seed sets the gap to 10^-(seed mod 7).
+    /// Two parallel segments a small gap apart in a box (D03); the seed sets the gap to 10^-(seed
+    /// mod 7).
     Gap = "gap", clean => soups::gap;
     /// A wedge of a small angle (D01); the seed chooses it.
     Wedge = "wedge", clean => soups::wedge;
@@ -110,7 +116,8 @@ pslg_kinds! {
     /// A hole that is partly outside (C04).
     HolePartlyOutside = "hole-partly-outside", dirty => |_, _| polygons::hole_partly_outside();
     /// Bow-tie: a ring that crosses itself (C06).
-    BowTie = "bow-tie", dirty => |_, _| polygons::ring(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 3.0)].map(|(x, y)| Point::new(x, y)));
+    BowTie = "bow-tie", dirty =>
+        |_, _| polygons::ring(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 3.0)].map(|(x, y)| Point::new(x, y)));
     /// Keyhole: a bridge to the inner ring, run both ways (C06).
     Keyhole = "keyhole", clean => |_, _| polygons::keyhole();
     /// Koch snowflake of the greatest depth with at most `n` points (C15).

@@ -1,4 +1,4 @@
-//! SplitMix64: 64 bits of state, an explicit seed, no dependency.
+//! `SplitMix64`: 64 bits of state, an explicit seed, no dependency.
 
 /// A small generator of pseudo-random numbers (Steele, Lea, Flood 2014).
 ///

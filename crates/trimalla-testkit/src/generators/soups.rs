@@ -3,7 +3,7 @@
 use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
 
-use super::points::polar;
+use super::points::{next_up, polar};
 use super::rng::SplitMix64;
 use crate::oracles::{on_open_segment, orient};
 
@@ -45,7 +45,7 @@ pub(super) fn soup(
 
 /// One of {0, 0.1, 0.2, 1/3, 1e-9, 1, 1 + ulp}.
 pub(super) fn awkward(rng: &mut SplitMix64) -> f64 {
-    [0.0, 0.1, 0.2, 1.0 / 3.0, 1e-9, 1.0, 1.0_f64.next_up()][rng.below(7)]
+    [0.0, 0.1, 0.2, 1.0 / 3.0, 1e-9, 1.0, next_up(1.0)][rng.below(7)]
 }
 
 /// Random segments between the 64 points of the grid 0..7, each point once.
@@ -83,7 +83,8 @@ pub(super) fn exact_bundle(n: usize, rng: &mut SplitMix64) -> Pslg {
     pslg
 }
 
-/// `n` random points; then random pairs become segments where they touch nothing but vertices at their ends.
+/// `n` random points; then random pairs become segments where they touch nothing but vertices at
+/// their ends.
 pub(super) fn non_crossing(
     n: usize,
     rng: &mut SplitMix64,
@@ -117,7 +118,8 @@ fn fits(pslg: &Pslg, segment: [u32; 2]) -> bool {
         && !pslg.segments.iter().any(crosses)
 }
 
-/// The segment (0, 0)–(4 n, 2 n) and the points (2 i, i) in random order, reversed in direction by the seed.
+/// The segment (0, 0)–(4 n, 2 n) and the points (2 i, i) in random order, reversed in direction by
+/// the seed.
 pub(super) fn points_on_segment(n: usize, rng: &mut SplitMix64) -> Pslg {
     let n = n.max(2);
     let mut inner: Vec<(f64, f64)> = (1..2 * n).map(|i| (2.0 * i as f64, i as f64)).collect();
@@ -127,7 +129,8 @@ pub(super) fn points_on_segment(n: usize, rng: &mut SplitMix64) -> Pslg {
     lines(&[&ends[..], &inner, &[(0.0, 3.0)]].concat(), &[direction])
 }
 
-/// (0,0)–(2,0) with (1,0)–(1,1), and away from it (0,0)–(3,1) with the rounded foot of (1, 1/3)–(1, 2).
+/// (0,0)–(2,0) with (1,0)–(1,1), and away from it (0,0)–(3,1) with the rounded foot of (1, 1/3)–(1,
+/// 2).
 pub(super) fn t_junctions() -> Pslg {
     let exact = [(0.0, 0.0), (2.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
     let rounded = [(10.0, 0.0), (13.0, 1.0), (11.0, 1.0 / 3.0), (11.0, 2.0)];
@@ -137,7 +140,8 @@ pub(super) fn t_junctions() -> Pslg {
     )
 }
 
-/// (0,0)–(3,0) with (1,0)–(4,0); (0,1)–(4,1) over (1,1)–(2,1); a chain of `n` half overlaps on y = 2.
+/// (0,0)–(3,0) with (1,0)–(4,0); (0,1)–(4,1) over (1,1)–(2,1); a chain of `n` half overlaps on y =
+/// 2.
 pub(super) fn collinear_overlaps(n: usize, _: &mut SplitMix64) -> Pslg {
     let mut pslg = lines(
         &[
@@ -162,7 +166,8 @@ pub(super) fn collinear_overlaps(n: usize, _: &mut SplitMix64) -> Pslg {
     pslg
 }
 
-/// One triangle whose sides are given `n` times, both ways, with markers; loops and a segment between equal points.
+/// One triangle whose sides are given `n` times, both ways, with markers; loops and a segment
+/// between equal points.
 pub(super) fn repeated_segments(n: usize, rng: &mut SplitMix64) -> Pslg {
     let mut pslg = lines(
         &[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0), (0.25, 0.25)],
@@ -195,7 +200,8 @@ pub(super) fn segment_star(n: usize, arc: f64) -> Pslg {
     pslg
 }
 
-/// A long segment on y = 0; above and below it single, double and triple dangling segments that do not reach it.
+/// A long segment on y = 0; above and below it single, double and triple dangling segments that do
+/// not reach it.
 pub(super) fn hanging(n: usize, rng: &mut SplitMix64) -> Pslg {
     let n = n.max(2);
     let mut pslg = lines(&[(-1.0, 0.0), (n as f64, 0.0)], &[[0, 1]]);

@@ -32,7 +32,8 @@ pub fn scaled(pslg: &Pslg, factor: f64) -> Pslg {
     mapped(pslg, |p| Point::new(p.x * factor, p.y * factor))
 }
 
-/// The drawing with each point moved by up to `amplitude` in x and y; seeds of holes and regions stay.
+/// The drawing with each point moved by up to `amplitude` in x and y; seeds of holes and regions
+/// stay.
 ///
 /// # Guarantees
 /// Points that were equal move together.
@@ -57,7 +58,8 @@ pub fn noisy(pslg: &Pslg, amplitude: f64, seed: u64) -> Pslg {
     shaken
 }
 
-/// The drawing with points, segments and the ends of segments in random order, and where each old point went.
+/// The drawing with points, segments and the ends of segments in random order, and where each old
+/// point went.
 #[must_use]
 pub fn permuted(pslg: &Pslg, seed: u64) -> (Pslg, Vec<u32>) {
     let mut rng = SplitMix64::new(seed);
@@ -94,8 +96,8 @@ pub fn permuted(pslg: &Pslg, seed: u64) -> (Pslg, Vec<u32>) {
 /// The drawing with `k` rounded points on each segment, which becomes `k + 1` segments.
 ///
 /// # Guarantees
-/// Input points keep their indices. The new points are mostly an ulp off the segment: what a straight side of a real
-/// drawing looks like after somebody else resampled it.
+/// Input points keep their indices. The new points are mostly an ulp off the segment: what a
+/// straight side of a real drawing looks like after somebody else resampled it.
 #[must_use]
 pub fn resampled(pslg: &Pslg, k: usize) -> Pslg {
     let mut out = Pslg {

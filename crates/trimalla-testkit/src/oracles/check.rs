@@ -2,14 +2,15 @@
 //!
 //! 1. Numbers: indices in range, coordinates finite, columns as long as they must be.
 //! 2. Input vertices come first, bit for bit; every vertex after them is new and used.
-//! 3. Triangles are counter-clockwise; every directed edge is used once; every vertex star consists of simple fans.
+//! 3. Triangles are counter-clockwise; every directed edge is used once; every vertex star consists
+//!    of simple fans.
 //! 4. Small meshes: no two triangles overlap, all pairs compared.
-//! 5. Every input segment is a chain of edges, except where it runs outside the mesh; every subsegment of the mesh is an
-//!    edge and belongs to an input segment or to the boundary.
+//! 5. Every input segment is a chain of edges, except where it runs outside the mesh; every
+//!    subsegment of the mesh is an edge and belongs to an input segment or to the boundary.
 //! 6. Every interior edge that is not constrained passes the circle test.
 //!
-//! Signs are exact. The one tolerance is that of the shared `check_mesh.py`: a vertex made by rounding may be off its
-//! segment by a billionth of its length plus a few ulps of its coordinates.
+//! Signs are exact. The one tolerance is that of the shared `check_mesh.py`: a vertex made by
+//! rounding may be off its segment by a billionth of its length plus a few ulps of its coordinates.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -42,10 +43,12 @@ pub enum DelaunayRule {
     Canonical,
 }
 
-/// Faults of a mesh, one line each; empty where all is well. Interior edges must be Delaunay, ties free.
+/// Faults of a mesh, one line each; empty where all is well. Interior edges must be Delaunay, ties
+/// free.
 ///
 /// # Shape
-/// With an `input` the constrained edges are those on input segments; without, those that the mesh lists.
+/// With an `input` the constrained edges are those on input segments; without, those that the mesh
+/// lists.
 ///
 /// # Examples
 /// ```
@@ -275,9 +278,11 @@ fn orientation_faults(mesh: &IndexedMesh) -> Vec<String> {
     )
 }
 
-/// Part 3, second half: turning about a vertex from every start reaches all its triangles, each once.
+/// Part 3, second half: turning about a vertex from every start reaches all its triangles, each
+/// once.
 ///
-/// A fan starts at a triangle whose clockwise edge is boundary; several fans meet where the domain touches itself.
+/// A fan starts at a triangle whose clockwise edge is boundary; several fans meet where the domain
+/// touches itself.
 fn fan_faults(mesh: &IndexedMesh) -> Vec<String> {
     let mut next: BTreeMap<u32, BTreeMap<u32, u32>> = BTreeMap::new();
     for t in &mesh.triangles {
@@ -322,7 +327,8 @@ fn fan_length(star: &BTreeMap<u32, u32>, start: u32) -> usize {
     length
 }
 
-/// Part 4: no two triangles share an inner point; only for meshes of at most [`OVERLAP_LIMIT`] triangles.
+/// Part 4: no two triangles share an inner point; only for meshes of at most [`OVERLAP_LIMIT`]
+/// triangles.
 fn overlap_faults(mesh: &IndexedMesh) -> Vec<String> {
     if mesh.triangles.len() > OVERLAP_LIMIT {
         return Vec::new();
@@ -401,7 +407,8 @@ fn constrained_edges(
     (constrained, faults)
 }
 
-/// An input segment, in coordinates shifted and scaled so that it reaches from 0 to about 1: squares stay in range.
+/// An input segment, in coordinates shifted and scaled so that it reaches from 0 to about 1:
+/// squares stay in range.
 struct Line<'a> {
     /// Coordinates of the mesh.
     points: &'a [Point],
@@ -447,8 +454,8 @@ impl<'a> Line<'a> {
         (off <= self.tolerance).then_some(t)
     }
 
-    /// Edges from `a` to `b` along the segment: straight to `b` where an edge leads there, else to the nearest vertex
-    /// ahead; nothing where the chain breaks.
+    /// Edges from `a` to `b` along the segment: straight to `b` where an edge leads there, else to
+    /// the nearest vertex ahead; nothing where the chain breaks.
     fn chain(&self, edges: &Edges, a: u32, b: u32) -> Option<Vec<[u32; 2]>> {
         let (mut at, mut done) = (a, 0.0);
         let mut pieces = Vec::new();

@@ -8,7 +8,8 @@ use trimalla::geometry::Point;
 use super::delaunay::representatives;
 use super::exact::{lexicographic, on_open_segment, orient};
 
-/// The contacts of a drawing, all exact. Segments are named by index, in pairs with the smaller first.
+/// The contacts of a drawing, all exact. Segments are named by index, in pairs with the smaller
+/// first.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Contacts {
     /// Points equal to an earlier one, with that one.
@@ -26,8 +27,8 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// Whether a constrained triangulation can keep every segment as one edge: nothing crosses, overlaps or has a vertex
-    /// inside. Duplicates and repetitions are harmless.
+    /// Whether a constrained triangulation can keep every segment as one edge: nothing crosses,
+    /// overlaps or has a vertex inside. Duplicates and repetitions are harmless.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.crossings.is_empty() && self.overlaps.is_empty() && self.points_inside.is_empty()

@@ -1,4 +1,5 @@
-//! The Delaunay triangulation by its definition: a triangle belongs to it unless another point is inside its circle.
+//! The Delaunay triangulation by its definition: a triangle belongs to it unless another point is
+//! inside its circle.
 
 use core::cmp::Ordering;
 use std::collections::HashMap;
@@ -29,12 +30,13 @@ pub fn brute_force_delaunay(points: &[Point]) -> Vec<[u32; 3]> {
     canonical(&triangles)
 }
 
-/// Whether `d` is inside the circle of the counter-clockwise `abc`, ties decided by the perturbation.
+/// Whether `d` is inside the circle of the counter-clockwise `abc`, ties decided by the
+/// perturbation.
 ///
 /// # Guarantees
-/// On a true tie the lexicographically smallest of the four points is raised. If that is `d`, it leaves the circle. If it
-/// is a corner, the plane through the lifted corners rises on that corner's side of the opposite edge, so `d` gets inside
-/// exactly if it lies on that side.
+/// On a true tie the lexicographically smallest of the four points is raised. If that is `d`, it
+/// leaves the circle. If it is a corner, the plane through the lifted corners rises on that
+/// corner's side of the opposite edge, so `d` gets inside exactly if it lies on that side.
 #[must_use]
 pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> bool {
     match in_circle(a, b, c, d) {
@@ -57,7 +59,8 @@ pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> bool {
     }
 }
 
-/// The canonical form: each triangle rotated so that its smallest vertex id comes first, the list sorted.
+/// The canonical form: each triangle rotated so that its smallest vertex id comes first, the list
+/// sorted.
 #[must_use]
 pub fn canonical(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut list: Vec<[u32; 3]> = triangles

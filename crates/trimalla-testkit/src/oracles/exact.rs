@@ -1,9 +1,13 @@
-//! Signs of determinants, three times: by rationals, by scaled integers, and by a filter before the integers.
+//! Signs of determinants, three times: by rationals, by scaled integers, and by a filter before the
+//! integers.
 //!
-//! 1. `…_rational` is the definition, written down: every double is a rational, and rationals do not round.
-//! 2. `…_scaled` multiplies all coordinates by one power of two that makes them integers: the same sign, faster.
-//! 3. the plain names first try doubles, inside a range of exponents where nothing can overflow or vanish, and trust the
-//!    result only far from zero. The tests compare the three on every generator.
+//! 1. `…_rational` is the definition, written down: every double is a rational, and rationals do
+//!    not round.
+//! 2. `…_scaled` multiplies all coordinates by one power of two that makes them integers: the same
+//!    sign, faster.
+//! 3. the plain names first try doubles, inside a range of exponents where nothing can overflow or
+//!    vanish, and trust the result only far from zero. The tests compare the three on every
+//!    generator.
 
 use core::cmp::Ordering;
 
@@ -11,8 +15,9 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 use trimalla::geometry::Point;
 
-/// Relative distance from zero below which the filter gives up; about nine times the proven error of the longer of the
-/// two determinants, `(10 + 96 ε) ε` (Shewchuk 1997), so that nobody has to trust the proof to the last bit.
+/// Relative distance from zero below which the filter gives up; about nine times the proven error
+/// of the longer of the two determinants, `(10 + 96 ε) ε` (Shewchuk 1997), so that nobody has to
+/// trust the proof to the last bit.
 const FILTER: f64 = 1e-14;
 
 /// The sign of twice the area of `abc`: 1 counter-clockwise, −1 clockwise, 0 collinear.
@@ -31,8 +36,8 @@ pub fn orient(a: Point, b: Point, c: Point) -> i32 {
     orient_scaled(a, b, c)
 }
 
-/// The sign of the in-circle determinant: 1 where `d` is inside the circle through the counter-clockwise `abc`,
-/// −1 outside, 0 on it; the reverse where `abc` is clockwise.
+/// The sign of the in-circle determinant: 1 where `d` is inside the circle through the
+/// counter-clockwise `abc`, −1 outside, 0 on it; the reverse where `abc` is clockwise.
 ///
 /// # Guarantees
 /// Exact for all finite coordinates.
@@ -134,8 +139,8 @@ pub(super) const fn sign_of(order: Ordering) -> i32 {
     }
 }
 
-/// Whether a difference is zero (then it is exact) or so far from both ends of the range that a product of four of its
-/// kind neither overflows nor loses bits below.
+/// Whether a difference is zero (then it is exact) or so far from both ends of the range that a
+/// product of four of its kind neither overflows nor loses bits below.
 fn is_tame(difference: f64) -> bool {
     difference == 0.0 || (1e-60..1e60).contains(&difference.abs())
 }
@@ -153,7 +158,8 @@ fn orient_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
     sign_of(left.cmp(&right))
 }
 
-/// The in-circle sign of four points given as `x y x y x y x y`, after `exactly` made them integers.
+/// The in-circle sign of four points given as `x y x y x y x y`, after `exactly` made them
+/// integers.
 fn in_circle_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
     let v = exactly(v);
     let [a, b, c] = [0, 2, 4].map(|i| {
@@ -217,7 +223,7 @@ fn decompose(value: f64) -> (i64, i32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generators::{PointSetKind, SplitMix64, point_set};
+    use crate::generators::{PointSetKind, SplitMix64, next_up, point_set};
 
     fn p(x: f64, y: f64) -> Point {
         Point::new(x, y)
@@ -301,7 +307,7 @@ mod tests {
         assert!(on_open_segment(p(2.0, 1.0), b, a));
         assert!(!on_open_segment(a, a, b));
         assert!(!on_open_segment(p(6.0, 3.0), a, b));
-        assert!(!on_open_segment(p(2.0, 1.0_f64.next_up()), a, b));
+        assert!(!on_open_segment(p(2.0, next_up(1.0)), a, b));
         assert!(on_open_segment(p(0.0, 1.0), p(0.0, 2.0), p(-0.0, 0.0)));
     }
 }

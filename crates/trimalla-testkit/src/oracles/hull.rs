@@ -6,7 +6,8 @@ use trimalla::geometry::Point;
 
 use super::exact::{lexicographic, on_open_segment, orient};
 
-/// Corners of the convex hull, counter-clockwise from the lexicographically smallest, without points inside a side.
+/// Corners of the convex hull, counter-clockwise from the lexicographically smallest, without
+/// points inside a side.
 ///
 /// # Shape
 /// Empty for no points, one point where all are equal, the two ends where all are collinear.
@@ -44,7 +45,8 @@ pub fn convex_hull_size(points: &[Point]) -> usize {
         .count()
 }
 
-/// Number of triangles of every triangulation of all the points: `2n − 2 − h`, and 0 where they are collinear.
+/// Number of triangles of every triangulation of all the points: `2n − 2 − h`, and 0 where they are
+/// collinear.
 #[must_use]
 pub fn delaunay_triangle_count(points: &[Point]) -> usize {
     let corners = convex_hull(points).len();

@@ -1,11 +1,12 @@
 //! Slow, obvious, exact answers to compare the library with.
 //!
-//! Everything is decided by signs of exact numbers. Where the answer would otherwise not be unique, the tie rule of the
-//! library applies: a symbolic perturbation raises the lifted height of each point, of lexicographically smaller points
-//! dominantly, so that of four cocircular points the smallest is never on the diagonal.
+//! Everything is decided by signs of exact numbers. Where the answer would otherwise not be unique,
+//! the tie rule of the library applies: a symbolic perturbation raises the lifted height of each
+//! point, of lexicographically smaller points dominantly, so that of four cocircular points the
+//! smallest is never on the diagonal.
 //!
-//! Triangulations are compared in **canonical form**: each triangle rotated so that its smallest vertex id comes first,
-//! the list sorted ([`canonical`]).
+//! Triangulations are compared in **canonical form**: each triangle rotated so that its smallest
+//! vertex id comes first, the list sorted ([`canonical`]).
 
 mod area;
 mod check;

@@ -34,7 +34,8 @@ pub fn read_cdt(path: &Path) -> Pslg {
 pub struct CdtExpected {
     /// The stem of the input it belongs to.
     pub input: String,
-    /// `[type_]<vertex order>`, for instance `f64_as-provided`; `conforming_…` for conforming results.
+    /// `[type_]<vertex order>`, for instance `f64_as-provided`; `conforming_…` for conforming
+    /// results.
     pub variant: String,
     /// `ignore` (no crossings allowed) or `resolve` (crossings split, new vertices appended).
     pub crossings: String,

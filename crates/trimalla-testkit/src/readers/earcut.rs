@@ -1,4 +1,5 @@
-//! Earcut JSON: a list of rings, the first the outline, the others holes; a one-point hole is a Steiner point.
+//! Earcut JSON: a list of rings, the first the outline, the others holes; a one-point hole is a
+//! Steiner point.
 
 use std::path::Path;
 

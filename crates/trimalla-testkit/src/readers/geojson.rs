@@ -1,4 +1,4 @@
-//! GeoJSON: every geometry of a file together, all rings as segments.
+//! `GeoJSON`: every geometry of a file together, all rings as segments.
 
 use std::path::Path;
 
@@ -9,7 +9,8 @@ use trimalla::geometry::Point;
 use super::json_points::{json_of, point_of};
 use super::rings::{push_chain, push_ring};
 
-/// Reads a `FeatureCollection`, a `Feature` or a geometry; says whether all segments belong to polygons.
+/// Reads a `FeatureCollection`, a `Feature` or a geometry; says whether all segments belong to
+/// polygons.
 #[must_use]
 pub fn read_geojson(path: &Path) -> (Pslg, bool) {
     let mut reader = Reader::default();

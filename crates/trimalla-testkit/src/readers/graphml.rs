@@ -1,4 +1,4 @@
-//! GraphML of the Salzburg generators: nodes with `x` and `y`, edges between node names.
+//! `GraphML` of the Salzburg generators: nodes with `x` and `y`, edges between node names.
 
 use std::collections::HashMap;
 use std::path::Path;

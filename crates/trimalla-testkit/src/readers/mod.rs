@@ -1,8 +1,9 @@
 //! Readers of the shared real inputs, one file a family, small and trusting.
 //!
-//! They exist so that tests of the library do not lean on the io crate, which is itself under test. They panic on what
-//! they do not understand. The rules are those of the shared `data/README.md`: points stay as listed, duplicates too; the
-//! closing point of a ring that repeats its first is not counted; a ring of two points is one segment, of one point none.
+//! They exist so that tests of the library do not lean on the io crate, which is itself under test.
+//! They panic on what they do not understand. The rules are those of the shared `data/README.md`:
+//! points stay as listed, duplicates too; the closing point of a ring that repeats its first is not
+//! counted; a ring of two points is one segment, of one point none.
 
 mod cdt;
 mod cgshop;
@@ -51,14 +52,17 @@ pub struct NamedInput {
     pub name: String,
     /// What it says.
     pub pslg: Pslg,
-    /// Whether its segments are rings that bound a domain by the even–odd rule, as opposed to loose segments.
+    /// Whether its segments are rings that bound a domain by the even–odd rule, as opposed to loose
+    /// segments.
     pub rings: bool,
 }
 
-/// Every input that the table of the shared `data/README.md` lists, read, in the order of the table.
+/// Every input that the table of the shared `data/README.md` lists, read, in the order of the
+/// table.
 ///
 /// # Shape
-/// `data` is the folder that [`shared_data`](crate::shared::shared_data) finds. Predicate cases and `seeds/` are no inputs.
+/// `data` is the folder that [`shared_data`](crate::shared::shared_data) finds. Predicate cases and
+/// `seeds/` are no inputs.
 #[must_use]
 pub fn all_inputs(data: &Path) -> Vec<NamedInput> {
     let rows = read_readme(&data.join("README.md"))

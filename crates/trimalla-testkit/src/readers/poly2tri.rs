@@ -1,4 +1,5 @@
-//! poly2tri test beds: pairs of numbers with any separator, holes and Steiner points in the file or beside it.
+//! poly2tri test beds: pairs of numbers with any separator, holes and Steiner points in the file or
+//! beside it.
 
 use std::path::Path;
 
@@ -17,8 +18,9 @@ enum List {
     Steiner,
 }
 
-/// Reads a test bed: the outline, then rings after lines `HOLE`, points after lines `STEINER`, then the companion files
-/// `…_hole.dat`, `…_holes.dat` (rings separated by blank lines) and `…_steiner.dat`.
+/// Reads a test bed: the outline, then rings after lines `HOLE`, points after lines `STEINER`, then
+/// the companion files `…_hole.dat`, `…_holes.dat` (rings separated by blank lines) and
+/// `…_steiner.dat`.
 #[must_use]
 pub fn read_poly2tri(path: &Path) -> Pslg {
     let mut pslg = Pslg::default();
@@ -78,7 +80,8 @@ fn companion(path: &Path, ending: &str) -> String {
     }
 }
 
-/// All numbers of a text: what is between characters that no number has, if it has a digit. Keys such as `X` vanish.
+/// All numbers of a text: what is between characters that no number has, if it has a digit. Keys
+/// such as `X` vanish.
 fn numbers_of(text: &str) -> impl Iterator<Item = f64> {
     let in_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
     text.split(move |c| !in_number(c))

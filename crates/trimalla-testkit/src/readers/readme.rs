@@ -28,14 +28,17 @@ impl ReadmeRow {
         data.join(&self.family).join(&self.name)
     }
 
-    /// The number before some words of the notes, as in `2 proper crossings`; 0 where the words are missing.
+    /// The number before some words of the notes, as in `2 proper crossings`; 0 where the words are
+    /// missing.
     #[must_use]
     pub fn counted(&self, words: &str) -> usize {
-        let before = self.notes.find(words).map_or("", |at| &self.notes[..at]);
-        before
-            .split_whitespace()
-            .last()
-            .and_then(|n| n.parse().ok())
+        let pieces = self
+            .notes
+            .split([';', ','])
+            .filter_map(|piece| piece.trim().split_once(' '));
+        pieces
+            .filter(|&(_, said)| said == words)
+            .find_map(|(n, _)| n.parse().ok())
             .unwrap_or(0)
     }
 }

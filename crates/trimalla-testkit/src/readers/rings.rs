@@ -11,8 +11,8 @@ pub(super) fn push_chain(pslg: &mut Pslg, chain: &[Point]) {
     pslg.segments.extend((first + 1..last).map(|v| [v - 1, v]));
 }
 
-/// Adds the points, joined in a circle: without the last if it repeats the first, and with one segment only where two
-/// points are left.
+/// Adds the points, joined in a circle: without the last if it repeats the first, and with one
+/// segment only where two points are left.
 pub(super) fn push_ring(pslg: &mut Pslg, ring: &[Point]) {
     let closed = ring.len() > 1 && ring.first() == ring.last();
     let ring = if closed {

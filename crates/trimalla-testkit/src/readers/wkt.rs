@@ -11,8 +11,8 @@ use super::{number, text_of};
 /// Reads every geometry of a file; says whether all segments belong to polygons.
 ///
 /// # Shape
-/// A list is a pair of parentheses that holds coordinates and no further parentheses. What it is (points, a line, a ring)
-/// follows from the last word before it.
+/// A list is a pair of parentheses that holds coordinates and no further parentheses. What it is
+/// (points, a line, a ring) follows from the last word before it.
 #[must_use]
 pub fn read_wkt(path: &Path) -> (Pslg, bool) {
     let text = text_of(path);
