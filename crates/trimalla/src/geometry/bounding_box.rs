@@ -143,8 +143,8 @@ fn fraction(value: f64, low: f64, high: f64) -> f64 {
     } else {
         (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)
     };
-    // Not `clamp`: `max` turns the undefined 0 / 0 into 0.
-    fraction.max(0.0).min(1.0)
+    // `max` first, because it turns the undefined 0 / 0 into 0.
+    fraction.max(0.0).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

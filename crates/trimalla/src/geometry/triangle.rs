@@ -120,7 +120,7 @@ impl Triangle {
     #[must_use]
     pub fn circumcenter(&self) -> Option<Point> {
         let view = View::of(self);
-        let center = view.frame.point(self.to_center(&view)?);
+        let center = view.frame.point(self.center_in(&view)?);
         center.is_finite().then_some(center)
     }
 
@@ -128,7 +128,7 @@ impl Triangle {
     #[must_use]
     pub fn circumradius_sq(&self) -> Option<f64> {
         let view = View::of(self);
-        let radius_sq = view.frame.area(self.to_center(&view)?.length_sq());
+        let radius_sq = view.frame.area(self.center_in(&view)?.length_sq());
         radius_sq.is_finite().then_some(radius_sq)
     }
 
@@ -136,9 +136,9 @@ impl Triangle {
     #[must_use]
     pub fn circumcircle(&self) -> Option<Circle> {
         let view = View::of(self);
-        let to_center = self.to_center(&view)?;
-        let center = view.frame.point(to_center);
-        let radius = view.frame.length(to_center.length_sq().sqrt());
+        let center_local = self.center_in(&view)?;
+        let center = view.frame.point(center_local);
+        let radius = view.frame.length(center_local.length_sq().sqrt());
         (center.is_finite() && radius.is_finite()).then_some(Circle::new(center, radius))
     }
 
@@ -192,7 +192,7 @@ impl Triangle {
     }
 
     /// The vector in the frame from its origin to the circumcenter.
-    fn to_center(&self, view: &View) -> Option<Vector> {
+    fn center_in(&self, view: &View) -> Option<Vector> {
         if self.orientation() == Orientation::Collinear {
             return None;
         }
@@ -318,7 +318,7 @@ mod tests {
             assert_eq!(t.locate(Point::new(2.0, 1.5)), Containment::On);
             assert_eq!(t.locate(Point::new(4.0, 0.0)), Containment::On);
             assert_eq!(
-                t.locate(Point::new(2.0, 1.5_f64.next_up())),
+                t.locate(Point::new(2.0, 1.5 + f64::EPSILON)),
                 Containment::Outside
             );
         }

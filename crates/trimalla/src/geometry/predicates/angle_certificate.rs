@@ -96,7 +96,7 @@ mod tests {
             let (apex, u, v) = (Point::new(0.0, 0.0), Point::new(s, 0.0), Point::new(s, s));
             assert!(angle_at_least(apex, u, v, 0.5));
             assert!(angle_at_least(apex, v, u, 0.5));
-            assert!(!angle_at_least(apex, u, v, 0.5_f64.next_down()));
+            assert!(!angle_at_least(apex, u, v, 0.5 - f64::EPSILON / 4.0));
             assert!(triangle_angles_at_least(apex, u, v, 0.5));
             assert!(!triangle_angles_at_least(apex, u, v, 0.49));
             assert!(angle_at_least(u, apex, v, 0.0));

@@ -23,10 +23,12 @@ pub fn in_diametral_disk(a: Point, b: Point, p: Point) -> CircleSide {
     let along_y = (a.y - p.y) * (b.y - p.y);
     let dot = along_x + along_y;
     let bound = TWO_PRODUCTS_BOUND * (along_x.abs() + along_y.abs()) + UNDERFLOW_GUARD;
-    if dot > bound {
-        CircleSide::Outside
-    } else if dot < -bound {
-        CircleSide::Inside
+    if dot.abs() > bound {
+        if dot > 0.0 {
+            CircleSide::Outside
+        } else {
+            CircleSide::Inside
+        }
     } else {
         in_diametral_disk_exact(a, b, p)
     }

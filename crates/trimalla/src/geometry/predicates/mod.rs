@@ -3,7 +3,7 @@
 //! # How each predicate is built
 //! 1. An inlined *filter* evaluates the expression in plain arithmetic and trusts the sign only where it exceeds a
 //!    proved bound of all rounding and underflow errors. Almost every call ends here.
-//! 2. Out of line, coordinates that are integers of at most 61 bits up to a common power of two are evaluated in
+//! 2. Out of line, coordinates that are integers of at most 61 digits up to a common power of two are evaluated in
 //!    integer arithmetic (`integers.rs`). Grids and data of one order of magnitude end here.
 //! 3. The adaptive stages of the [`robust`] crate, where no term of theirs can underflow or overflow (`safe_range.rs`).
 //! 4. A fixed-width sum of exact products, good for the whole range of `f64` (`exact.rs`).

@@ -64,10 +64,12 @@ pub fn orient2d(a: Point, b: Point, c: Point) -> Orientation {
     let right = (a.y - c.y) * (b.x - c.x);
     let determinant = left - right;
     let bound = TWO_PRODUCTS_BOUND * (left.abs() + right.abs()) + UNDERFLOW_GUARD;
-    if determinant > bound {
-        Orientation::CounterClockwise
-    } else if determinant < -bound {
-        Orientation::Clockwise
+    if determinant.abs() > bound {
+        if determinant > 0.0 {
+            Orientation::CounterClockwise
+        } else {
+            Orientation::Clockwise
+        }
     } else {
         orient2d_exact(a, b, c)
     }
