@@ -37,7 +37,7 @@ pub fn read(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Edges, Io
     let mut reader = Reader::new(bytes, name)?;
     reader.record(|| "the number of edges".to_owned())?;
     let count = reader.count("the number of edges")?;
-    let has_markers = reader.one_of_or("0 or 1, the number of markers an edge,", 0, &[0, 1])? == 1;
+    let has_markers = reader.one_of_or("0 or 1 markers an edge", 0, &[0, 1])? == 1;
     reader.end_record()?;
     let mut found = Edges::default();
     let mut rows = Numbering::new(

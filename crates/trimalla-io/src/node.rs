@@ -87,10 +87,10 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Nodes, IoError> {
 pub(crate) fn read_section(reader: &mut Reader<'_>) -> Result<Nodes, IoError> {
     reader.record(|| "the number of vertices".to_owned())?;
     let count = reader.count("the number of vertices")?;
-    reader.one_of_or("the dimension, which must be 2,", 2, &[2])?;
+    reader.one_of_or("the dimension 2", 2, &[2])?;
     let attributes_per_point =
         reader.count_or("the number of attributes a vertex", 0, u32::MAX)? as usize;
-    let has_markers = reader.one_of_or("0 or 1, the number of markers a vertex,", 0, &[0, 1])? == 1;
+    let has_markers = reader.one_of_or("0 or 1 markers a vertex", 0, &[0, 1])? == 1;
     reader.end_record()?;
 
     let mut nodes = Nodes {

@@ -140,8 +140,7 @@ fn read_segments(
 ) -> Result<(Vec<[u32; 2]>, Vec<i32>), IoError> {
     reader.record(|| "the number of segments".to_owned())?;
     let count = reader.count("the number of segments")?;
-    let has_markers =
-        reader.one_of_or("0 or 1, the number of markers a segment,", 0, &[0, 1])? == 1;
+    let has_markers = reader.one_of_or("0 or 1 markers a segment", 0, &[0, 1])? == 1;
     reader.end_record()?;
     let (mut segments, mut markers) = (Vec::new(), Vec::new());
     let mut rows = Numbering::new(
