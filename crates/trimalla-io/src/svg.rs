@@ -99,7 +99,12 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) 
     }
     if options.show_legend {
         legend::draw_scale(out, &frame, &histogram)?;
-        legend::draw_lines(out, &frame, &mesh_lines(mesh, &histogram))?;
+        legend::draw_lines(
+            out,
+            &frame,
+            legend::SCALE_ROWS,
+            &mesh_lines(mesh, &histogram),
+        )?;
     }
     writeln!(out, "</svg>")
 }
@@ -143,6 +148,7 @@ pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &SvgOptions) -> io::
         legend::draw_lines(
             out,
             &frame,
+            0.0,
             &counts.map(|(noun, count)| Line::count(noun, count)),
         )?;
     }

@@ -109,7 +109,7 @@ impl Frame {
         let (width, height) = (self.width.round(), self.height.round());
         writeln!(
             out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"system-ui,sans-serif\">"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"system-ui,Helvetica,Arial,'DejaVu Sans',sans-serif\">"
         )?;
         if !title.is_empty() {
             writeln!(out, "<title>{}</title>", Escaped(title))?;

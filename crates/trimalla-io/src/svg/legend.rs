@@ -10,6 +10,9 @@ use super::{COLOURS, INK};
 pub(super) const WIDTH: f64 = 250.0;
 pub(super) const HEIGHT: f64 = 430.0;
 
+/// Rows that the scale takes, with the space under it.
+pub(super) const SCALE_ROWS: f64 = CLASSES as f64 + 1.7;
+
 const ROW: f64 = 22.0;
 const LONGEST_BAR: f64 = 110.0;
 const FADED: &str = "#66727f";
@@ -96,12 +99,17 @@ fn scale_top(top: f64) -> f64 {
     top + 32.0
 }
 
-/// Draws lines of text under the scale.
-pub(super) fn draw_lines(out: &mut dyn Write, frame: &Frame, lines: &[Line]) -> io::Result<()> {
+/// Draws lines of text below `rows_above` rows of the panel.
+pub(super) fn draw_lines(
+    out: &mut dyn Write,
+    frame: &Frame,
+    rows_above: f64,
+    lines: &[Line],
+) -> io::Result<()> {
     let (left, top) = frame.legend_corner();
     writeln!(out, "<g font-size=\"14\" fill=\"{INK}\">")?;
     for (i, line) in lines.iter().enumerate() {
-        let y = scale_top(top) + ROW * (CLASSES as f64 + 1.7 + i as f64);
+        let y = scale_top(top) + ROW * (rows_above + i as f64);
         writeln!(
             out,
             "<text x=\"{left:.2}\" y=\"{y:.2}\" fill=\"{FADED}\">{}</text>",
