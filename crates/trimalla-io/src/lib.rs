@@ -1,1 +1,75 @@
-//! File formats of trimalla.
+//! File formats of trimalla: [Triangle]'s text formats in and out, pictures out.
+//!
+//! # What is where
+//!
+//! | you have, you want | call |
+//! |---|---|
+//! | a path to a drawing (`.poly`, `.node`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
+//! | a path to a mesh (`.ele`) | [`read_mesh`], or [`read_mesh_numbered`] |
+//! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
+//! | a drawing, and a path | [`write_pslg`] |
+//! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
+//! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`] |
+//!
+//! | format | holds | module |
+//! |---|---|---|
+//! | `.node` | vertices, their attributes and markers | [`node`] |
+//! | `.ele` | triangles and their attributes | [`ele`] |
+//! | `.poly` | vertices or a reference to them, segments, holes, regions | [`poly`] |
+//! | `.edge` | the edges of a mesh | [`edge`] |
+//! | `.neigh` | which triangles share an edge | [`neigh`] |
+//! | `.svg` | a picture | [`svg`] |
+//!
+//! # What all text formats share
+//!
+//! * One record a line; blank lines and comments (`#` to the end of the line) anywhere; LF, CR LF or a lone CR; a byte
+//!   order mark is skipped.
+//! * Records are numbered consecutively, from 0 or 1 as the first vertex says. In memory, indices count from 0.
+//! * Every fault is an error that names file, line and column, what was expected and what was found:
+//!   `A.poly:12:7: expected a vertex index between 1 and 29, found '31'`. Nothing is guessed or skipped in silence:
+//!   a value or record too many is a fault as much as one too few.
+//! * What a header promises is never allocated before the bytes are there. Memory stays below 64 MiB + 64 times the size of the files.
+//! * Numbers are written with the fewest digits that read back to the same bits.
+//! * Files are written whole or not at all, and those of a mesh together.
+//!
+//! # Example
+//!
+//! ```
+//! # fn main() -> Result<(), trimalla_io::IoError> {
+//! use trimalla_io::node;
+//!
+//! let nodes = node::read(b"2 2 0 0   # two points\n0 0.5 1\n1 2 -3e4\n", "pair.node")?;
+//! assert_eq!((nodes.points.len(), nodes.first_index), (2, 0));
+//!
+//! let fault = node::read(b"2 2 0 0\n0 0.5 1\n1 2 abc\n", "pair.node").unwrap_err();
+//! assert_eq!(fault.to_string(), "pair.node:3:5: expected a y coordinate, found 'abc'");
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
+
+mod atomic;
+mod columns;
+pub mod edge;
+pub mod ele;
+mod error;
+mod format;
+pub mod neigh;
+pub mod node;
+mod numbers;
+pub mod poly;
+mod read;
+pub mod svg;
+mod tokens;
+mod topology;
+mod write;
+
+pub use error::{Fault, IoError, Place};
+pub use format::Format;
+pub use numbers::VertexRange;
+pub use read::{Numbered, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
+pub use svg::SvgOptions;
+pub use write::{
+    WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
+};

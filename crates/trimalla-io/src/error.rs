@@ -1,0 +1,175 @@
+//! What can go wrong between a file and a mesh.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A place in a text file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file as the caller named it.
+    pub file: String,
+    /// Line, counted from 1.
+    pub line: u64,
+    /// Column in bytes, counted from 1.
+    pub column: u64,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_printable(f, &self.file)?;
+        write!(f, ":{}:{}", self.line, self.column)
+    }
+}
+
+/// A fault in a text file: where it is, what should stand there and what does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Where the offending text starts.
+    pub place: Place,
+    /// What was expected, as a noun phrase.
+    pub expected: String,
+    /// What was found: the quoted text, shortened where it is long, or a description such as `the end of the file`.
+    pub found: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}: expected {}, found {}",
+            self.place, self.expected, self.found
+        )
+    }
+}
+
+/// Why a file could not be read or written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum IoError {
+    /// The text has not the shape of the format: no number, a value missing, a value too many.
+    #[error("{0}")]
+    Syntax(Box<Fault>),
+    /// The text is well formed but its value is not allowed: out of range, not finite, out of sequence.
+    #[error("{0}")]
+    Value(Box<Fault>),
+    /// A file does not exist.
+    #[error("{}: no such file{}", Printable(path), NeededBy(needed_by.as_deref()))]
+    Missing {
+        /// The file looked for.
+        path: PathBuf,
+        /// The file that refers to it, where there is one.
+        needed_by: Option<PathBuf>,
+    },
+    /// A file exists but cannot be read.
+    #[error("cannot read {}: {source}", Printable(path))]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The name of an input says nothing about its format, or the format does not hold what is asked for.
+    #[error(
+        "cannot read {}: expected a name that ends in {expected}",
+        Printable(path)
+    )]
+    UnknownInput {
+        /// The file.
+        path: PathBuf,
+        /// The endings that would do.
+        expected: &'static str,
+    },
+    /// A file cannot be written, or the mesh cannot be expressed in its format.
+    #[error("cannot write {}: {source}", Printable(path))]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason, or what is wrong with the mesh (kind `InvalidInput`).
+        source: io::Error,
+    },
+    /// The name of an output says nothing about its format, or the format does not hold what is to be written.
+    #[error(
+        "cannot write {}: expected a name that ends in {expected}",
+        Printable(path)
+    )]
+    UnknownOutput {
+        /// The file.
+        path: PathBuf,
+        /// The endings that would do.
+        expected: &'static str,
+    },
+}
+
+impl IoError {
+    /// Whether the output is to blame (exit status 4 of the program), not the input (exit status 3).
+    #[must_use]
+    pub fn is_output(&self) -> bool {
+        matches!(self, Self::Unwritable { .. } | Self::UnknownOutput { .. })
+    }
+
+    /// The fault and its place, where the contents of a file are to blame.
+    #[must_use]
+    pub fn fault(&self) -> Option<&Fault> {
+        match self {
+            Self::Syntax(fault) | Self::Value(fault) => Some(fault),
+            _ => None,
+        }
+    }
+}
+
+/// Shows a path without letting control characters in its name reach a terminal.
+struct Printable<'a>(&'a Path);
+
+impl fmt::Display for Printable<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_printable(f, &self.0.to_string_lossy())
+    }
+}
+
+/// The clause that names the file which refers to a missing one.
+struct NeededBy<'a>(Option<&'a Path>);
+
+impl fmt::Display for NeededBy<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(path) => write!(f, ", needed by {}", Printable(path)),
+            None => Ok(()),
+        }
+    }
+}
+
+fn write_printable(f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
+    for c in text.chars() {
+        if c.is_control() {
+            write!(f, "{}", c.escape_default())?;
+        } else {
+            write!(f, "{c}")?;
+        }
+    }
+    Ok(())
+}
+
+/// Quotes offending bytes: printable, and no longer than a line of a report can hold.
+pub(crate) fn quote(bytes: &[u8]) -> String {
+    const LONGEST: usize = 40;
+    let shown = bytes.get(..LONGEST).unwrap_or(bytes);
+    let mut text = String::from("'");
+    for chunk in shown.utf8_chunks() {
+        for c in chunk.valid().chars() {
+            if c.is_control() {
+                text.extend(c.escape_default());
+            } else {
+                text.push(c);
+            }
+        }
+        for byte in chunk.invalid() {
+            text.push_str(&format!("\\x{byte:02x}"));
+        }
+    }
+    text.push('\'');
+    if bytes.len() > LONGEST {
+        text.push_str(&format!("… ({} bytes)", bytes.len()));
+    }
+    text
+}

@@ -1,0 +1,220 @@
+//! From a path to a drawing or a mesh.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use trimalla::domain::Pslg;
+use trimalla::triangulation::IndexedMesh;
+
+use crate::ele;
+use crate::error::IoError;
+use crate::format::{Format, companion};
+use crate::node::{self, Nodes};
+use crate::poly::{self, Sections};
+
+/// What a file holds, and the number that it gives to its first vertex.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbered<T> {
+    /// The drawing or mesh; its indices count from 0.
+    pub value: T,
+    /// The number of the first vertex in the file: 0 or 1. Hand it to [`WriteOptions`](crate::WriteOptions) to keep it.
+    pub first_index: u32,
+}
+
+/// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file, the stem of
+/// one of them, or `-` for standard input.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output.
+pub fn read_pslg(path: impl AsRef<Path>) -> Result<Pslg, IoError> {
+    read_pslg_numbered(path).map(|drawing| drawing.value)
+}
+
+/// Reads a drawing as [`read_pslg`] does, and says where its numbers start.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output.
+pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoError> {
+    let path = path.as_ref();
+    if path == Path::new("-") {
+        let bytes =
+            fill(io::stdin().lock(), LONGEST_STREAM).map_err(|source| unreadable(path, source))?;
+        let poly = poly::read_unnamed(&bytes, "-")?;
+        return Ok(Numbered {
+            first_index: poly.nodes.first_index,
+            value: poly.into_pslg(),
+        });
+    }
+    match Format::from_path(path) {
+        Some(Format::Poly) => read_poly(path),
+        Some(Format::Node) => {
+            let nodes = read_nodes(path, None)?;
+            Ok(Numbered {
+                first_index: nodes.first_index,
+                value: nodes.into_pslg(),
+            })
+        }
+        None => match of_stem(path, &[Format::Poly, Format::Node]) {
+            Some(file) => read_pslg_numbered(file),
+            None => Err(unknown(path, ".poly or .node")),
+        },
+        Some(_) => Err(unknown(path, ".poly or .node")),
+    }
+}
+
+/// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own, the
+/// `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output.
+pub fn read_mesh(path: impl AsRef<Path>) -> Result<IndexedMesh, IoError> {
+    read_mesh_numbered(path).map(|mesh| mesh.value)
+}
+
+/// Reads a mesh as [`read_mesh`] does, and says where its numbers start.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output.
+pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh>, IoError> {
+    let path = path.as_ref();
+    match Format::from_path(path) {
+        Some(Format::Ele) => read_group(path),
+        Some(Format::Node) => read_group(&companion(path, Format::Ele)),
+        None if of_stem(path, &[Format::Ele]).is_some() => {
+            read_group(&companion(path, Format::Ele))
+        }
+        _ => Err(unknown(path, ".ele")),
+    }
+}
+
+fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {
+    let bytes = read_file(path, None)?;
+    let poly = poly::read(&bytes, &name_of(path), || {
+        read_nodes(&companion(path, Format::Node), Some(path))
+    })?;
+    Ok(Numbered {
+        first_index: poly.nodes.first_index,
+        value: poly.into_pslg(),
+    })
+}
+
+fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
+    node::read(&read_file(path, needed_by)?, &name_of(path))
+}
+
+/// Reads the files of a mesh, given its `.ele` file.
+fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
+    let bytes = read_file(path, None)?;
+    let nodes = read_nodes(&companion(path, Format::Node), Some(path))?;
+    let (range, first_index) = (nodes.range(), nodes.first_index);
+    let elements = ele::read(&bytes, &name_of(path), range)?;
+    drop(bytes);
+    let drawing = companion(path, Format::Poly);
+    let sections = match fs::symlink_metadata(&drawing) {
+        Err(_) => None,
+        Ok(_) => {
+            poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?
+        }
+    };
+    let Sections {
+        segments,
+        segment_markers,
+        holes,
+        ..
+    } = sections.unwrap_or_default();
+    let mesh = IndexedMesh {
+        triangles: elements.triangles,
+        attributes_per_triangle: elements.attributes_per_triangle,
+        triangle_attributes: elements.attributes,
+        segments,
+        segment_markers,
+        holes,
+        ..nodes.into_mesh()
+    };
+    Ok(Numbered {
+        value: mesh,
+        first_index,
+    })
+}
+
+/// The first existing file of the given formats that has `path` as its stem.
+fn of_stem(path: &Path, formats: &[Format]) -> Option<PathBuf> {
+    formats
+        .iter()
+        .map(|&format| companion(path, format))
+        .find(|file| file.exists())
+}
+
+fn unknown(path: &Path, expected: &'static str) -> IoError {
+    IoError::UnknownInput {
+        path: path.to_owned(),
+        expected,
+    }
+}
+
+fn name_of(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// The bytes of a file.
+fn read_file(path: &Path, needed_by: Option<&Path>) -> Result<Vec<u8>, IoError> {
+    let file = File::open(path).map_err(|source| match source.kind() {
+        io::ErrorKind::NotFound => IoError::Missing {
+            path: path.to_owned(),
+            needed_by: needed_by.map(Path::to_owned),
+        },
+        _ => unreadable(path, source),
+    })?;
+    let found = file.metadata().map_err(|source| unreadable(path, source))?;
+    if found.is_dir() {
+        return Err(unreadable(path, io::ErrorKind::IsADirectory.into()));
+    }
+    let longest = if found.is_file() {
+        LONGEST_FILE
+    } else {
+        LONGEST_STREAM
+    };
+    fill(file, longest).map_err(|source| unreadable(path, source))
+}
+
+/// The bytes of a stream, up to the first block with a NUL byte: what has one is no text, and may be a device without end.
+/// No size that a file system reports is trusted, and memory that is not there is an error.
+fn fill(mut stream: impl Read, longest: u64) -> io::Result<Vec<u8>> {
+    let mut block = vec![0; BLOCK];
+    let mut bytes = Vec::new();
+    loop {
+        let length = match stream.read(&mut block) {
+            Ok(0) => return Ok(bytes),
+            Ok(length) => length,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        let new = &block[..length];
+        if (bytes.len() + length) as u64 > longest {
+            return Err(io::ErrorKind::FileTooLarge.into());
+        }
+        bytes
+            .try_reserve(length)
+            .map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
+        bytes.extend_from_slice(new);
+        if new.contains(&0) {
+            return Ok(bytes);
+        }
+    }
+}
+
+const BLOCK: usize = 1 << 16;
+
+/// No text that 32-bit indices can describe comes near this many bytes.
+const LONGEST_FILE: u64 = 1 << 38;
+
+/// A pipe or device that has not ended here is taken for one that never will.
+const LONGEST_STREAM: u64 = 1 << 31;
+
+fn unreadable(path: &Path, source: io::Error) -> IoError {
+    IoError::Unreadable {
+        path: path.to_owned(),
+        source,
+    }
+}

@@ -1,0 +1,281 @@
+//! Splits bytes into lines and fields and knows where each of them stands.
+//!
+//! A *record* is a line that holds at least one field; blank lines and comments (`#` to the end of the line) are skipped.
+//! Lines end with LF, CR LF or a lone CR; the last one needs no end. Blanks are space, tab, vertical tab and form feed.
+//! A byte order mark at the start is skipped. Comments may hold any bytes (old drawings carry Latin-1) except NUL, which no text
+//! has: a NUL byte anywhere is refused before anything else is read.
+
+use crate::error::{Fault, IoError, Place, quote};
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// A field: consecutive bytes that are neither blank nor comment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Token<'a> {
+    pub(crate) text: &'a [u8],
+    line: u64,
+    column: u64,
+}
+
+/// A cursor over the records and fields of one file.
+#[derive(Debug)]
+pub(crate) struct Reader<'a> {
+    name: &'a str,
+    bytes: &'a [u8],
+    pos: usize,
+    line: u64,
+    line_start: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// A cursor at the start of `bytes`; `name` is what errors call the file.
+    pub(crate) fn new(bytes: &'a [u8], name: &'a str) -> Result<Self, IoError> {
+        let start = if bytes.starts_with(BYTE_ORDER_MARK) {
+            BYTE_ORDER_MARK.len()
+        } else {
+            0
+        };
+        let mut reader = Self {
+            name,
+            bytes,
+            pos: start,
+            line: 1,
+            line_start: start,
+        };
+        match not_text(bytes) {
+            None => Ok(reader),
+            Some((offset, found)) => {
+                reader.seek(offset);
+                Err(IoError::Syntax(reader.fault_here("text", found)))
+            }
+        }
+    }
+
+    /// How many bytes are still to be read: an upper bound for everything a header may promise.
+    pub(crate) fn remaining(&self) -> usize {
+        self.bytes.len() - self.pos
+    }
+
+    /// Moves to the next field, on this line or a later one; `false` at the end of the file.
+    pub(crate) fn advance(&mut self) -> bool {
+        loop {
+            self.skip_blanks();
+            match self.bytes.get(self.pos) {
+                None => return false,
+                Some(b'\n' | b'\r') => self.end_line(),
+                Some(_) => return true,
+            }
+        }
+    }
+
+    /// Moves to the next record, which `expected` describes.
+    pub(crate) fn record(&mut self, expected: impl FnOnce() -> String) -> Result<(), IoError> {
+        if self.advance() {
+            Ok(())
+        } else {
+            Err(IoError::Syntax(
+                self.fault_here(&expected(), "the end of the file"),
+            ))
+        }
+    }
+
+    /// The next field of this line, if there is one.
+    pub(crate) fn field(&mut self) -> Option<Token<'a>> {
+        self.skip_blanks();
+        let rest = self.bytes.get(self.pos..).unwrap_or_default();
+        let length = rest
+            .iter()
+            .position(|&b| ends_field(b))
+            .unwrap_or(rest.len());
+        if length == 0 {
+            return None;
+        }
+        let token = Token {
+            text: &rest[..length],
+            line: self.line,
+            column: self.column(),
+        };
+        self.pos += length;
+        Some(token)
+    }
+
+    /// The next field of this line, which must be there.
+    pub(crate) fn expect(&mut self, expected: &str) -> Result<Token<'a>, IoError> {
+        let end = self.pos;
+        match self.field() {
+            Some(token) => Ok(token),
+            None => {
+                self.pos = end;
+                Err(IoError::Syntax(
+                    self.fault_here(expected, "the end of the line"),
+                ))
+            }
+        }
+    }
+
+    /// Checks that this line holds no further field.
+    pub(crate) fn end_record(&mut self) -> Result<(), IoError> {
+        match self.field() {
+            None => Ok(()),
+            Some(extra) => Err(self.syntax(extra, "the end of the line")),
+        }
+    }
+
+    /// Checks that nothing but blanks and comments follows.
+    pub(crate) fn end_file(&mut self) -> Result<(), IoError> {
+        if !self.advance() {
+            return Ok(());
+        }
+        match self.field() {
+            None => Ok(()),
+            Some(extra) => Err(self.syntax(extra, "the end of the file")),
+        }
+    }
+
+    /// The error for a field that is not what the format wants.
+    pub(crate) fn syntax(&self, token: Token<'_>, expected: &str) -> IoError {
+        IoError::Syntax(self.fault_at(token, expected))
+    }
+
+    /// The error for a field whose value is not allowed.
+    pub(crate) fn value(&self, token: Token<'_>, expected: &str) -> IoError {
+        IoError::Value(self.fault_at(token, expected))
+    }
+
+    fn fault_at(&self, token: Token<'_>, expected: &str) -> Box<Fault> {
+        self.fault(token.line, token.column, expected, quote(token.text))
+    }
+
+    fn fault_here(&self, expected: &str, found: &str) -> Box<Fault> {
+        self.fault(self.line, self.column(), expected, found.to_owned())
+    }
+
+    fn fault(&self, line: u64, column: u64, expected: &str, found: String) -> Box<Fault> {
+        let place = Place {
+            file: self.name.to_owned(),
+            line,
+            column,
+        };
+        Box::new(Fault {
+            place,
+            expected: expected.to_owned(),
+            found,
+        })
+    }
+
+    fn column(&self) -> u64 {
+        (self.pos - self.line_start) as u64 + 1
+    }
+
+    /// Skips blanks, and a comment up to the end of its line.
+    fn skip_blanks(&mut self) {
+        while self.bytes.get(self.pos).is_some_and(|&b| is_blank(b)) {
+            self.pos += 1;
+        }
+        if self.bytes.get(self.pos) == Some(&b'#') {
+            while self.bytes.get(self.pos).is_some_and(|&b| !ends_line(b)) {
+                self.pos += 1;
+            }
+        }
+    }
+
+    /// Steps over the line end under the cursor; CR LF is one.
+    fn end_line(&mut self) {
+        let both = self.bytes.get(self.pos..self.pos + 2) == Some(b"\r\n");
+        self.pos += if both { 2 } else { 1 };
+        self.line += 1;
+        self.line_start = self.pos;
+    }
+
+    /// Moves to a byte offset, counting the lines on the way.
+    fn seek(&mut self, offset: usize) {
+        while self.pos < offset {
+            if ends_line(self.bytes[self.pos]) {
+                self.end_line();
+            } else {
+                self.pos += 1;
+            }
+        }
+    }
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)
+}
+
+fn ends_line(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
+}
+
+fn ends_field(byte: u8) -> bool {
+    is_blank(byte) || ends_line(byte) || byte == b'#'
+}
+
+/// The offset and description of what shows that `bytes` are no text.
+fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Some((0, "UTF-16"));
+    }
+    if bytes.starts_with(b"\x1f\x8b") {
+        return Some((0, "gzip-compressed data"));
+    }
+    bytes
+        .iter()
+        .position(|&b| b == 0)
+        .map(|offset| (offset, "a NUL byte"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Line, column and text of every field.
+    fn fields(bytes: &[u8]) -> Vec<(u64, u64, String)> {
+        let mut reader = Reader::new(bytes, "t").unwrap();
+        let mut all = Vec::new();
+        while reader.advance() {
+            let token = reader.field().unwrap();
+            all.push((
+                token.line,
+                token.column,
+                String::from_utf8_lossy(token.text).into_owned(),
+            ));
+        }
+        all
+    }
+
+    fn field(line: u64, column: u64, text: &str) -> (u64, u64, String) {
+        (line, column, text.to_owned())
+    }
+
+    #[test]
+    fn every_line_end_counts_once() {
+        let expected = [
+            field(1, 1, "a"),
+            field(2, 2, "b"),
+            field(3, 1, "c"),
+            field(5, 1, "d"),
+        ];
+        assert_eq!(fields(b"a\r\n\tb\rc\n\nd"), expected);
+    }
+
+    #[test]
+    fn comments_and_marks_are_skipped() {
+        assert_eq!(
+            fields(b"\xef\xbb\xbf1#x y\n# \xe4\xff\n 2 # 3"),
+            [field(1, 1, "1"), field(3, 2, "2")]
+        );
+    }
+
+    #[test]
+    fn what_is_no_text_is_named_with_its_place() {
+        for (bytes, place, found) in [
+            (&b"1 2\n# \0"[..], "t:2:3", "a NUL byte"),
+            (b"\xff\xfe1", "t:1:1", "UTF-16"),
+            (b"\x1f\x8b\x08", "t:1:1", "gzip-compressed data"),
+        ] {
+            let error = Reader::new(bytes, "t").unwrap_err().to_string();
+            assert_eq!(error, format!("{place}: expected text, found {found}"));
+        }
+    }
+}

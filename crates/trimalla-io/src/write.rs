@@ -1,0 +1,200 @@
+//! From a mesh or a drawing to a path.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use trimalla::domain::Pslg;
+use trimalla::triangulation::IndexedMesh;
+
+use crate::atomic::Group;
+use crate::columns::Points;
+use crate::error::IoError;
+use crate::format::{Format, companion};
+use crate::svg::SvgOptions;
+use crate::{edge, ele, neigh, node, poly, svg};
+
+/// How files are written.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// The number of the first vertex, triangle, … in text files: 0 or 1.
+    pub first_index: u32,
+    /// The format where it is not the one that the ending of the path says.
+    pub format: Option<Format>,
+    /// What a picture shows.
+    pub svg: SvgOptions,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        Self {
+            first_index: 1,
+            format: None,
+            svg: SvgOptions::default(),
+        }
+    }
+}
+
+impl WriteOptions {
+    /// Numbers records from `first_index`, which must be 0 or 1.
+    #[must_use]
+    pub fn with_first_index(mut self, first_index: u32) -> Self {
+        self.first_index = first_index;
+        self
+    }
+
+    /// Writes `format` whatever the path says.
+    #[must_use]
+    pub fn with_format(mut self, format: Format) -> Self {
+        self.format = Some(format);
+        self
+    }
+
+    /// Draws pictures with these options.
+    #[must_use]
+    pub fn with_svg(mut self, svg: SvgOptions) -> Self {
+        self.svg = svg;
+        self
+    }
+
+    fn format_for(&self, path: &Path, expected: &'static str) -> Result<Format, IoError> {
+        let unknown = || IoError::UnknownOutput {
+            path: path.to_owned(),
+            expected,
+        };
+        self.format
+            .or_else(|| Format::from_path(path))
+            .ok_or_else(unknown)
+    }
+}
+
+/// The files that [`write_mesh`] replaces, so that a caller can spare its inputs.
+#[must_use]
+pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
+    if is_group(path, options) {
+        [Format::Node, Format::Ele, Format::Poly]
+            .map(|format| member(path, format))
+            .into()
+    } else {
+        vec![path.to_owned()]
+    }
+}
+
+/// Writes a mesh in the format that the ending of `path` says.
+///
+/// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone, `.poly` the
+/// vertices, subsegments and holes in one file. Files appear whole, a group together, or not at all. Pipes, devices and `-`
+/// (standard output) are written directly, and to them `.ele` writes the triangles alone.
+///
+/// # Errors
+/// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
+pub fn write_mesh(
+    path: impl AsRef<Path>,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+) -> Result<(), IoError> {
+    let path = path.as_ref();
+    let format = options.format_for(path, ".node, .ele, .poly, .edge, .neigh or .svg")?;
+    let mut group = Group::default();
+    if is_group(path, options) {
+        let first_index = options.first_index;
+        group.add(&member(path, Format::Node), |out| {
+            node::write(out, mesh, first_index)
+        })?;
+        group.add(&member(path, Format::Ele), |out| {
+            ele::write(out, mesh, first_index)
+        })?;
+        group.add(&member(path, Format::Poly), |out| {
+            poly::write_beside_node(out, mesh, first_index)
+        })?;
+    } else {
+        group.add(path, |out| write_mesh_to(out, format, mesh, options))?;
+    }
+    group.commit()
+}
+
+/// Writes a mesh in one format to a stream.
+///
+/// # Errors
+/// Those of `out`; kind `InvalidInput` where the mesh cannot be expressed in the format: columns of wrong lengths, indices
+/// without a vertex, numbers that are not finite.
+pub fn write_mesh_to(
+    out: &mut dyn Write,
+    format: Format,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+) -> io::Result<()> {
+    match format {
+        Format::Node => node::write(out, mesh, options.first_index),
+        Format::Ele => ele::write(out, mesh, options.first_index),
+        Format::Poly => poly::write(out, mesh, options.first_index),
+        Format::Edge => edge::write(out, mesh, options.first_index),
+        Format::Neigh => neigh::write(out, mesh, options.first_index),
+        Format::Svg => svg::draw_mesh(out, mesh, &options.svg),
+    }
+}
+
+/// Writes a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node` (the
+/// vertices alone) or `.svg`.
+///
+/// # Errors
+/// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
+pub fn write_pslg(
+    path: impl AsRef<Path>,
+    pslg: &Pslg,
+    options: &WriteOptions,
+) -> Result<(), IoError> {
+    const EXPECTED: &str = ".poly, .node or .svg";
+    let path = path.as_ref();
+    let format = options.format_for(path, EXPECTED)?;
+    if !matches!(format, Format::Poly | Format::Node | Format::Svg) {
+        return Err(IoError::UnknownOutput {
+            path: path.to_owned(),
+            expected: EXPECTED,
+        });
+    }
+    let mut group = Group::default();
+    group.add(path, |out| write_pslg_to(out, format, pslg, options))?;
+    group.commit()
+}
+
+/// Writes a drawing to a stream as `.poly`, `.node` or `.svg`.
+///
+/// # Errors
+/// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes only.
+pub fn write_pslg_to(
+    out: &mut dyn Write,
+    format: Format,
+    pslg: &Pslg,
+    options: &WriteOptions,
+) -> io::Result<()> {
+    match format {
+        Format::Poly => poly::write_pslg(out, pslg, options.first_index),
+        Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
+        Format::Svg => svg::draw_pslg(out, pslg, &options.svg),
+        Format::Ele | Format::Edge | Format::Neigh => Err(io::ErrorKind::Unsupported.into()),
+    }
+}
+
+/// Whether `path` stands for three files.
+fn is_group(path: &Path, options: &WriteOptions) -> bool {
+    let format = options.format.or_else(|| Format::from_path(path));
+    format == Some(Format::Ele) && !is_stream(path)
+}
+
+fn is_stream(path: &Path) -> bool {
+    path == Path::new("-")
+        || path == Path::new("/dev/stdout")
+        || path
+            .metadata()
+            .is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+/// A file of the group of `path`; the one the caller named keeps its name.
+fn member(path: &Path, format: Format) -> PathBuf {
+    if format == Format::Ele && Format::from_path(path) == Some(Format::Ele) {
+        path.to_owned()
+    } else {
+        companion(path, format)
+    }
+}
