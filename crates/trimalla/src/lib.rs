@@ -1,4 +1,5 @@
 //! Planar triangulation and quality mesh refinement.
+pub mod constrained;
 pub mod delaunay;
 pub mod domain;
 pub mod geometry;

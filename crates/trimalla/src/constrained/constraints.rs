@@ -27,16 +27,20 @@ impl Constraints {
         class + 1
     }
 
-    /// The mark of an edge that has mark `mark` and becomes part of `segment` too.
-    pub(crate) fn with_segment(&mut self, mark: u32, segment: u32) -> u32 {
-        let mut list = self.segments(mark).to_vec();
-        match list.binary_search(&segment) {
-            Ok(_) => mark,
-            Err(at) => {
-                list.insert(at, segment);
-                self.mark_of(&list)
-            }
+    /// The mark of exactly these segments, 0 where they have no class.
+    pub(crate) fn existing_mark_of(&self, segments: &[u32]) -> u32 {
+        self.class_of.get(segments).map_or(0, |class| class + 1)
+    }
+
+    /// The mark of an edge of two marks: all segments of either.
+    pub(crate) fn joined(&mut self, a: u32, b: u32) -> u32 {
+        if a == 0 || a == b {
+            return b;
         }
+        let mut list = [self.segments(a), self.segments(b)].concat();
+        list.sort_unstable();
+        list.dedup();
+        self.mark_of(&list)
     }
 
     /// The mark of an edge that has mark `mark` and is no longer part of `segment`; 0 where it is part of none.

@@ -31,6 +31,9 @@ pub enum BuildError {
         /// How many points there are.
         points: usize,
     },
+    /// The place lies outside the triangulated domain.
+    #[error("point {0} lies outside the domain")]
+    OutsideDomain(Point),
     /// More points than 32-bit half-edges can serve.
     #[error("{0} points are more than the {max} that fit", max = Self::MAX_POINTS)]
     TooManyPoints(usize),

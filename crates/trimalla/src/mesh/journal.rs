@@ -37,10 +37,16 @@ pub enum Column {
     Y,
     /// State of the triangulation itself (closure, lone vertex); meaning known to its owner.
     State,
-    /// An entry of a table that only the constrained layer knows.
+    /// Classes of constraint marks were added, from `index` on.
     Constraint,
-    /// Provenance of a vertex, known to the constrained layer.
-    Provenance,
+    /// Input segments were added, from `index` on.
+    Segment,
+    /// A vertex got its first provenance.
+    ProvenanceAppended,
+    /// First word of a vertex's provenance.
+    ProvenanceKind,
+    /// Second word of a vertex's provenance.
+    ProvenancePlace,
 }
 
 /// One overwritten entry.

@@ -178,8 +178,9 @@ impl<'a> Filler<'a> {
         let (wx, xv) = (next(e.beyond), prev(e.beyond));
         let x = self.vertex[xv as usize];
         self.free.push(e.beyond / 3);
-        self.pending.push(Pending { v: x, w: e.w, beyond: self.beyond(wx) });
-        self.pending.push(Pending { v: e.v, w: x, beyond: self.beyond(xv) });
+        let (beyond_wx, beyond_xv) = (self.beyond(wx), self.beyond(xv));
+        self.pending.push(Pending { v: x, w: e.w, beyond: beyond_wx });
+        self.pending.push(Pending { v: e.v, w: x, beyond: beyond_xv });
         // A filled region has no more than twice as many pending edges as the border has vertices.
         (self.pending.len() <= 2 * self.points.len()).then_some(())
     }

@@ -1,0 +1,258 @@
+//! The type `ConstrainedDelaunay`.
+
+use std::ops::Deref;
+
+use super::constraints::Constraints;
+use super::crossing_pairs::crossing_pairs;
+use super::error::ConstraintError;
+use super::insert_segment::Crossings;
+use super::provenance::{Provenance, Provenances};
+use super::pseudo_polygon::Filling;
+use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, Lawson, RemoveError, insert_at, remove_vertex};
+use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{Checkpoint, Column, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
+use crate::triangulation::{Closure, Fault, Triangulation};
+
+/// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.
+pub type SegmentId = u32;
+
+/// A constrained Delaunay triangulation that stays one through every change.
+///
+/// # Guarantees
+/// Every input segment is a chain of constrained edges, and every other edge passes the exact
+/// circle test, ties broken as in [`Delaunay`]: the triangulation is a function of its points and segments.
+/// Vertices exactly on a segment part it; segments that overlap share edges and each keeps its name.
+///
+/// # Examples
+/// ```
+/// use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+/// use trimalla::geometry::Point;
+/// use trimalla::mesh::VertexId;
+///
+/// let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.0], [4.0, 1.0]].map(Point::from);
+/// let cdt = ConstrainedDelaunay::new(&points, &[[0, 2]], Crossings::Refuse)?;
+/// assert!(cdt.half_edge_between(VertexId(0), VertexId(2)).is_some());
+/// # Ok::<(), trimalla::constrained::ConstraintError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct ConstrainedDelaunay {
+    pub(crate) t: Triangulation,
+    pub(crate) lawson: Lawson,
+    pub(crate) constraints: Constraints,
+    /// Ends of each segment, duplicates replaced by their representatives.
+    pub(crate) segments: Vec<[VertexId; 2]>,
+    /// Where the vertices after the input come from.
+    pub(crate) provenance: Provenances,
+    pub(crate) input_points: usize,
+    pub(crate) last: FaceId,
+    pub(crate) filling: Filling,
+}
+
+/// Everything that can be read of a triangulation can be read of a constrained one.
+impl Deref for ConstrainedDelaunay {
+    type Target = Triangulation;
+
+    #[inline]
+    fn deref(&self) -> &Triangulation {
+        &self.t
+    }
+}
+
+/// Equal arrays, classes, segments and provenances; scratch space does not count.
+impl PartialEq for ConstrainedDelaunay {
+    fn eq(&self, other: &Self) -> bool {
+        self.t == other.t
+            && self.constraints == other.constraints
+            && self.segments == other.segments
+            && self.provenance == other.provenance
+    }
+}
+
+impl ConstrainedDelaunay {
+    /// Triangulates points and segments.
+    ///
+    /// # Errors
+    /// [`ConstraintError`] names the point, the segment, or every pair of segments that cross.
+    ///
+    /// # Complexity
+    /// That of the points, and linear in the edges that segments cross.
+    pub fn new(points: &[Point], segments: &[[u32; 2]], crossings: Crossings) -> Result<Self, ConstraintError> {
+        Self::with_algorithm(points, segments, crossings, AlgorithmKey::default())
+    }
+
+    /// [`new`](Self::new), the points triangulated by that algorithm.
+    ///
+    /// # Errors
+    /// See [`new`](Self::new).
+    pub fn with_algorithm(points: &[Point], segments: &[[u32; 2]], crossings: Crossings, algorithm: AlgorithmKey) -> Result<Self, ConstraintError> {
+        let t = algorithm.triangulate(points, None)?;
+        let mut cdt = Self::from_triangulation(t);
+        cdt.insert_segments(segments, crossings)?;
+        Ok(cdt)
+    }
+
+    /// A constrained triangulation without constraints yet.
+    #[must_use]
+    pub fn from_delaunay(delaunay: Delaunay) -> Self {
+        Self::from_triangulation(delaunay.into_triangulation())
+    }
+
+    pub(crate) fn from_triangulation(t: Triangulation) -> Self {
+        let input_points = t.points.len();
+        Self {
+            t,
+            lawson: Lawson::default(),
+            constraints: Constraints::default(),
+            segments: Vec::new(),
+            provenance: Provenances::default(),
+            input_points,
+            last: FaceId(0),
+            filling: Filling::default(),
+        }
+    }
+
+    /// Inserts segments, one after the other; with crossings refused, either all go in or the pairs that cross are
+    /// all named.
+    ///
+    /// # Errors
+    /// See [`ConstraintError`].
+    pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
+        for (i, ends) in segments.iter().enumerate() {
+            if let Some(&v) = ends.iter().find(|&&v| v as usize >= self.t.points.len()) {
+                return Err(ConstraintError::NoSuchVertex { segment: i, vertex: VertexId(v), points: self.t.points.len() });
+            }
+        }
+        let first = self.segments.len();
+        for (i, &[a, b]) in segments.iter().enumerate() {
+            match self.insert_segment(VertexId(a), VertexId(b), crossings) {
+                Ok(_) => {}
+                Err(ConstraintError::Crossing(pairs)) if first == 0 => {
+                    let all = crossing_pairs(&self.t.points, segments);
+                    return Err(ConstraintError::Crossing(if all.is_empty() { pairs } else { all }));
+                }
+                Err(ConstraintError::UnusedVertex { vertex, .. }) => return Err(ConstraintError::UnusedVertex { segment: i, vertex }),
+                Err(e) => return Err(e),
+            }
+        }
+        Ok(())
+    }
+
+    /// Chooses how regions beside new segments are filled.
+    pub fn set_filling(&mut self, filling: Filling) {
+        self.filling = filling;
+    }
+
+    /// The ends of every input segment; duplicates are replaced by the vertices that stand for them.
+    #[must_use]
+    pub fn segments(&self) -> &[[VertexId; 2]] {
+        &self.segments
+    }
+
+    /// The input segments that an edge is part of; empty for unconstrained edges and those that only bound the domain.
+    #[must_use]
+    pub fn segments_of(&self, h: HalfEdgeId) -> &[SegmentId] {
+        self.constraints.segments(self.t.mark(h))
+    }
+
+    /// Where a vertex comes from.
+    #[must_use]
+    pub fn provenance(&self, v: VertexId) -> Provenance {
+        v.index().checked_sub(self.input_points).map_or(Provenance::Input, |i| self.provenance.get(i))
+    }
+
+    /// Number of input vertices: those below it are the caller's.
+    #[must_use]
+    pub fn input_points(&self) -> usize {
+        self.input_points
+    }
+
+    /// Every broken invariant, the constrained circle test included.
+    #[must_use]
+    pub fn check(&self) -> Vec<Fault> {
+        self.t.check_delaunay()
+    }
+
+    /// Inserts a point; on a constrained edge it parts it.
+    ///
+    /// # Errors
+    /// [`BuildError::NotFinite`]; [`BuildError::OutsideDomain`] where the exterior was carved away.
+    pub fn insert(&mut self, p: Point) -> Result<Inserted, BuildError> {
+        self.insert_with(p, &mut NoJournal)
+    }
+
+    /// [`insert`](Self::insert), noting what is overwritten.
+    ///
+    /// # Errors
+    /// See [`insert`](Self::insert).
+    pub fn insert_with<J: Journal>(&mut self, p: Point, j: &mut J) -> Result<Inserted, BuildError> {
+        if !p.is_finite() {
+            return Err(BuildError::NotFinite { index: self.t.points.len(), point: p });
+        }
+        match self.t.locate_from(self.last, p) {
+            Locus::Vertex(v) => Ok(Inserted::Existing(v)),
+            Locus::Outside(_) if self.t.closure() == Closure::Domain => Err(BuildError::OutsideDomain(p)),
+            locus => Ok(Inserted::New(self.insert_vertex_at(p, locus, j))),
+        }
+    }
+
+    /// Inserts a point whose place is known.
+    pub(crate) fn insert_vertex_at<J: Journal>(&mut self, p: Point, locus: Locus, j: &mut J) -> VertexId {
+        let provenance = match locus {
+            Locus::Edge(h) => self.provenance_on(h, p),
+            _ => Provenance::Free,
+        };
+        let v = self.add_vertex(p, provenance, j);
+        insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, j);
+        self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
+        v
+    }
+
+    /// Adds an unused vertex of that provenance.
+    pub(crate) fn add_vertex<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
+        let v = self.t.add_vertex(p, j);
+        self.set_provenance(v, provenance, j);
+        v
+    }
+
+    /// Removes a vertex at which no constrained edge ends.
+    ///
+    /// # Errors
+    /// See [`RemoveError`].
+    pub fn remove(&mut self, v: VertexId) -> Result<(), RemoveError> {
+        self.remove_with(v, &mut NoJournal)
+    }
+
+    /// [`remove`](Self::remove), noting what is overwritten.
+    ///
+    /// # Errors
+    /// See [`RemoveError`].
+    pub fn remove_with<J: Journal>(&mut self, v: VertexId, j: &mut J) -> Result<(), RemoveError> {
+        remove_vertex(&mut self.t, v, &mut self.lawson, j)?;
+        if v.index() >= self.input_points {
+            self.set_provenance(v, Provenance::Free, j);
+            self.t.drop_vertex(v, j);
+        }
+        Ok(())
+    }
+
+    /// Takes back what was noted since a checkpoint.
+    pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
+        while let Some(entry) = log.pop_since(to) {
+            match entry.column {
+                Column::Constraint => self.constraints.truncate(entry.index as usize),
+                Column::Segment => self.segments.truncate(entry.index as usize),
+                Column::ProvenanceAppended | Column::ProvenanceKind | Column::ProvenancePlace => self.provenance.undo(entry),
+                _ => {
+                    self.t.undo(entry);
+                }
+            }
+        }
+    }
+
+    pub(crate) fn set_provenance<J: Journal>(&mut self, v: VertexId, new: Provenance, j: &mut J) {
+        if let Some(i) = v.index().checked_sub(self.input_points) {
+            self.provenance.set(i, new, j);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Constrained Delaunay triangulations: segments that must be edges.
+//!
+//! A segment goes in in two phases: a [`SegmentPlan`] lists what it crosses, then the crossed faces are
+//! replaced by a filling of the pseudo-polygons on both sides. Vertices exactly on a segment part it,
+//! overlapping segments share edges, and crossing segments are refused or split, as [`Crossings`] says.
+
+mod apply;
+#[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
+mod constrained;
+mod constraints;
+mod crossing_pairs;
+mod error;
+mod insert_segment;
+mod merge;
+mod plan;
+mod provenance;
+mod pseudo_polygon;
+mod remove_segment;
+mod split_subsegment;
+#[cfg(test)]
+mod tests;
+
+pub use constrained::{ConstrainedDelaunay, SegmentId};
+pub use crossing_pairs::crossing_pairs;
+pub use error::{ConstraintError, CrossingPair};
+pub use insert_segment::Crossings;
+pub use plan::SegmentPlan;
+pub use provenance::Provenance;
+pub use pseudo_polygon::Filling;
+pub use split_subsegment::SplitError;

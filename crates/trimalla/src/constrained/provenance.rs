@@ -1,0 +1,114 @@
+//! Where a vertex comes from.
+
+use crate::mesh::{Column, Entry, Journal};
+
+/// Where a vertex comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Provenance {
+    /// The caller's input.
+    #[default]
+    Input,
+    /// Inserted freely, on no segment: it may be moved or removed.
+    Free,
+    /// On input segment `segment`, at this parameter from its start (0) to its end (1).
+    OnSegment {
+        /// The input segment; the lowest one where several overlap.
+        segment: u32,
+        /// The parameter.
+        t: f64,
+    },
+    /// Where two input segments cross, rounded.
+    Crossing {
+        /// The two segments.
+        segments: [u32; 2],
+    },
+    /// On input segment `segment`, on a circle around one of its ends where segments meet at a small angle.
+    Shell {
+        /// The input segment.
+        segment: u32,
+        /// The parameter from the segment's start.
+        t: f64,
+        /// Whether the circle's centre is the segment's end, not its start.
+        around_end: bool,
+        /// The circle's number: vertices of one apex on one circle have the same.
+        shell: i16,
+    },
+}
+
+impl Provenance {
+    /// Whether the vertex may be taken out again without losing anything of the input.
+    #[must_use]
+    pub const fn is_free(self) -> bool {
+        matches!(self, Self::Free)
+    }
+}
+
+/// Provenances of the vertices after the input, two words each.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Provenances {
+    words: Vec<[u64; 2]>,
+}
+
+impl Provenances {
+    /// The provenance of the `i`-th vertex after the input.
+    pub(crate) fn get(&self, i: usize) -> Provenance {
+        self.words.get(i).map_or(Provenance::Free, |&w| Provenance::from_words(w))
+    }
+
+    /// Sets it, through the journal.
+    pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
+        while self.words.len() <= i {
+            if J::ACTIVE {
+                j.note(Column::ProvenanceAppended, self.words.len() as u32, 0);
+            }
+            self.words.push(Provenance::Free.to_words());
+        }
+        let (old, new) = (self.words[i], new.to_words());
+        if J::ACTIVE && old != new {
+            j.note(Column::ProvenanceKind, i as u32, old[0]);
+            j.note(Column::ProvenancePlace, i as u32, old[1]);
+        }
+        self.words[i] = new;
+    }
+
+    /// Puts back one entry.
+    pub(crate) fn undo(&mut self, entry: Entry) {
+        let i = entry.index as usize;
+        match entry.column {
+            Column::ProvenanceKind => self.words[i][0] = entry.old,
+            Column::ProvenancePlace => self.words[i][1] = entry.old,
+            _ => self.words.truncate(i),
+        }
+    }
+}
+
+impl Provenance {
+    /// Kind in the low byte, segment in the middle, circle on top; parameter or second segment.
+    fn to_words(self) -> [u64; 2] {
+        match self {
+            Self::Input => [0, 0],
+            Self::Free => [1, 0],
+            Self::OnSegment { segment, t } => [2 | u64::from(segment) << 8, t.to_bits()],
+            Self::Crossing { segments: [a, b] } => [3 | u64::from(a) << 8, u64::from(b)],
+            Self::Shell { segment, t, around_end, shell } => {
+                let circle = u64::from(shell.cast_unsigned()) << 40;
+                [(if around_end { 5 } else { 4 }) | u64::from(segment) << 8 | circle, t.to_bits()]
+            }
+        }
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "each field is cut out of its own bits")]
+    fn from_words([kind, place]: [u64; 2]) -> Self {
+        let segment = (kind >> 8) as u32;
+        match kind & 0xff {
+            0 => Self::Input,
+            2 => Self::OnSegment { segment, t: f64::from_bits(place) },
+            3 => Self::Crossing { segments: [segment, place as u32] },
+            k @ (4 | 5) => {
+                let shell = ((kind >> 40) as u16).cast_signed();
+                Self::Shell { segment, t: f64::from_bits(place), around_end: k == 5, shell }
+            }
+            _ => Self::Free,
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Taking a segment out, and walking along one.
+
+use super::constrained::{ConstrainedDelaunay, SegmentId};
+use crate::mesh::{HalfEdgeId, Journal, NoJournal, VertexId};
+use crate::triangulation::Closure;
+
+impl ConstrainedDelaunay {
+    /// The half-edges along an input segment, from its start to its end.
+    ///
+    /// Empty for a segment that was removed, whose ends are one vertex, or that lies outside the domain; parts
+    /// outside a domain are missing from its chain.
+    ///
+    /// # Complexity
+    /// The degrees of the vertices along it.
+    #[must_use]
+    pub fn chain(&self, segment: SegmentId) -> Vec<HalfEdgeId> {
+        let Some(&[a, b]) = self.segments.get(segment as usize) else { return Vec::new() };
+        let mut chain: Vec<HalfEdgeId> = Vec::new();
+        let (mut at, mut before) = (a, None);
+        while at != b && chain.len() < self.t.face_slots() * 3 {
+            let Some(h) = self.step_along(segment, at, before) else { break };
+            chain.push(h);
+            (before, at) = (Some(at), self.t.dest(h));
+        }
+        chain
+    }
+
+    /// The edge of a segment at a vertex that does not lead back.
+    fn step_along(&self, segment: SegmentId, at: VertexId, before: Option<VertexId>) -> Option<HalfEdgeId> {
+        self.t.edges_around(at).find(|&h| Some(self.t.dest(h)) != before && self.segments_of(h).binary_search(&segment).is_ok())
+    }
+
+    /// Removes a segment: edges that only it constrained are free again, and legalised.
+    ///
+    /// Vertices on it stay. Edges that bound a carved domain stay constrained. Returns whether there was anything
+    /// to remove.
+    pub fn remove_segment(&mut self, segment: SegmentId) -> bool {
+        self.remove_segment_with(segment, &mut NoJournal)
+    }
+
+    /// [`remove_segment`](Self::remove_segment), noting what is overwritten.
+    pub fn remove_segment_with<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> bool {
+        let chain = self.chain(segment);
+        let before = self.constraints.len();
+        for &h in &chain {
+            let mut mark = self.constraints.without_segment(self.t.mark(h), segment);
+            let bounds = self.t.is_boundary(h) || self.t.is_boundary(self.t.twin(h));
+            if mark == 0 && self.t.closure() == Closure::Domain && bounds {
+                mark = self.constraints.mark_of(&[]);
+            }
+            self.t.mesh.set_mark(h, mark, j);
+        }
+        self.note_classes(before, j);
+        for &h in &chain {
+            self.lawson.push(h);
+        }
+        self.lawson.legalise_all(&mut self.t, j);
+        !chain.is_empty()
+    }
+}

@@ -1,0 +1,111 @@
+//! Splitting a subsegment.
+
+use super::constrained::ConstrainedDelaunay;
+use super::provenance::Provenance;
+use crate::geometry::{Orientation, Point, Segment, orient2d};
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
+
+/// Why a subsegment cannot be split at a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SplitError {
+    /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
+    TooShort,
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise: another vertex or
+    /// constraint is closer than rounding.
+    Crowded,
+}
+
+impl ConstrainedDelaunay {
+    /// The point that stands for parameter `t` of a subsegment, with its provenance.
+    ///
+    /// It is computed from the ends of the input segment, so repeated halving does not drift.
+    ///
+    /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
+    pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
+        let (a, b) = (self.t.origin(h), self.t.dest(h));
+        let Some(&segment) = self.segments_of(h).first() else {
+            return (Point::lerp(self.t.point(a), self.t.point(b), t), Provenance::Free);
+        };
+        let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
+        let t = ta + (tb - ta) * t;
+        let [start, end] = self.segments[segment as usize].map(|v| self.t.point(v));
+        (Point::lerp(start, end, t), Provenance::OnSegment { segment, t })
+    }
+
+    /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
+    pub(crate) fn parameter(&self, segment: u32, v: VertexId) -> f64 {
+        let [a, b] = self.segments[segment as usize];
+        if v == a {
+            return 0.0;
+        }
+        if v == b {
+            return 1.0;
+        }
+        match self.provenance(v) {
+            Provenance::OnSegment { segment: s, t } | Provenance::Shell { segment: s, t, .. } if s == segment => t,
+            _ => projected(self.t.point(a), self.t.point(b), self.t.point(v)),
+        }
+    }
+
+    /// The provenance of a point on a constrained edge.
+    pub(super) fn provenance_on(&self, h: HalfEdgeId, p: Point) -> Provenance {
+        match self.segments_of(h).first() {
+            Some(&segment) => {
+                let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
+                Provenance::OnSegment { segment, t: projected(a, b, p) }
+            }
+            None => Provenance::Free,
+        }
+    }
+
+    /// Splits subsegment `h` by a vertex at `p` and legalises around it.
+    ///
+    /// ```text
+    ///          q                     q
+    ///        /   \                 / | \       all four triangles are proved counter-clockwise first:
+    ///      x ── h ─ y     ──>     x ─ v ─ y    p may lie off the edge by its rounding
+    ///        \   /                 \ | /
+    ///          d                     d
+    /// ```
+    ///
+    /// # Errors
+    /// [`SplitError`]; nothing has changed then.
+    pub(crate) fn split_subsegment<J: Journal>(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance, j: &mut J) -> Result<VertexId, SplitError> {
+        self.can_split(h, p)?;
+        let v = self.add_vertex(p, provenance, j);
+        let n = self.t.mesh.split_edge(h, v, j);
+        for e in self.t.mesh.opposite_edges_after_split(h, n) {
+            self.lawson.push(e);
+        }
+        self.lawson.legalise_around::<true, _>(&mut self.t, j);
+        self.last = n.face();
+        Ok(v)
+    }
+
+    /// Whether a vertex at `p` may split an edge.
+    pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
+        let [x, y] = self.t.edge_points(h);
+        if p == x || p == y {
+            return Err(SplitError::TooShort);
+        }
+        let t = self.t.twin(h);
+        for (apex, from, to) in [(self.t.apex(h), x, y), (self.t.apex(t), y, x)] {
+            if !apex.is_finite() {
+                continue;
+            }
+            let c = self.t.point(apex);
+            if orient2d(from, p, c) != Orientation::CounterClockwise || orient2d(p, to, c) != Orientation::CounterClockwise {
+                return Err(SplitError::Crowded);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Where the foot of `p` lies on the segment from `a` to `b`, between 0 and 1.
+fn projected(a: Point, b: Point, p: Point) -> f64 {
+    let length_sq = Segment::new(a, b).length_sq();
+    let (ab, ap) = (b - a, p - a);
+    let t = ab.dot(ap) / length_sq;
+    if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.5 }
+}
