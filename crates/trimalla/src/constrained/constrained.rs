@@ -255,4 +255,21 @@ impl ConstrainedDelaunay {
             self.provenance.set(i, new, j);
         }
     }
+
+    /// Inserts an input vertex that was left unused so far; a duplicate of a used vertex is noted as such.
+    pub(crate) fn use_vertex(&mut self, v: VertexId) {
+        let p = self.t.point(v);
+        match self.t.locate_from(self.last, p) {
+            Locus::Vertex(w) => self.t.duplicates.push((v, w)),
+            locus => {
+                insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, &mut NoJournal);
+                self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
+            }
+        }
+    }
+
+    /// Puts duplicates noted by [`use_vertex`](Self::use_vertex) in order.
+    pub(crate) fn sort_duplicates(&mut self) {
+        self.t.duplicates.sort_unstable();
+    }
 }

@@ -100,7 +100,7 @@ impl ConstrainedDelaunay {
     }
 
     /// Notes that classes were added since there were `before`.
-    pub(super) fn note_classes<J: Journal>(&self, before: usize, j: &mut J) {
+    pub(crate) fn note_classes<J: Journal>(&self, before: usize, j: &mut J) {
         if J::ACTIVE && self.constraints.len() > before {
             j.note(Column::Constraint, before as u32, 0);
         }

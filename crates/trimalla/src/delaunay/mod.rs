@@ -26,7 +26,7 @@ mod tests;
 
 pub use algorithm::{Algorithm, AlgorithmKey, DivideAndConquer, Incremental};
 pub use delaunay::{BuildError, Delaunay, Inserted};
-pub(crate) use algorithm::validate;
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
+pub(crate) use order::along_curve;
 pub(crate) use remove::{RemoveError, remove_vertex};

@@ -1,5 +1,6 @@
 //! The planar straight-line graph a mesh is made from.
 
+use super::error::DomainError;
 use crate::geometry::Point;
 
 /// A region seed: the region around it gets an attribute and, where given, an area bound.
@@ -36,4 +37,26 @@ pub struct Pslg {
     pub holes: Vec<Point>,
     /// Region seeds.
     pub regions: Vec<Region>,
+}
+
+impl Pslg {
+    /// Column lengths and seeds; points and segments are checked where they are triangulated.
+    pub(super) fn validate(&self) -> Result<(), DomainError> {
+        let columns = [
+            ("the column of point markers", self.point_markers.len(), self.points.len(), true),
+            ("the table of point attributes", self.point_attributes.len(), self.points.len() * self.attributes_per_point, false),
+            ("the column of segment markers", self.segment_markers.len(), self.segments.len(), true),
+        ];
+        for (what, found, expected, may_be_empty) in columns {
+            if found != expected && !(may_be_empty && found == 0) {
+                return Err(DomainError::Column { what, found, expected });
+            }
+        }
+        let holes = self.holes.iter().enumerate().map(|(i, &p)| ("hole", i, p));
+        let regions = self.regions.iter().enumerate().map(|(i, r)| ("region", i, r.seed));
+        match holes.chain(regions).find(|(_, _, p)| !p.is_finite()) {
+            Some((what, seed, at)) => Err(DomainError::SeedNotFinite { what, seed, at }),
+            None => Ok(()),
+        }
+    }
 }

@@ -1,0 +1,164 @@
+//! From a drawing to a carved triangulation.
+
+use super::error::{DomainError, Warning};
+use super::flood::{depths, flood};
+use super::pslg::Pslg;
+use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::delaunay::AlgorithmKey;
+use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{FaceId, NoJournal};
+
+/// What belongs to the domain of a drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DomainRule {
+    /// Triangle's reading: what the outside or a hole seed reaches without crossing a segment is removed.
+    ///
+    /// A drawing without segments keeps its convex hull.
+    #[default]
+    Seeds,
+    /// Even–odd: kept is what lies behind an odd number of segments. Hole seeds remove their part too.
+    ///
+    /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts.
+    Nesting,
+    /// The convex hull, less what hole seeds reach.
+    Hull,
+}
+
+impl DomainRule {
+    /// Every rule.
+    pub const ALL: [Self; 3] = [Self::Seeds, Self::Nesting, Self::Hull];
+
+    /// The key, as the program spells it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Seeds => "seeds",
+            Self::Nesting => "nesting",
+            Self::Hull => "hull",
+        }
+    }
+
+    /// One line on what it keeps.
+    #[must_use]
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::Seeds => "removes what the outside or a hole seed reaches without crossing a segment",
+            Self::Nesting => "keeps what lies behind an odd number of segments",
+            Self::Hull => "keeps the convex hull, less what hole seeds reach",
+        }
+    }
+}
+
+/// Triangulates a drawing, without removing anything.
+///
+/// # Errors
+/// [`DomainError`], before anything is built where the fault can be seen then.
+pub fn triangulate(pslg: &Pslg, crossings: Crossings, algorithm: AlgorithmKey) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+    pslg.validate()?;
+    let cdt = ConstrainedDelaunay::with_algorithm(&pslg.points, &pslg.segments, crossings, algorithm)?;
+    let warnings = warnings_of(&cdt);
+    Ok((cdt, warnings))
+}
+
+/// Triangulates a drawing and carves its domain out.
+///
+/// # Guarantees
+/// The result has at least one triangle, is closed by its domain, and every border edge is constrained.
+///
+/// # Errors
+/// [`DomainError`]: crossing segments, all points on one line, an open outline, a seed that leaks.
+///
+/// # Complexity
+/// That of the triangulation, and linear.
+pub fn build(pslg: &Pslg, rule: DomainRule, crossings: Crossings, algorithm: AlgorithmKey) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+    let (mut cdt, mut warnings) = triangulate(pslg, crossings, algorithm)?;
+    if cdt.dimension() < 2 {
+        return Err(DomainError::Flat { points: pslg.points.len() });
+    }
+    let rule = if rule == DomainRule::Seeds && pslg.segments.is_empty() { DomainRule::Hull } else { rule };
+    let outside = outside(&cdt, rule)?;
+    let removed = remove_holes(&cdt, &pslg.holes, outside, &mut warnings)?;
+    let keep: Vec<bool> = removed.into_iter().map(|r| !r).collect();
+    cdt.carve(&keep, &mut NoJournal);
+    Ok((cdt, warnings))
+}
+
+/// The faces that the rule puts outside, ghosts among them.
+fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, DomainError> {
+    let mut outside = vec![false; cdt.face_slots()];
+    let ghosts = cdt.ghost_faces();
+    match rule {
+        DomainRule::Seeds => drop(flood(cdt, ghosts, &mut outside)),
+        DomainRule::Hull => ghosts.for_each(|f| outside[f.index()] = true),
+        DomainRule::Nesting => {
+            let depth = depths(cdt, |mark| cdt.constraints.segments(mark).len() as u32);
+            for (out, depth) in outside.iter_mut().zip(depth) {
+                *out = depth % 2 == 0;
+            }
+        }
+    }
+    if cdt.real_faces().all(|f| outside[f.index()]) {
+        return Err(if rule == DomainRule::Nesting { DomainError::NothingNested } else { DomainError::OpenOutline });
+    }
+    Ok(outside)
+}
+
+/// Adds what hole seeds reach to what is outside.
+fn remove_holes(cdt: &ConstrainedDelaunay, holes: &[Point], outside: Vec<bool>, warnings: &mut Vec<Warning>) -> Result<Vec<bool>, DomainError> {
+    let mut removed = outside.clone();
+    for (seed, &at) in holes.iter().enumerate() {
+        match seed_face(cdt, at) {
+            SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "hole", seed, at }),
+            SeedPlace::Outside => warnings.push(Warning::IdleHole { seed, at }),
+            SeedPlace::Face(f) if outside[f.index()] => return Err(DomainError::SeedLeaks { seed, at }),
+            SeedPlace::Face(f) if removed[f.index()] => warnings.push(Warning::IdleHole { seed, at }),
+            SeedPlace::Face(f) => {
+                flood(cdt, [f], &mut removed);
+                if cdt.real_faces().all(|f| removed[f.index()]) {
+                    return Err(DomainError::SeedTakesAll { seed, at });
+                }
+            }
+        }
+    }
+    Ok(removed)
+}
+
+/// Where a seed lies.
+pub(super) enum SeedPlace {
+    /// In a face, or on an edge that parts nothing.
+    Face(FaceId),
+    /// On a constrained edge, or on a vertex at which one ends.
+    OnSegment,
+    /// Outside.
+    Outside,
+}
+
+pub(super) fn seed_face(cdt: &ConstrainedDelaunay, at: Point) -> SeedPlace {
+    match cdt.locate(at) {
+        Locus::Face(f) => SeedPlace::Face(f),
+        Locus::Edge(h) if cdt.is_marked(h) => SeedPlace::OnSegment,
+        Locus::Edge(h) if cdt.is_ghost(h.face()) => SeedPlace::Face(cdt.twin(h).face()),
+        Locus::Edge(h) => SeedPlace::Face(h.face()),
+        Locus::Vertex(v) if cdt.star(v).any(|h| cdt.is_marked(h)) => SeedPlace::OnSegment,
+        Locus::Vertex(v) => cdt.faces_around(v).next().map_or(SeedPlace::Outside, SeedPlace::Face),
+        _ => SeedPlace::Outside,
+    }
+}
+
+/// What is odd about the points and segments.
+fn warnings_of(cdt: &ConstrainedDelaunay) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Some(&(d, r)) = cdt.duplicates().first() {
+        warnings.push(Warning::Duplicates { count: cdt.duplicates().len(), first: [d.0, r.0] });
+    }
+    let points = || cdt.segments().iter().enumerate().filter(|(_, [a, b])| a == b);
+    if let Some((first, _)) = points().next() {
+        warnings.push(Warning::ZeroLength { count: points().count(), first });
+    }
+    let crossings = cdt.points().len() - cdt.input_points();
+    if crossings > 0 {
+        warnings.push(Warning::Crossings { vertices: crossings });
+    }
+    warnings
+}

@@ -1,0 +1,148 @@
+//! Why a drawing has no domain, and what is odd about it.
+
+use crate::constrained::ConstraintError;
+use crate::geometry::Point;
+
+/// Why a domain cannot be made from a drawing.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DomainError {
+    /// Points or segments are at fault.
+    #[error(transparent)]
+    Constraint(#[from] ConstraintError),
+    /// No three points span a triangle.
+    #[error("{points} points give no triangle: all lie on one line")]
+    Flat {
+        /// How many points there are.
+        points: usize,
+    },
+    /// Nothing is left inside.
+    #[error("the domain is empty: every triangle can be reached from outside without crossing a segment; close the outline, or keep the convex hull")]
+    OpenOutline,
+    /// Nothing is left inside under the nesting rule.
+    #[error("the domain is empty: no triangle lies behind an odd number of segments")]
+    NothingNested,
+    /// A hole seed reaches the outside.
+    #[error("hole seed {seed} at {at} reaches the outside: no closed line of segments surrounds it")]
+    SeedLeaks {
+        /// Index of the seed.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// Hole seeds remove everything.
+    #[error("the domain is empty: hole seed {seed} at {at} reaches all that was left")]
+    SeedTakesAll {
+        /// Index of the last seed that removed anything.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// A seed lies on a segment or vertex, so that its side is not known.
+    #[error("{what} seed {seed} at {at} lies on a segment")]
+    SeedOnSegment {
+        /// `hole` or `region`.
+        what: &'static str,
+        /// Index of the seed.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// A seed is not finite.
+    #[error("{what} seed {seed} is not finite: {at}")]
+    SeedNotFinite {
+        /// `hole` or `region`.
+        what: &'static str,
+        /// Index of the seed.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// A contour has fewer than three vertices, or no area.
+    #[error("contour {contour} bounds no area")]
+    FlatContour {
+        /// Index of the contour, the outer one first.
+        contour: usize,
+    },
+    /// A contour runs the wrong way round.
+    #[error("contour {contour} runs {found}, but {role} contours run {expected}")]
+    ContourOrientation {
+        /// Index of the contour, the outer one first.
+        contour: usize,
+        /// `outer` or `hole`.
+        role: &'static str,
+        /// The orientation it should have.
+        expected: &'static str,
+        /// The orientation it has.
+        found: &'static str,
+    },
+    /// A column has the wrong length.
+    #[error("{what} has {found} entries where {expected} are needed")]
+    Column {
+        /// The column.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length needed.
+        expected: usize,
+    },
+}
+
+/// Something odd about a drawing that did not keep it from being meshed.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// Points that lie exactly on earlier ones; they stay unused.
+    Duplicates {
+        /// How many.
+        count: usize,
+        /// The first of them and the one it lies on.
+        first: [u32; 2],
+    },
+    /// Segments from a vertex to itself (or its duplicate); dropped.
+    ZeroLength {
+        /// How many.
+        count: usize,
+        /// Index of the first.
+        first: usize,
+    },
+    /// A hole seed outside the convex hull or in what another seed removed; of no effect.
+    IdleHole {
+        /// Index of the seed.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// A region seed outside the domain; of no effect.
+    IdleRegion {
+        /// Index of the seed.
+        seed: usize,
+        /// The seed.
+        at: Point,
+    },
+    /// Two region seeds in one region; the first counts.
+    RegionTwice {
+        /// Indices of the seeds.
+        seeds: [usize; 2],
+    },
+    /// Segments crossed and were split.
+    Crossings {
+        /// How many crossing vertices were made.
+        vertices: usize,
+    },
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Duplicates { count, first: [a, b] } => {
+                write!(f, "{count} points lie exactly on others and stay unused; the first is {a}, on {b}")
+            }
+            Self::ZeroLength { count, first } => write!(f, "{count} segments have no length and were dropped; the first is {first}"),
+            Self::IdleHole { seed, at } => write!(f, "hole seed {seed} at {at} has no effect: it lies outside, or in another hole"),
+            Self::IdleRegion { seed, at } => write!(f, "region seed {seed} at {at} has no effect: it lies outside the domain"),
+            Self::RegionTwice { seeds: [a, b] } => write!(f, "region seeds {a} and {b} lie in one region; the first counts"),
+            Self::Crossings { vertices } => write!(f, "crossing segments were split at {vertices} new vertices"),
+        }
+    }
+}

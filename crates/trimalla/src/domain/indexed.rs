@@ -1,0 +1,123 @@
+//! From a triangulation to plain arrays.
+
+use super::pslg::Pslg;
+use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::geometry::Point;
+use crate::mesh::{HalfEdgeId, VertexId};
+use crate::triangulation::IndexedMesh;
+
+/// Marker of edges and vertices that bound the domain where the input has no marker.
+const BOUNDARY_MARKER: i32 = 1;
+
+impl ConstrainedDelaunay {
+    /// The mesh as plain arrays: vertices with markers and attributes, triangles, subsegments with markers.
+    ///
+    /// Input vertices come first, in order, bit for bit, also those that are unused; Steiner vertices follow in the
+    /// order of their slots. Attributes are interpolated along the input segment; free vertices take those of the
+    /// nearest input vertex near by.
+    ///
+    /// # Complexity
+    /// Linear.
+    #[must_use]
+    pub fn to_indexed(&self, pslg: &Pslg) -> IndexedMesh {
+        let ids = self.output_ids();
+        let kept: Vec<VertexId> = (0..self.points().len()).map(VertexId::from_index).filter(|v| ids[v.index()] != u32::MAX).collect();
+        let id = |v: VertexId| ids[v.index()];
+        let segments: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_marked(h)).collect();
+        let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
+        let mut mesh = IndexedMesh {
+            points: kept.iter().map(|&v| self.point(v)).collect(),
+            triangles: self.real_faces().map(|f| self.face_vertices(f).map(id)).collect(),
+            segments: segments.iter().map(|&h| [id(self.origin(h)), id(self.dest(h))]).collect(),
+            segment_markers: segment_markers.clone(),
+            attributes_per_point: pslg.attributes_per_point,
+            holes: pslg.holes.clone(),
+            input_points: self.input_points,
+            ..IndexedMesh::default()
+        };
+        mesh.point_markers = self.point_markers(&kept, &segments, &segment_markers, pslg);
+        mesh.point_attributes = self.point_attributes(&kept, pslg);
+        mesh
+    }
+
+    /// The output id of each vertex slot, `u32::MAX` for unused Steiner slots.
+    fn output_ids(&self) -> Vec<u32> {
+        let mut next = 0;
+        (0..self.points().len())
+            .map(VertexId::from_index)
+            .map(|v| {
+                if v.index() >= self.input_points && !self.is_used(v) {
+                    return u32::MAX;
+                }
+                next += 1;
+                next - 1
+            })
+            .collect()
+    }
+
+    /// The marker of a subsegment: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
+    fn edge_marker(&self, h: HalfEdgeId, pslg: &Pslg) -> i32 {
+        let on_border = self.is_boundary(h) || self.is_boundary(self.twin(h));
+        let given = self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
+        given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 })
+    }
+
+    /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
+    fn point_markers(&self, kept: &[VertexId], segments: &[HalfEdgeId], markers: &[i32], pslg: &Pslg) -> Vec<i32> {
+        let mut at = vec![0; self.points().len()];
+        for on_border in [false, true] {
+            for (&h, &m) in segments.iter().zip(markers) {
+                if on_border == (self.is_boundary(h) || self.is_boundary(self.twin(h))) && m != 0 {
+                    at[self.origin(h).index()] = m;
+                    at[self.dest(h).index()] = m;
+                }
+            }
+        }
+        kept.iter()
+            .map(|&v| match pslg.point_markers.get(v.index()) {
+                Some(&m) if m != 0 => m,
+                _ => at[v.index()],
+            })
+            .collect()
+    }
+
+    fn point_attributes(&self, kept: &[VertexId], pslg: &Pslg) -> Vec<f64> {
+        let n = pslg.attributes_per_point;
+        if n == 0 {
+            return Vec::new();
+        }
+        let mut rows: Vec<f64> = Vec::with_capacity(kept.len() * n);
+        for &v in kept {
+            for k in 0..n {
+                rows.push(self.attribute(v, k, pslg));
+            }
+        }
+        rows
+    }
+
+    /// Attribute `k` of a vertex: given, interpolated along its segment, or that of an input vertex near by.
+    fn attribute(&self, v: VertexId, k: usize, pslg: &Pslg) -> f64 {
+        let given = |v: VertexId| pslg.point_attributes.get(v.index() * pslg.attributes_per_point + k).copied().unwrap_or(0.0);
+        if v.index() < self.input_points {
+            return given(v);
+        }
+        match self.provenance(v) {
+            Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. } => {
+                let [a, b] = self.segments[segment as usize].map(given);
+                a + t * (b - a)
+            }
+            Provenance::Crossing { segments: [s, _] } => {
+                let [a, b] = self.segments[s as usize].map(given);
+                a + self.parameter(s, v) * (b - a)
+            }
+            _ => self.nearest_input(v).map_or(0.0, given),
+        }
+    }
+
+    /// The nearest input vertex among the neighbours of a vertex and theirs.
+    fn nearest_input(&self, v: VertexId) -> Option<VertexId> {
+        let near = self.neighbours(v).flat_map(|w| self.neighbours(w)).filter(|w| w.index() < self.input_points);
+        let key = |w: &VertexId| Point::distance_sq(self.point(*w), self.point(v));
+        near.min_by(|a, b| key(a).total_cmp(&key(b)).then(a.cmp(b)))
+    }
+}

@@ -1,0 +1,187 @@
+//! Recipes: one choice for each of the five steps, by key.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A row of the registry: what a key stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The step, 1 to 5; 0 for a preset.
+    pub step: u8,
+    /// The key, as scripts, the program and reports spell it.
+    pub key: &'static str,
+    /// One line on what it does.
+    pub summary: &'static str,
+    /// Where it comes from, a key of REFERENCES.md.
+    pub source: &'static str,
+}
+
+macro_rules! step {
+    ($(#[$doc:meta])* $name:ident, $step:literal, $default:ident, { $($(#[$vdoc:meta])* $variant:ident = $key:literal, $summary:literal, $source:literal;)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum $name { $($(#[$vdoc])* #[doc = concat!("`", $key, "`: ", $summary, ".")] $variant,)* }
+
+        impl $name {
+            /// Every choice.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
+
+            /// Its row in the registry.
+            #[must_use]
+            pub const fn row(self) -> Row {
+                match self {
+                    $(Self::$variant => Row { step: $step, key: $key, summary: $summary, source: $source },)*
+                }
+            }
+
+            /// Its key.
+            #[must_use]
+            pub const fn key(self) -> &'static str {
+                self.row().key
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self::$default
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.key())
+            }
+        }
+
+        impl FromStr for $name {
+            type Err = UnknownKey;
+
+            fn from_str(s: &str) -> Result<Self, UnknownKey> {
+                Self::ALL.iter().copied().find(|c| c.key() == s).ok_or_else(|| UnknownKey {
+                    key: s.to_owned(),
+                    known: Self::ALL.iter().map(|c| c.key()).collect(),
+                })
+            }
+        }
+    };
+}
+
+/// A key that names nothing.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("nothing is called '{key}'; known are {}", .known.join(", "))]
+pub struct UnknownKey {
+    /// The key.
+    pub key: String,
+    /// Keys that do name something.
+    pub known: Vec<&'static str>,
+}
+
+step! {
+    /// Step 1: what is done to segments before points go in.
+    Prepare, 1, SplitEncroached, {
+        None = "none", "segments are left as they are", "MeshSuite";
+        SplitEncroached = "split-encroached", "segments with a vertex in their protecting region are split first", "Ruppert95";
+    }
+}
+
+step! {
+    /// Step 2: which bad triangle is treated next.
+    Select, 2, ShortestEdge, {
+        ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
+        SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
+    }
+}
+
+step! {
+    /// Step 3: the point proposed for a bad triangle.
+    PlacePoint, 3, OffCenter, {
+        OffCenter = "off-center", "the circumcenter, or nearer the shortest edge the point that makes its triangle just good", "Ungor09";
+        Circumcenter = "circumcenter", "the center of the circumcircle", "Ruppert95";
+    }
+}
+
+step! {
+    /// Step 4: how the point goes in.
+    Insert, 4, Flip, {
+        Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
+    }
+}
+
+step! {
+    /// Step 5: what becomes of interior segments meanwhile.
+    Recover, 5, WholeEdge, {
+        WholeEdge = "whole-edge", "segments are edges that nothing removes", "Vigo97";
+    }
+}
+
+step! {
+    /// The region of a subsegment in which a vertex encroaches upon it.
+    Encroachment, 1, Lens, {
+        Lens = "lens", "where the subsegment is seen at 180 degrees less twice the angle bound, or more", "Chew93";
+        DiametralDisk = "disk", "the disk of which the subsegment is a diameter", "Ruppert95";
+    }
+}
+
+/// One choice for each of the five steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Recipe {
+    /// Step 1.
+    pub prepare: Prepare,
+    /// The region that protects subsegments, for steps 1 and 3.
+    pub encroachment: Encroachment,
+    /// Step 2.
+    pub select: Select,
+    /// Step 3.
+    pub point: PlacePoint,
+    /// Step 4.
+    pub insert: Insert,
+    /// Step 5.
+    pub recover: Recover,
+}
+
+step! {
+    /// A recipe by name.
+    Preset, 0, OffCenter, {
+        OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
+        Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
+    }
+}
+
+impl Preset {
+    /// The recipe it stands for.
+    #[must_use]
+    pub const fn recipe(self) -> Recipe {
+        let point = match self {
+            Self::OffCenter => PlacePoint::OffCenter,
+            Self::Circumcenter => PlacePoint::Circumcenter,
+        };
+        Recipe {
+            prepare: Prepare::SplitEncroached,
+            encroachment: Encroachment::Lens,
+            select: Select::ShortestEdge,
+            point,
+            insert: Insert::Flip,
+            recover: Recover::WholeEdge,
+        }
+    }
+}
+
+impl fmt::Display for Recipe {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { prepare, encroachment, select, point, insert, recover } = self;
+        write!(f, "{prepare} ({encroachment}), {select}, {point}, {insert}, {recover}")
+    }
+}
+
+/// Every row, presets first, then the steps in order: what `trimalla list` prints.
+#[must_use]
+pub fn registry() -> Vec<Row> {
+    let presets = Preset::ALL.iter().map(|c| c.row());
+    let prepare = Prepare::ALL.iter().map(|c| c.row());
+    let select = Select::ALL.iter().map(|c| c.row());
+    let point = PlacePoint::ALL.iter().map(|c| c.row());
+    let insert = Insert::ALL.iter().map(|c| c.row());
+    let recover = Recover::ALL.iter().map(|c| c.row());
+    presets.chain(prepare).chain(select).chain(point).chain(insert).chain(recover).collect()
+}

@@ -1,0 +1,172 @@
+//! What came of a refinement.
+
+use std::fmt;
+
+use super::recipe::Recipe;
+
+/// Why a triangle stayed bad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Reason {
+    /// Its small angle lies between two input segments.
+    InputAngle,
+    /// Its shortest edge faces a small input angle: it joins two segments that meet there.
+    AcrossSmallInputAngle,
+    /// A segment that may not be split is in the way.
+    ProtectedSegment,
+    /// Rounding leaves no room for another vertex.
+    PrecisionFloor,
+    /// A new vertex would be closer to another than the length floor asked for.
+    SizeFloor,
+    /// The vertex budget was used up.
+    Budget,
+    /// The caller cancelled.
+    Cancelled,
+    /// The strategy has no point that would improve it.
+    StrategyCannotImprove,
+}
+
+impl Reason {
+    /// Every reason.
+    pub const ALL: [Self; 8] = [
+        Self::InputAngle,
+        Self::AcrossSmallInputAngle,
+        Self::ProtectedSegment,
+        Self::PrecisionFloor,
+        Self::SizeFloor,
+        Self::Budget,
+        Self::Cancelled,
+        Self::StrategyCannotImprove,
+    ];
+
+    /// The reason in words, as reports and JSON spell it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::InputAngle => "input angle",
+            Self::AcrossSmallInputAngle => "across a small input angle",
+            Self::ProtectedSegment => "protected segment",
+            Self::PrecisionFloor => "precision floor",
+            Self::SizeFloor => "size floor",
+            Self::Budget => "budget",
+            Self::Cancelled => "cancelled",
+            Self::StrategyCannotImprove => "strategy cannot improve",
+        }
+    }
+
+    /// Whether the input itself forces it, so that no refinement could do better.
+    #[must_use]
+    pub const fn is_forced(self) -> bool {
+        matches!(self, Self::InputAngle | Self::AcrossSmallInputAngle)
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.key())
+    }
+}
+
+/// Why a refinement ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StopReason {
+    /// No triangle was left that could be treated.
+    #[default]
+    Finished,
+    /// The vertex budget was used up.
+    Budget,
+    /// The caller cancelled.
+    Cancelled,
+}
+
+/// A triangle that stayed bad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leftover {
+    /// Index among the triangles of the mesh.
+    pub triangle: usize,
+    /// Its smallest angle in degrees.
+    pub min_angle_deg: f64,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// What came of a refinement.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// The recipe.
+    pub recipe: Recipe,
+    /// Vertices of the mesh, the input's included.
+    pub vertices: usize,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Vertices that are not the input's.
+    pub steiner_points: usize,
+    /// Smallest angle of the mesh, in degrees.
+    pub min_angle_deg: f64,
+    /// Largest angle of the mesh, in degrees.
+    pub max_angle_deg: f64,
+    /// Triangles that stayed bad, by index.
+    pub leftovers: Vec<Leftover>,
+    /// Why it ended.
+    pub stop: StopReason,
+    /// Points inserted inside triangles.
+    pub points_inserted: u64,
+    /// Points taken back because they encroached upon a segment.
+    pub points_rejected: u64,
+    /// Subsegments split.
+    pub segments_split: u64,
+    /// Free vertices deleted before a split.
+    pub vertices_deleted: u64,
+}
+
+impl Report {
+    /// Whether every leftover is forced by the input's own angles.
+    #[must_use]
+    pub fn complete(&self) -> bool {
+        self.leftovers.iter().all(|l| l.reason.is_forced())
+    }
+
+    /// How many triangles stayed bad for each reason that occurs.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<(Reason, usize)> {
+        Reason::ALL
+            .into_iter()
+            .map(|r| (r, self.leftovers.iter().filter(|l| l.reason == r).count()))
+            .filter(|&(_, n)| n > 0)
+            .collect()
+    }
+}
+
+/// How far a refinement has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Vertices so far.
+    pub vertices: usize,
+    /// Bad triangles known to be waiting; some of them may be gone already.
+    pub waiting: usize,
+    /// The vertex budget.
+    pub max_vertices: usize,
+}
+
+/// Watches a refinement.
+pub trait Observer {
+    /// Called now and then, at least once in every 256 insertions; `false` cancels.
+    fn progress(&mut self, progress: Progress) -> bool;
+}
+
+/// Watches nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoObserver;
+
+impl Observer for NoObserver {
+    fn progress(&mut self, _: Progress) -> bool {
+        true
+    }
+}
+
+impl<F: FnMut(Progress) -> bool> Observer for F {
+    fn progress(&mut self, progress: Progress) -> bool {
+        self(progress)
+    }
+}
