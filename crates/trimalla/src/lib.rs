@@ -2,7 +2,11 @@
 pub mod constrained;
 pub mod delaunay;
 pub mod domain;
+mod facade;
 pub mod geometry;
 pub mod locate;
 pub mod mesh;
+pub mod refine;
 pub mod triangulation;
+
+pub use facade::{DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, triangulate};
