@@ -167,6 +167,12 @@ impl ConstrainedDelaunay {
         self.input_points
     }
 
+    /// Number of used vertices that are not input.
+    #[must_use]
+    pub fn steiner_vertices(&self) -> usize {
+        self.t.points.len() - self.input_points - self.t.free_vertices().iter().filter(|v| v.index() >= self.input_points).count()
+    }
+
     /// Every broken invariant, the constrained circle test included.
     #[must_use]
     pub fn check(&self) -> Vec<Fault> {

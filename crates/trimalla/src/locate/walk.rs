@@ -1,6 +1,6 @@
 //! The walk, and what it finds.
 
-use crate::geometry::{Orientation, Point, lexicographic, strictly_between};
+use crate::geometry::{Orientation, Point, Triangle, lexicographic, orient2d, strictly_between};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -58,28 +58,52 @@ impl Triangulation {
         if self.dimension < 2 {
             return self.locate_low(p);
         }
-        match self.walk::<false>(start, p) {
-            Some(Walk::Arrived(Locus::Outside(h))) if self.closure == Closure::Domain => self.scan(p).unwrap_or(Locus::Outside(h)),
-            Some(Walk::Arrived(locus)) => locus,
-            Some(Walk::Blocked(_)) | None => self.scan_or_outside(p),
+        match self.walk(start, p) {
+            Some(Locus::Outside(h)) if self.closure == Closure::Domain => self.scan(p).unwrap_or(Locus::Outside(h)),
+            Some(locus) => locus,
+            None => self.scan_or_outside(p),
         }
     }
 
-    /// Walks towards `p` without crossing constrained edges.
+    /// Walks towards `p` without crossing constrained edges, along the straight line from the middle of `start` as far as
+    /// triangles allow.
     ///
-    /// A walk that leaves the domain is blocked by the boundary edge it meets, constrained or not.
+    /// A walk that leaves the domain is blocked by the boundary edge it meets, constrained or not. Which way it
+    /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
-        match self.walk::<true>(start, p) {
-            Some(Walk::Arrived(Locus::Outside(h))) => Walk::Blocked(self.twin(h)),
-            Some(end) => end,
-            None => Walk::Arrived(self.scan_or_outside(p)),
+        let Some(mut face) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
+        let [a, b, c] = self.corners(face);
+        let source = Triangle::new(a, b, c).centroid();
+        let mut entered = HalfEdgeId::NONE;
+        for _ in 0..CALM_STEPS + self.face_slots() {
+            let Some(h) = self.exit_towards(face, entered, source, p) else { return Walk::Arrived(self.locus_at(face, p)) };
+            if self.is_marked(h) || self.is_ghost(self.twin(h).face()) {
+                return Walk::Blocked(h);
+            }
+            entered = self.twin(h);
+            face = entered.face();
         }
+        Walk::Arrived(self.scan_or_outside(p))
+    }
+
+    /// The edge of a face by which to go on towards `p`; `None` where the face contains it.
+    ///
+    /// Of two edges that have `p` beyond them it is the one that the line from `source` to `p` crosses.
+    fn exit_towards(&self, face: FaceId, entered: HalfEdgeId, source: Point, p: Point) -> Option<HalfEdgeId> {
+        let beyond = |h: &HalfEdgeId| *h != entered && self.side_of(*h, p) == Orientation::Clockwise;
+        let mut exits = face.half_edges().into_iter().filter(beyond);
+        let (first, second) = (exits.next()?, exits.next());
+        let Some(second) = second else { return Some(first) };
+        // They share a vertex; the line passes it on one side or the other.
+        let (before, after) = if second == first.next() { (first, second) } else { (second, first) };
+        let passes_left = orient2d(source, p, self.point(self.origin(after))) == Orientation::Clockwise;
+        Some(if passes_left { after } else { before })
     }
 
     /// The visibility walk. `None` when the bound on steps was met.
     #[inline]
-    fn walk<const STOP_AT_CONSTRAINTS: bool>(&self, start: FaceId, p: Point) -> Option<Walk> {
+    fn walk(&self, start: FaceId, p: Point) -> Option<Locus> {
         let mut face = self.real_face_near(start)?;
         let mut entered = HalfEdgeId::NONE;
         let mut spin = 0;
@@ -98,19 +122,16 @@ impl Triangulation {
                     Orientation::CounterClockwise => {}
                     Orientation::Collinear => flat = [h, flat[0]],
                     Orientation::Clockwise => {
-                        if STOP_AT_CONSTRAINTS && self.is_marked(h) {
-                            return Some(Walk::Blocked(h));
-                        }
                         entered = self.twin(h);
                         if !self.apex(entered).is_finite() {
-                            return Some(Walk::Arrived(Locus::Outside(entered)));
+                            return Some(Locus::Outside(entered));
                         }
                         face = entered.face();
                         continue 'steps;
                     }
                 }
             }
-            return Some(Walk::Arrived(self.locus_in(face, flat)));
+            return Some(self.locus_in(face, flat));
         }
         None
     }
@@ -149,13 +170,18 @@ impl Triangulation {
     /// Looks at every real face.
     fn scan(&self, p: Point) -> Option<Locus> {
         let f = self.real_faces().find(|&f| self.face_contains(f, p))?;
+        Some(self.locus_at(f, p))
+    }
+
+    /// The locus of a point in a face that contains it.
+    fn locus_at(&self, f: FaceId, p: Point) -> Locus {
         let mut flat = [HalfEdgeId::NONE; 2];
         for h in f.half_edges() {
             if self.side_of(h, p) == Orientation::Collinear {
                 flat = [h, flat[0]];
             }
         }
-        Some(self.locus_in(f, flat))
+        self.locus_in(f, flat)
     }
 
     /// Location in dimension −1, 0 and 1.

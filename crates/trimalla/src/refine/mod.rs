@@ -5,13 +5,45 @@
 //!                   ^                       |
 //!                   └───────────────────────┘   until no triangle is bad
 //! ```
+//!
+//! A [`Recipe`] names one choice for each step; [`registry`] lists all. Each step is a trait ([`steps`]) with a
+//! file for every choice, and [`Refinement`] is the loop that calls them:
+//!
+//! 1. *Prepare*: subsegments with a vertex in their protecting region are split.
+//! 2. *Select*: the most urgent bad triangle is taken from a queue.
+//! 3. *Point*: a point is proposed for it. Where a subsegment is in the way of it, or would be encroached upon by
+//!    it, the subsegment is split instead and the triangle waits.
+//! 4. *Insert*: the point goes in; triangles around it that are bad join the queue.
+//! 5. *Recover*: segments stay edges throughout (`whole-edge`).
+//!
+//! # Guarantees
+//! The loop ends: the number of vertices and of insertions is bounded, and so are the lengths of edges from below.
+//! Every triangle that stays bad has a [`Reason`]. At angle bounds up to 26.45 degrees without protected segments only
+//! the input's own angles are reasons, for `circumcenter` by proof `[MillerPW03]`, for `off-center` by experience.
+//!
+//! # Source
+//! The five steps: MeshSuite. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
 
+mod bad_triangles;
+mod encroachment;
+mod leftovers;
 mod options;
 mod recipe;
 mod refinement;
 mod report;
+mod ruler;
+mod s1_prepare;
+mod s2_select;
+mod s3_point;
+mod s4_insert;
+mod s5_recover;
+mod split_segments;
+pub mod steps;
+#[cfg(test)]
+mod tests;
 
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use recipe::{Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, UnknownKey, registry};
-pub use refinement::Refinement;
+pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
+pub use ruler::Ruler;

@@ -1,33 +1,320 @@
 //! The refinement loop.
 
+use std::collections::VecDeque;
+use std::fmt;
+
+use super::bad_triangles::{Badness, Queue, Test, sorted};
+use super::encroachment::Region;
 use super::options::{OptionError, RefineOptions};
-use super::report::{Observer, Report};
+use super::report::{Observer, Progress, Reason, Report, StopReason};
+use super::ruler::Ruler;
+use super::split_segments::Encroached;
+use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
+use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::ConstrainedDelaunay;
+use crate::geometry::Point;
+use crate::locate::{Locus, Walk};
+use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
+
+/// Insertions between two calls of the observer.
+const PROGRESS_EVERY: u64 = 128;
 
 /// A refinement under way.
-#[derive(Clone, Debug)]
+///
+/// # Guarantees
+/// Input vertices are neither moved nor removed, input segments stay chains of edges, and the triangulation is
+/// constrained Delaunay after every step. The same input and options give the same mesh, whatever algorithm built
+/// the triangulation.
 pub struct Refinement {
-    cdt: ConstrainedDelaunay,
-    options: RefineOptions,
+    pub(super) cdt: ConstrainedDelaunay,
+    pub(super) options: RefineOptions,
+    pub(super) prepare: Box<dyn PrepareStep + Send + Sync>,
+    select: Box<dyn SelectStep + Send + Sync>,
+    point: Box<dyn PointStep + Send + Sync>,
+    insert: Box<dyn InsertStep + Send + Sync>,
+    recover: Box<dyn RecoverStep + Send + Sync>,
+    pub(super) region: Region,
+    pub(super) ruler: Ruler,
+    pub(super) test: Test,
+    /// The square of the shortest distance allowed between vertices, in the ruler's units.
+    pub(super) floor_sq: f64,
+    /// What a distance below the floor is called.
+    pub(super) floor_reason: Reason,
+    queue: Queue,
+    pub(super) encroached: VecDeque<Encroached>,
+    /// Triangles that were given up, and why.
+    pub(super) given_up: Vec<([VertexId; 3], Reason)>,
+    log: UndoLog,
+    /// Vertices that the mesh would have now.
+    pub(super) vertices: usize,
+    /// Vertices inserted in all, those deleted or taken back included.
+    pub(super) insertions: u64,
+    pub(super) report: Report,
+}
+
+impl fmt::Debug for Refinement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Refinement").field("options", &self.options).field("vertices", &self.vertices).finish_non_exhaustive()
+    }
+}
+
+/// What one step did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepOutcome {
+    /// A subsegment was looked at and split if it still needed it.
+    Subsegment,
+    /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
+    Triangle,
+    /// Nothing is left to do.
+    Finished,
+    /// The vertex budget is used up.
+    Exhausted,
 }
 
 impl Refinement {
-    /// Prepares the refinement of a carved triangulation.
+    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build).
     ///
     /// # Errors
     /// [`OptionError`].
     pub fn new(cdt: ConstrainedDelaunay, options: RefineOptions) -> Result<Self, OptionError> {
         options.validate()?;
-        Ok(Self { cdt, options })
+        let ruler = Ruler::for_box(cdt.bounding_box());
+        let (floor, floor_reason) = length_floor(&cdt, &options, ruler);
+        let region = Region::new(options.recipe.encroachment, &options.criteria);
+        let vertices = cdt.input_points().max(cdt.used_vertices().count());
+        let recipe = options.recipe;
+        let mut refinement = Self {
+            prepare: s1_prepare::step(&recipe, region),
+            select: s2_select::step(&recipe),
+            point: s3_point::step(&recipe, options.criteria.min_angle.radians()),
+            insert: s4_insert::step(&recipe),
+            recover: s5_recover::step(&recipe),
+            region,
+            ruler,
+            test: Test::new(&options.criteria),
+            floor_sq: floor * floor,
+            floor_reason,
+            queue: Queue::default(),
+            encroached: VecDeque::new(),
+            given_up: Vec::new(),
+            log: UndoLog::new(),
+            vertices,
+            insertions: 0,
+            report: Report { recipe, ..Report::default() },
+            cdt,
+            options,
+        };
+        refinement.start();
+        Ok(refinement)
     }
 
-    /// Runs to the end.
-    pub fn run(&mut self, _observer: &mut dyn Observer) {}
+    /// Step 1 for the input, and every bad triangle into the queue.
+    fn start(&mut self) {
+        debug_assert!(self.recover.locks_segments(), "whole-edge is the only way to recover so far");
+        self.queue_all_encroached();
+        let faces: Vec<FaceId> = self.cdt.real_faces().collect();
+        for f in faces {
+            self.look_at_bad(f);
+        }
+    }
 
-    /// The triangulation and what came of it.
+    /// The triangulation as it is now.
     #[must_use]
-    pub fn finish(self) -> (ConstrainedDelaunay, Report) {
-        let report = Report { recipe: self.options.recipe, ..Report::default() };
-        (self.cdt, report)
+    pub fn triangulation(&self) -> &ConstrainedDelaunay {
+        &self.cdt
+    }
+
+    /// Runs until nothing is left to do, a limit is met, or the observer cancels.
+    ///
+    /// # Complexity
+    /// Near linear in the vertices of the result.
+    pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
+        let mut reported = self.insertions;
+        let stop = loop {
+            if self.insertions >= reported + PROGRESS_EVERY || self.insertions == 0 {
+                reported = self.insertions;
+                if !observer.progress(self.progress()) {
+                    break StopReason::Cancelled;
+                }
+            }
+            match self.step() {
+                StepOutcome::Finished => break StopReason::Finished,
+                StepOutcome::Exhausted => break StopReason::Budget,
+                StepOutcome::Subsegment | StepOutcome::Triangle => {}
+            }
+        };
+        self.report.stop = stop;
+        stop
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { vertices: self.vertices, waiting: self.queue.len(), max_vertices: self.options.limits.max_vertices }
+    }
+
+    /// One step: a waiting subsegment first, then the most urgent bad triangle.
+    pub fn step(&mut self) -> StepOutcome {
+        if self.is_exhausted() {
+            let waits = !self.encroached.is_empty() || self.queue.len() > 0;
+            return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
+        }
+        if self.split_next_subsegment() {
+            return StepOutcome::Subsegment;
+        }
+        match self.queue.pop(&self.cdt) {
+            None => StepOutcome::Finished,
+            Some(face) => {
+                if let Err(reason) = self.treat(face) {
+                    self.given_up.push((sorted(self.cdt.face_vertices(face)), reason));
+                }
+                StepOutcome::Triangle
+            }
+        }
+    }
+
+    /// Deletions make room again, so insertions are counted too: no run goes on for ever.
+    fn is_exhausted(&self) -> bool {
+        let most = self.options.limits.max_vertices;
+        self.vertices >= most || self.insertions >= 16 * most as u64 + 1024
+    }
+
+    /// Treats a bad triangle; the error says why it is given up.
+    fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
+        if self.is_across_small_input_angle(face) && self.test.badness(self.cdt.corners(face)) != Some(Badness::Area) {
+            return Err(Reason::AcrossSmallInputAngle);
+        }
+        let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;
+        match proposal {
+            Proposal::Split(h) => self.split_instead(face, &[h]),
+            Proposal::Free { point, from } => match self.cdt.walk_within(from, point) {
+                Walk::Blocked(h) => self.split_instead(face, &[h]),
+                Walk::Arrived(Locus::Edge(h)) if self.cdt.is_marked(h) => self.split_instead(face, &[h]),
+                Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => self.try_point(face, point, locus),
+                Walk::Arrived(_) => Err(Reason::PrecisionFloor),
+            },
+        }
+    }
+
+    /// Subsegments are in the way: the longest that can be is split, and the triangle waits.
+    ///
+    /// One split often clears the way of the others too, so they are left until they are met again.
+    fn split_instead(&mut self, face: FaceId, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
+        let length = |h: HalfEdgeId| {
+            let [a, b] = self.cdt.edge_points(h);
+            self.ruler.length_sq(a, b)
+        };
+        let mut longest_first = subsegments.to_vec();
+        longest_first.sort_by(|&h, &g| length(g).total_cmp(&length(h)).then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g))));
+        let mut refused = Reason::PrecisionFloor;
+        for h in longest_first {
+            match self.queue_subsegment(h, true) {
+                Ok(()) => {
+                    self.look_at_bad(face);
+                    return Ok(());
+                }
+                Err(reason) => refused = reason,
+            }
+        }
+        Err(refused)
+    }
+
+    /// Inserts a free point; takes it back if it encroaches upon subsegments.
+    fn try_point(&mut self, face: FaceId, point: Point, locus: Locus) -> Result<(), Reason> {
+        if self.nearest_sq(point, locus) < self.floor_sq {
+            return Err(self.floor_reason);
+        }
+        self.log.clear();
+        let here = self.log.checkpoint();
+        let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log);
+        self.insertions += 1;
+        let encroached = self.encroached_by(v);
+        if encroached.is_empty() {
+            self.vertices += 1;
+            self.report.points_inserted += 1;
+            self.look_around(v);
+            return Ok(());
+        }
+        let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
+        self.cdt.rollback(&mut self.log, here);
+        self.report.points_rejected += 1;
+        let subsegments: Vec<HalfEdgeId> = ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
+        self.split_instead(face, &subsegments)
+    }
+
+    /// The square of the distance from a point to the nearest vertex of the faces it lies in.
+    fn nearest_sq(&self, p: Point, locus: Locus) -> f64 {
+        let corners = |f: FaceId| self.cdt.face_vertices(f).into_iter().filter(|v| v.is_finite()).map(|v| self.ruler.length_sq(p, self.cdt.point(v)));
+        let least = |f: FaceId| corners(f).fold(f64::INFINITY, f64::min);
+        match locus {
+            Locus::Face(f) => least(f),
+            Locus::Edge(h) => least(h.face()).min(least(self.cdt.twin(h).face())),
+            _ => 0.0,
+        }
+    }
+
+    /// The subsegments opposite a new vertex that it encroaches upon.
+    fn encroached_by(&self, v: VertexId) -> Vec<HalfEdgeId> {
+        let p = self.cdt.point(v);
+        let encroached = |h: &HalfEdgeId| {
+            let [a, b] = self.cdt.edge_points(*h);
+            self.region.holds(a, b, p, self.ruler)
+        };
+        self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h)).filter(encroached).collect()
+    }
+
+    /// A new vertex is in to stay: looks at the faces and subsegments around it.
+    pub(super) fn look_around(&mut self, v: VertexId) {
+        let faces: Vec<FaceId> = self.cdt.faces_around(v).collect();
+        self.look_at_faces(&faces);
+    }
+
+    /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
+    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
+        let mut subsegments: Vec<HalfEdgeId> = Vec::new();
+        for &f in faces {
+            self.look_at_bad(f);
+            subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
+        }
+        self.queue_encroached_of(subsegments);
+    }
+
+    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
+    fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
+        subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
+        subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
+        for h in subsegments {
+            if self.prepare.needs_split(self.view(), h) {
+                // One that cannot be split stays encroached; triangles beside it get that as their reason.
+                let _ = self.queue_subsegment(h, false);
+            }
+        }
+    }
+
+    /// Queues a face if it is bad.
+    fn look_at_bad(&mut self, f: FaceId) {
+        let corners = self.cdt.corners(f);
+        if self.test.badness(corners).is_some() {
+            let patience = self.select.patience(corners, self.ruler);
+            self.queue.push(&self.cdt, f, patience);
+        }
+    }
+
+    pub(super) fn view(&self) -> View<'_> {
+        View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler }
+    }
+}
+
+/// The ends of an edge, the lower one first.
+fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2] {
+    let (a, b) = (cdt.origin(h), cdt.dest(h));
+    [a.min(b), a.max(b)]
+}
+
+/// The length floor in the ruler's units, and the reason it is given as.
+fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
+    let largest = cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
+    let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;
+    match options.limits.length_floor {
+        Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),
+        _ => (precision, Reason::PrecisionFloor),
     }
 }

@@ -75,6 +75,18 @@ impl Triangulation {
         self.face_vertices(f).map(|v| self.point(v))
     }
 
+    /// Coordinates of the three vertices of a real face, the lowest vertex first: what rounded decisions must start
+    /// from, so that they depend on no slot.
+    #[must_use]
+    #[inline]
+    pub fn corners(&self, f: FaceId) -> [Point; 3] {
+        let mut v = self.face_vertices(f);
+        while v[0] > v[1] || v[0] > v[2] {
+            v.rotate_left(1);
+        }
+        v.map(|v| self.point(v))
+    }
+
     /// Coordinates of the ends of a finite half-edge.
     #[must_use]
     #[inline]

@@ -1,0 +1,129 @@
+//! What stayed bad, and why.
+
+use super::bad_triangles::sorted;
+use super::refinement::Refinement;
+use super::report::{Leftover, Reason, Report, StopReason};
+use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::geometry::Triangle;
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+
+/// Squared distances this close, relatively, are on one shell.
+const SAME_SHELL: f64 = 1e-3;
+
+impl Refinement {
+    /// The triangulation, and the report with every triangle that stayed bad.
+    ///
+    /// # Complexity
+    /// Linear.
+    #[must_use]
+    pub fn finish(mut self) -> (ConstrainedDelaunay, Report) {
+        self.given_up.sort_unstable();
+        let leftovers = self.leftovers();
+        let mut report = std::mem::take(&mut self.report);
+        report.leftovers = leftovers;
+        report.vertices = self.cdt.input_points() + self.cdt.steiner_vertices();
+        report.steiner_points = self.cdt.steiner_vertices();
+        report.triangles = self.cdt.face_count();
+        (report.min_angle_deg, report.max_angle_deg) = self.extreme_angles();
+        (self.cdt, report)
+    }
+
+    fn leftovers(&self) -> Vec<Leftover> {
+        let bad = |(triangle, f): (usize, FaceId)| {
+            let corners = self.cdt.corners(f);
+            self.test.badness(corners)?;
+            let [a, b, c] = corners;
+            let min_angle_deg = Triangle::new(a, b, c).min_angle().degrees();
+            Some(Leftover { triangle, min_angle_deg, reason: self.reason_of(f) })
+        };
+        self.cdt.real_faces().enumerate().filter_map(bad).collect()
+    }
+
+    /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
+    fn reason_of(&self, f: FaceId) -> Reason {
+        if self.has_small_input_angle(f) {
+            return Reason::InputAngle;
+        }
+        if self.is_across_small_input_angle(f) {
+            return Reason::AcrossSmallInputAngle;
+        }
+        let name = sorted(self.cdt.face_vertices(f));
+        match self.given_up.binary_search_by_key(&name, |&(v, _)| v) {
+            Ok(i) => self.given_up[i].1,
+            Err(_) => match self.report.stop {
+                StopReason::Cancelled => Reason::Cancelled,
+                StopReason::Budget => Reason::Budget,
+                StopReason::Finished => Reason::StrategyCannotImprove,
+            },
+        }
+    }
+
+    /// Whether the smallest angle lies between two input segments.
+    fn has_small_input_angle(&self, f: FaceId) -> bool {
+        // It is opposite the shortest edge.
+        let shortest = self.shortest_edge(f);
+        self.is_input(shortest.next()) && self.is_input(shortest.prev())
+    }
+
+    /// Whether an edge is part of an input segment, or of the hull that was made a border.
+    fn is_input(&self, h: HalfEdgeId) -> bool {
+        self.cdt.is_marked(h)
+    }
+
+    /// Whether the shortest edge joins two segments at equal distances from an end they share, at less than 60 degrees:
+    /// splitting the triangle would only make the same one smaller.
+    ///
+    /// # Source
+    /// `[MillerPW03]`.
+    pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
+        let shortest = self.shortest_edge(f);
+        self.joins_shells(self.cdt.origin(shortest), self.cdt.dest(shortest))
+    }
+
+    /// The shortest edge of a face; of equal ones that with the lowest vertices.
+    fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
+        let key = |h: HalfEdgeId| {
+            let [a, b] = self.cdt.edge_points(h);
+            (self.ruler.length_sq(a, b), self.cdt.origin(h).min(self.cdt.dest(h)), self.cdt.origin(h).max(self.cdt.dest(h)))
+        };
+        let less = |h: HalfEdgeId, g: HalfEdgeId| {
+            let ((l, a, b), (m, c, d)) = (key(h), key(g));
+            l.total_cmp(&m).then(a.cmp(&c)).then(b.cmp(&d)).is_lt()
+        };
+        let [h, g, k] = f.half_edges();
+        let shorter = if less(g, h) { g } else { h };
+        if less(k, shorter) { k } else { shorter }
+    }
+
+    /// Whether two vertices lie inside two segments with a common end, on one circle around it, less than 60 degrees apart.
+    fn joins_shells(&self, p: VertexId, q: VertexId) -> bool {
+        let (Some(s), Some(r)) = (self.segment_of(p), self.segment_of(q)) else { return false };
+        if s == r {
+            return false;
+        }
+        let [ends_s, ends_r] = [s, r].map(|s| self.cdt.segments()[s as usize]);
+        let Some(apex) = ends_s.into_iter().find(|v| ends_r.contains(v)) else { return false };
+        let [apex, p, q] = [apex, p, q].map(|v| self.cdt.point(v));
+        let (to_p, to_q) = (self.ruler.length_sq(apex, p), self.ruler.length_sq(apex, q));
+        let same = (to_p - to_q).abs() <= SAME_SHELL * to_q;
+        same && self.ruler.length_sq(p, q) < to_p.max(to_q)
+    }
+
+    fn segment_of(&self, v: VertexId) -> Option<u32> {
+        match self.cdt.provenance(v) {
+            Provenance::OnSegment { segment, .. } | Provenance::Shell { segment, .. } => Some(segment),
+            _ => None,
+        }
+    }
+
+    fn extreme_angles(&self) -> (f64, f64) {
+        let mut extremes = (180.0_f64, 0.0_f64);
+        for f in self.cdt.real_faces() {
+            let [a, b, c] = self.cdt.corners(f);
+            for angle in Triangle::new(a, b, c).angles() {
+                extremes = (extremes.0.min(angle.degrees()), extremes.1.max(angle.degrees()));
+            }
+        }
+        extremes
+    }
+}

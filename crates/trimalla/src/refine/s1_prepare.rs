@@ -1,0 +1,39 @@
+//! Step 1: segments before points.
+
+use super::encroachment::Region;
+use super::recipe::{Prepare, Recipe};
+use super::steps::{PrepareStep, View};
+use crate::mesh::HalfEdgeId;
+
+/// `none`: segments are left as they are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeaveSegments;
+
+impl PrepareStep for LeaveSegments {
+    fn needs_split(&self, _: View<'_>, _: HalfEdgeId) -> bool {
+        false
+    }
+}
+
+/// `split-encroached`: subsegments with a visible vertex in their protecting region are split.
+///
+/// Only the apexes of the two triangles at a subsegment are looked at: in a constrained Delaunay triangulation, if any
+/// visible vertex is in the region, one of them is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SplitEncroached(pub(super) Region);
+
+impl PrepareStep for SplitEncroached {
+    fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
+        let cdt = view.cdt;
+        let [a, b] = cdt.edge_points(h);
+        [h, cdt.twin(h)].into_iter().map(|s| cdt.apex(s)).any(|apex| apex.is_finite() && self.0.holds(a, b, cdt.point(apex), view.ruler))
+    }
+}
+
+/// The step of a recipe.
+pub(super) fn step(recipe: &Recipe, region: Region) -> Box<dyn PrepareStep + Send + Sync> {
+    match recipe.prepare {
+        Prepare::None => Box::new(LeaveSegments),
+        Prepare::SplitEncroached => Box::new(SplitEncroached(region)),
+    }
+}

@@ -1,0 +1,39 @@
+//! Step 2: which bad triangle is next.
+
+use super::recipe::{Recipe, Select};
+use super::ruler::Ruler;
+use super::steps::SelectStep;
+use crate::geometry::Point;
+
+/// `shortest-edge`: the triangle with the shortest edge first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShortestEdge;
+
+impl SelectStep for ShortestEdge {
+    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler) -> f64 {
+        ruler.length_sq(a, b).min(ruler.length_sq(b, c)).min(ruler.length_sq(c, a))
+    }
+}
+
+/// `smallest-angle`: the triangle with the smallest angle first, by its squared sine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SmallestAngle;
+
+impl SelectStep for SmallestAngle {
+    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler) -> f64 {
+        // The smallest angle is never above 60 degrees, where the sine rises with it: twice the area over the
+        // product of the two longer sides.
+        let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));
+        let mut sides = [ruler.length_sq(a, b), ruler.length_sq(b, c), ruler.length_sq(c, a)];
+        sides.sort_by(f64::total_cmp);
+        (doubled_area / sides[1]) * (doubled_area / sides[2])
+    }
+}
+
+/// The step of a recipe.
+pub(super) fn step(recipe: &Recipe) -> Box<dyn SelectStep + Send + Sync> {
+    match recipe.select {
+        Select::ShortestEdge => Box::new(ShortestEdge),
+        Select::SmallestAngle => Box::new(SmallestAngle),
+    }
+}

@@ -1,0 +1,84 @@
+//! Step 3: where the new vertex goes.
+//!
+//! ```text
+//!            s                   p, q: the shortest edge        c: the circumcenter
+//!           / \                  o: the off-center, on the way from the middle of p–q to c, where
+//!          / c \                    the triangle p, q, o has the angle asked for at o
+//!         /  o  \
+//!        p ───── q
+//! ```
+
+use super::recipe::{PlacePoint, Recipe};
+use super::steps::{PointStep, Proposal, View};
+use crate::geometry::{Point, Triangle, math};
+use crate::mesh::FaceId;
+
+/// `circumcenter`: the center of the circumcircle.
+///
+/// # Source
+/// `[Ruppert95]`, `[Chew93]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circumcenter;
+
+impl PointStep for Circumcenter {
+    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+        let [a, b, c] = view.cdt.corners(face);
+        let point = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
+        Some(Proposal::Free { point, from: face })
+    }
+}
+
+/// `off-center`: the circumcenter, or nearer to the shortest edge the point that makes its triangle just good.
+///
+/// # Source
+/// `[Ungor09]`. The true off-center lies at half of cot(α/2) times the edge's length from its middle; 95 % of that leaves
+/// the new triangle strictly good.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OffCenter {
+    /// Height of the off-center over the middle of a shortest edge of length one.
+    reach: f64,
+}
+
+impl OffCenter {
+    /// 95 % of the half.
+    const FACTOR: f64 = 0.475;
+
+    /// For an angle bound in radians; at 0 the reach is infinite and every point a circumcenter.
+    pub(super) fn new(min_angle: f64) -> Self {
+        Self { reach: Self::FACTOR / math::tan(min_angle / 2.0) }
+    }
+}
+
+impl PointStep for OffCenter {
+    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+        let corners = view.cdt.corners(face);
+        let [a, b, c] = corners;
+        let center = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
+        let (p, q) = shortest_edge(corners, view);
+        let middle = Point::midpoint(p, q);
+        let height_sq = view.ruler.length_sq(middle, center);
+        let reach_sq = self.reach * self.reach * view.ruler.length_sq(p, q);
+        // Towards the circumcenter, but no farther than it: a quotient of lengths, free of units.
+        let point = if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center };
+        Some(Proposal::Free { point, from: face })
+    }
+}
+
+/// The ends of the shortest edge; of equal ones the first from the smallest vertex on does not matter to the middle.
+fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
+    let edges = [(a, b), (b, c), (c, a)];
+    let length = |e: &(Point, Point)| view.ruler.length_sq(e.0, e.1);
+    let place = |e: &(Point, Point)| Point::midpoint(e.0, e.1);
+    let by = |e: &(Point, Point), f: &(Point, Point)| {
+        length(e).total_cmp(&length(f)).then_with(|| crate::geometry::lexicographic(place(e), place(f)))
+    };
+    edges.into_iter().min_by(by).unwrap_or((a, b))
+}
+
+/// The step of a recipe, for an angle bound in radians.
+pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Box<dyn PointStep + Send + Sync> {
+    match recipe.point {
+        PlacePoint::Circumcenter => Box::new(Circumcenter),
+        PlacePoint::OffCenter => Box::new(OffCenter::new(min_angle)),
+    }
+}

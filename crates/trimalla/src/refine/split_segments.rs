@@ -1,0 +1,182 @@
+//! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
+
+use super::options::Protect;
+use super::refinement::Refinement;
+use super::report::Reason;
+use crate::constrained::{Provenance, SplitError};
+use crate::geometry::{CircleSide, Point, in_diametral_disk};
+use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
+
+/// A subsegment that waits to be split, lower vertex first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Encroached {
+    ends: [VertexId; 2],
+    /// Split it even if nothing encroaches upon it: it stood in the way of a point.
+    forced: bool,
+}
+
+/// Where a subsegment is split.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    point: Point,
+    provenance: Provenance,
+}
+
+impl Refinement {
+    /// Lets a subsegment wait for its split; says why it never can be split, where it cannot.
+    pub(super) fn queue_subsegment(&mut self, h: HalfEdgeId, forced: bool) -> Result<(), Reason> {
+        self.cut_of(h)?;
+        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
+        self.encroached.push_back(Encroached { ends: [a.min(b), a.max(b)], forced });
+        Ok(())
+    }
+
+    /// Queues every subsegment that needs a split now, in the order of their vertices.
+    pub(super) fn queue_all_encroached(&mut self) {
+        let mut found: Vec<([VertexId; 2], HalfEdgeId)> = self
+            .cdt
+            .edges()
+            .filter(|&h| self.cdt.is_marked(h) && self.prepare.needs_split(self.view(), h))
+            .map(|h| {
+                let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
+                ([a.min(b), a.max(b)], h)
+            })
+            .collect();
+        found.sort_unstable();
+        for (_, h) in found {
+            // One that cannot be split stays encroached; triangles beside it get that as their reason.
+            let _ = self.queue_subsegment(h, false);
+        }
+    }
+
+    /// Splits the subsegment that waits longest, if it still needs it.
+    pub(super) fn split_next_subsegment(&mut self) -> bool {
+        let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
+        let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
+        if let Some(h) = there
+            && (forced || self.prepare.needs_split(self.view(), h))
+        {
+            self.split(h);
+        }
+        true
+    }
+
+    fn split(&mut self, h: HalfEdgeId) {
+        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
+        if self.region.is_lens() && self.acute_ends(h) == [false, false] {
+            self.delete_free_vertices(a, b);
+        }
+        let Some(h) = self.cdt.half_edge_between(a, b) else { return };
+        let Ok(cut) = self.cut_of(h) else { return };
+        if let Ok(v) = self.cdt.split_subsegment(h, cut.point, cut.provenance, &mut NoJournal) {
+            self.vertices += 1;
+            self.insertions += 1;
+            self.report.segments_split += 1;
+            self.look_around(v);
+        }
+    }
+
+    /// Where `h` would be split, or why it cannot be.
+    fn cut_of(&self, h: HalfEdgeId) -> Result<Cut, Reason> {
+        let on_border = self.cdt.is_boundary(h) || self.cdt.is_boundary(self.cdt.twin(h));
+        let protected = match self.options.protect {
+            Protect::None => false,
+            Protect::Boundary => on_border,
+            Protect::All => true,
+        };
+        if protected {
+            return Err(Reason::ProtectedSegment);
+        }
+        let (t, shell) = self.place_of_cut(h);
+        let (point, mut provenance) = self.cdt.point_on_subsegment(h, t);
+        let [a, b] = self.cdt.edge_points(h);
+        if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
+            return Err(self.floor_reason);
+        }
+        if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (shell, provenance) {
+            let apex = if around_b { self.cdt.dest(h) } else { self.cdt.origin(h) };
+            let ends = self.cdt.segments()[segment as usize];
+            if ends.contains(&apex) {
+                provenance = Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
+            }
+        }
+        match self.cdt.can_split(h, point) {
+            Ok(()) => Ok(Cut { point, provenance }),
+            Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
+        }
+    }
+
+    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins.
+    ///
+    /// Cuts at distances that are powers of two from a shared end lie on common circles, so that the subsegments of two
+    /// segments that meet at a small angle stop encroaching upon each other.
+    ///
+    /// # Source
+    /// Concentric shells: `[Ruppert95]` section 5; the power is chosen so that the cut lies in the middle third.
+    fn place_of_cut(&self, h: HalfEdgeId) -> (f64, Option<(i16, bool)>) {
+        let around_b = match self.acute_ends(h) {
+            [true, false] => false,
+            [false, true] => true,
+            _ => return (0.5, None),
+        };
+        let [a, b] = self.cdt.edge_points(h);
+        let length = self.ruler.length_sq(a, b).sqrt();
+        let (power, exponent) = power_of_two_below(length / 1.5);
+        let t = power / length;
+        (if around_b { 1.0 - t } else { t }, Some((exponent, around_b)))
+    }
+
+    /// Whether at the origin, and at the dest, of `h` another constrained edge bounds one of its two triangles.
+    fn acute_ends(&self, h: HalfEdgeId) -> [bool; 2] {
+        let t = self.cdt.twin(h);
+        let marked = |h: HalfEdgeId| self.cdt.dest(h).is_finite() && self.cdt.origin(h).is_finite() && self.cdt.is_marked(h);
+        [marked(h.prev()) || marked(t.next()), marked(h.next()) || marked(t.prev())]
+    }
+
+    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first.
+    ///
+    /// # Source
+    /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
+    fn delete_free_vertices(&mut self, a: VertexId, b: VertexId) {
+        for [from, to] in [[a, b], [b, a]] {
+            // Each round deletes a vertex.
+            for _ in 0..self.cdt.points().len() {
+                let Some(h) = self.cdt.half_edge_between(from, to) else { return };
+                let apex = self.cdt.apex(h);
+                let inside = apex.is_finite()
+                    && self.cdt.provenance(apex).is_free()
+                    && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex)) == CircleSide::Inside;
+                if !inside || !self.delete(apex) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Deletes a free vertex; looks at the triangles and subsegments of the hole.
+    fn delete(&mut self, v: VertexId) -> bool {
+        let link: Vec<VertexId> = self.cdt.neighbours(v).collect();
+        if self.cdt.remove(v).is_err() {
+            return false;
+        }
+        self.vertices -= 1;
+        self.report.vertices_deleted += 1;
+        let mut faces: Vec<FaceId> = Vec::new();
+        for &w in &link {
+            faces.extend(self.cdt.faces_around(w).filter(|&f| self.cdt.face_vertices(f).iter().all(|u| link.contains(u))));
+        }
+        faces.sort_unstable();
+        faces.dedup();
+        self.look_at_faces(&faces);
+        true
+    }
+}
+
+/// The greatest power of two not above a positive number, and its exponent.
+fn power_of_two_below(x: f64) -> (f64, i16) {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let bits = x.to_bits() & EXPONENT;
+    #[allow(clippy::cast_possible_truncation, reason = "eleven bits")]
+    let exponent = (bits >> 52) as i16 - 1023;
+    (f64::from_bits(bits), exponent)
+}

@@ -1,0 +1,65 @@
+//! The five steps as traits.
+//!
+//! A new strategy is one file that implements one of these, and one row in `recipe.rs`.
+
+use super::options::Criteria;
+use super::ruler::Ruler;
+use crate::constrained::ConstrainedDelaunay;
+use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
+
+/// What a step may look at.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    /// The triangulation.
+    pub cdt: &'a ConstrainedDelaunay,
+    /// What makes a triangle bad.
+    pub criteria: &'a Criteria,
+    /// How lengths are measured.
+    pub ruler: Ruler,
+}
+
+/// Step 1: which subsegments need a split.
+pub trait PrepareStep {
+    /// Whether subsegment `h` is to be split before (and while) points go in.
+    fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool;
+}
+
+/// Step 2: the order of bad triangles.
+pub trait SelectStep {
+    /// How long a bad triangle can wait: the one of lowest value is treated first.
+    fn patience(&self, corners: [Point; 3], ruler: Ruler) -> f64;
+}
+
+/// What a point strategy proposes for a bad triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Proposal {
+    /// A free point, to be looked for from this face; segments in its way are split instead.
+    Free {
+        /// The point.
+        point: Point,
+        /// Where the walk to it starts.
+        from: FaceId,
+    },
+    /// The split of this subsegment.
+    Split(HalfEdgeId),
+}
+
+/// Step 3: where a new vertex goes.
+pub trait PointStep {
+    /// The place for a new vertex that helps `face`; `None` where there is none.
+    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal>;
+}
+
+/// Step 4: how a vertex goes in.
+pub trait InsertStep {
+    /// Inserts a vertex at `p`, whose place is known, through the journal.
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> VertexId;
+}
+
+/// Step 5: what becomes of interior segments.
+pub trait RecoverStep {
+    /// Whether interior segments are locked while points go in.
+    fn locks_segments(&self) -> bool;
+}

@@ -1,0 +1,137 @@
+//! Refinement of small domains: bound reached, invariants kept, reasons given.
+
+use super::*;
+use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::delaunay::AlgorithmKey;
+use crate::domain::{DomainRule, Pslg, build};
+use crate::geometry::Point;
+
+fn polygon(corners: &[[f64; 2]]) -> Pslg {
+    let n = corners.len() as u32;
+    Pslg {
+        points: corners.iter().copied().map(Point::from).collect(),
+        segments: (0..n).map(|i| [i, (i + 1) % n]).collect(),
+        ..Pslg::default()
+    }
+}
+
+fn carved(pslg: &Pslg, algorithm: AlgorithmKey) -> ConstrainedDelaunay {
+    build(pslg, DomainRule::Seeds, Crossings::Refuse, algorithm).unwrap().0
+}
+
+fn refined(pslg: &Pslg, options: RefineOptions) -> (ConstrainedDelaunay, Report) {
+    let mut r = Refinement::new(carved(pslg, AlgorithmKey::Incremental), options).unwrap();
+    r.run(&mut NoObserver);
+    let (cdt, report) = r.finish();
+    assert_eq!(cdt.check(), []);
+    for (i, p) in pslg.points.iter().enumerate() {
+        assert_eq!(cdt.points()[i], *p, "input vertex {i} stays");
+    }
+    (cdt, report)
+}
+
+const L_SHAPE: [[f64; 2]; 6] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.1, 1.3], [1.0, 4.0], [0.0, 4.0]];
+
+#[test]
+fn the_bound_is_reached_at_every_usual_angle() {
+    for preset in Preset::ALL {
+        for degrees in [0, 10, 20, 25, 30, 33] {
+            let options = RefineOptions::of(*preset).with_min_angle_deg(f64::from(degrees));
+            let (_, report) = refined(&polygon(&L_SHAPE), options);
+            assert_eq!(report.leftovers, [], "{preset} at {degrees}");
+            assert!(report.min_angle_deg >= f64::from(degrees) - 1e-9);
+        }
+    }
+}
+
+#[test]
+fn every_step_keeps_the_invariants() {
+    let cdt = carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental);
+    let options = RefineOptions::default().with_min_angle_deg(33.0).with_max_area(0.05);
+    let mut r = Refinement::new(cdt, options).unwrap();
+    for _ in 0..2000 {
+        if r.step() == StepOutcome::Finished {
+            return;
+        }
+        assert_eq!(r.triangulation().check(), []);
+    }
+    panic!("2000 steps are more than enough here");
+}
+
+#[test]
+fn the_area_bound_is_reached() {
+    let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_area(0.01);
+    let (cdt, report) = refined(&polygon(&L_SHAPE), options);
+    assert_eq!(report.leftovers, []);
+    assert!(cdt.real_faces().all(|f| {
+        let [a, b, c] = cdt.face_points(f);
+        (b - a).cross(c - a) <= 0.02
+    }));
+}
+
+#[test]
+fn small_input_angles_are_named() {
+    for degrees in [1.0f64, 5.0, 20.0] {
+        let (s, c) = (degrees.to_radians() / 2.0, 10.0);
+        let wedge = polygon(&[[0.0, 0.0], [c, -c * s], [c, c * s]]);
+        let (_, report) = refined(&wedge, RefineOptions::default().with_min_angle_deg(25.0).with_max_vertices(20_000));
+        assert!(report.complete(), "{degrees}: {:?}", report.reasons());
+        assert!(!report.leftovers.is_empty(), "the wedge itself is too sharp");
+    }
+}
+
+#[test]
+fn the_budget_and_the_observer_stop_it() {
+    let options = RefineOptions::default().with_max_area(1e-5).with_max_vertices(500);
+    let (_, report) = refined(&polygon(&L_SHAPE), options);
+    assert_eq!(report.stop, StopReason::Budget);
+    assert!(report.vertices <= 500 && report.reasons().iter().any(|r| r.0 == Reason::Budget));
+    let mut r = Refinement::new(carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental), RefineOptions::default().with_max_area(1e-4)).unwrap();
+    let mut calls = 0;
+    let stop = r.run(&mut |_: Progress| {
+        calls += 1;
+        calls < 3
+    });
+    assert_eq!(stop, StopReason::Cancelled);
+    assert_eq!(r.finish().0.check(), []);
+}
+
+#[test]
+fn protected_segments_are_not_split() {
+    let options = RefineOptions::default().with_protect(Protect::All);
+    let (cdt, report) = refined(&polygon(&L_SHAPE), options);
+    assert_eq!(report.segments_split, 0);
+    assert!((0..6).all(|s| cdt.chain(s).len() == 1), "every segment is one edge");
+    assert!(report.leftovers.iter().all(|l| l.reason == Reason::ProtectedSegment), "{:?}", report.reasons());
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_builder() {
+    let pslg = polygon(&L_SHAPE);
+    for preset in Preset::ALL {
+        let options = RefineOptions::of(*preset).with_max_area(0.01);
+        let meshes = AlgorithmKey::ALL.map(|a| {
+            let mut r = Refinement::new(carved(&pslg, a), options).unwrap();
+            r.run(&mut NoObserver);
+            let (cdt, _) = r.finish();
+            (cdt.points().to_vec(), cdt.canonical())
+        });
+        let first = meshes[0].0.iter().zip(&meshes[1].0).position(|(a, b)| a != b);
+        eprintln!("first {first:?} {} {}", meshes[0].0.len(), meshes[1].0.len());
+        if let Some(f) = first { eprintln!("{:?} {:?}", &meshes[0].0[f - 2..f + 3], &meshes[1].0[f - 2..f + 3]); }
+        assert!(meshes[0] == meshes[1], "{preset}: both builders lead to one mesh");
+    }
+}
+
+#[test]
+fn wrong_options_are_refused() {
+    let cdt = carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental);
+    for options in [
+        RefineOptions::default().with_min_angle_deg(61.0),
+        RefineOptions::default().with_min_angle_deg(f64::NAN),
+        RefineOptions::default().with_max_area(0.0),
+        RefineOptions::default().with_max_area(f64::INFINITY),
+    ] {
+        assert!(Refinement::new(cdt.clone(), options).is_err(), "{options:?}");
+    }
+}
