@@ -5,14 +5,17 @@ use trimalla::geometry::Point;
 use trimalla::mesh::VertexId;
 use trimalla::triangulation::Triangulation;
 
-use crate::verdict::{Verdict, none, same};
+use crate::alike::alike;
+use crate::verdict::none;
 
 /// Every algorithm gives the same triangles, edges, duplicates and dimension, and a clean check.
 pub(crate) fn agreed(points: &[Point]) -> Result<Triangulation, String> {
-    let mut all = AlgorithmKey::ALL.into_iter().map(|key| checked(key, points));
+    let mut all = AlgorithmKey::ALL
+        .into_iter()
+        .map(|key| checked(key, points));
     let first = all.next().ok_or("there are no algorithms")??;
     for other in all {
-        equal(&first, &other?)?;
+        alike(&first, &other?)?;
     }
     Ok(first)
 }
@@ -22,14 +25,6 @@ fn checked(key: AlgorithmKey, points: &[Point]) -> Result<Triangulation, String>
     let built = key.triangulate(points, None).map_err(|e| e.to_string())?;
     none(key.key(), &built.check_delaunay())?;
     Ok(built)
-}
-
-/// Two triangulations of the same points are the same, slots aside.
-pub(crate) fn equal(a: &Triangulation, b: &Triangulation) -> Verdict {
-    same("dimensions", &[a.dimension()], &[b.dimension()])?;
-    same("triangles", &a.canonical(), &b.canonical())?;
-    same("edges", &a.canonical_edges(), &b.canonical_edges())?;
-    same("duplicates", a.duplicates(), b.duplicates())
 }
 
 /// The triangles with other names for the vertices, in canonical form.

@@ -21,16 +21,6 @@ pub(crate) fn demand(name: &str, points: &[Point], judge: impl Fn(&[Point]) -> V
     panic!("{name}: {why}\nreduced to:\n{}\n// {still}", snippet(&few));
 }
 
-/// Says that two answers differ, and where they first do.
-pub(crate) fn same<T: PartialEq + Debug>(what: &str, left: &[T], right: &[T]) -> Verdict {
-    if left == right {
-        return Ok(());
-    }
-    let at = left.iter().zip(right).take_while(|(l, r)| l == r).count();
-    let (lengths, first) = ((left.len(), right.len()), (left.get(at), right.get(at)));
-    Err(format!("{what} differ at {at} of {lengths:?}: {first:?}"))
-}
-
 /// Says that a list of faults is not empty.
 pub(crate) fn none<T: Debug>(what: &str, faults: &[T]) -> Verdict {
     match faults {
