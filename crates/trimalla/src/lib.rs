@@ -4,4 +4,5 @@ pub mod domain;
 pub mod geometry;
 pub mod locate;
 pub mod mesh;
+pub mod quality;
 pub mod triangulation;
