@@ -264,3 +264,23 @@ fn a_triangulation_built_up_and_torn_down_passes_through_every_dimension() {
         );
     }
 }
+
+/// Taking vertex 0 out flips seven of its eight spokes; the edge between two triangles that have no
+/// side of the hole fails the circle test if only the sides of the hole are looked at again.
+#[test]
+fn every_edge_made_by_a_removal_is_looked_at() {
+    let points = [
+        [0.0, 0.0],
+        [18.0, -9.0],
+        [11.0, -10.0],
+        [-5.0, 6.0],
+        [-2.0, 4.0],
+        [-16.0, -19.0],
+        [13.0, 19.0],
+        [11.0, -16.0],
+        [1.0, 15.0],
+    ];
+    let mut d = Delaunay::new(&points.map(Point::from)).expect("finite points");
+    d.remove(VertexId(0)).expect("a used vertex");
+    assert_eq!(d.check_delaunay(), []);
+}

@@ -318,7 +318,7 @@ fn a_segment_outside_the_mesh_may_be_absent() {
     assert_eq!(against_input(&twice, &input).faults, []);
     assert_eq!(against_input(&twice, &input).covered, [[1, 2], [1, 4]]);
     assert_eq!(
-        against_input(&twice, &drawing(&twice.points, &[[2, 3], [0, 3]])).faults,
+        against_input(&twice, &drawing(&twice.points, &[[2, 4], [0, 3]])).faults,
         []
     );
 }

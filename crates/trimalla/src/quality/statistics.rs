@@ -156,7 +156,8 @@ impl Statistics {
             );
         }
         let triangles = || measured.iter().map(|(_, t)| t);
-        self.total_area = triangles().map(Triangle::area).sum();
+        // An empty `sum` would be −0.
+        self.total_area = triangles().fold(0.0, |sum, t| sum + t.area());
         self.area = Spread::of(triangles().map(Triangle::area));
         self.aspect_ratio = Spread::of(triangles().map(aspect_ratio));
     }

@@ -76,7 +76,7 @@ struct Remembered<S> {
 /// Carries the plan out; panics with the edits that led to the first failure.
 pub(crate) fn drive<S: Subject>(subject: S, plan: Plan) -> (S, Tally) {
     let mut driver = Driver::new(subject, plan);
-    let mut dice = SplitMix64::new(plan.seed ^ 0x5ee_d0fd_1ce);
+    let mut dice = SplitMix64::new(plan.seed ^ 0x0d1c_e5ee);
     while driver.tally.edits < plan.edits {
         driver.edit();
         if dice.below(plan.rollback_in) == 0 {

@@ -130,12 +130,10 @@ pub(super) fn overlap_fault(mesh: &IndexedMesh, sides: &Sides) -> Option<MeshFau
             sweep.met.insert(edges[e]);
             started.push(edges[e]);
         }
-        let fault = match stopped {
-            Some(gone) if started.is_empty() => {
-                sweep.fault_between(sweep.below(&gone), sweep.above(&gone))
-            }
-            _ => started.iter().find_map(|e| sweep.fault_beside(e)),
-        };
+        // Contacts first: where edges overlap, the order between them means nothing.
+        let pairs = sweep.new_neighbours(&started, stopped);
+        let contact = pairs.iter().find_map(|&pair| sweep.contact_fault(pair));
+        let fault = contact.or_else(|| pairs.iter().find_map(|&pair| sweep.winding_fault(pair)));
         if fault.is_some() {
             return fault;
         }
@@ -148,6 +146,9 @@ fn earlier(a: Point, b: Point) -> Point {
     if lexicographically_less(a, b) { a } else { b }
 }
 
+/// An edge and the one above it; nothing stands for the void below or above all edges.
+type Neighbours = (Option<Edge>, Option<Edge>);
+
 /// The edges that the sweep line meets.
 struct Sweep<'a> {
     mesh: &'a IndexedMesh,
@@ -155,27 +156,28 @@ struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    fn below(&self, edge: &Edge) -> Option<&Edge> {
-        self.met.range((Unbounded, Excluded(edge))).next_back()
+    fn below(&self, edge: &Edge) -> Option<Edge> {
+        self.met
+            .range((Unbounded, Excluded(edge)))
+            .next_back()
+            .copied()
     }
 
-    fn above(&self, edge: &Edge) -> Option<&Edge> {
-        self.met.range((Excluded(edge), Unbounded)).next()
+    fn above(&self, edge: &Edge) -> Option<Edge> {
+        self.met.range((Excluded(edge), Unbounded)).next().copied()
     }
 
-    /// What is wrong between an edge and its neighbours.
-    fn fault_beside(&self, edge: &Edge) -> Option<MeshFault> {
-        let below = self.fault_between(self.below(edge), Some(edge));
-        below.or_else(|| self.fault_between(Some(edge), self.above(edge)))
-    }
-
-    /// What is wrong between two neighbours, one of which may be the void below or above all edges.
-    fn fault_between(&self, below: Option<&Edge>, above: Option<&Edge>) -> Option<MeshFault> {
-        if let (Some(below), Some(above)) = (below, above) {
-            if let Some(fault) = self.contact_fault(below, above) {
-                return Some(fault);
-            }
+    /// The neighbours of edges that have just started, or else those between which edges have stopped.
+    fn new_neighbours(&self, started: &[Edge], stopped: Option<Edge>) -> Vec<Neighbours> {
+        if let (Some(gone), []) = (stopped, started) {
+            return vec![(self.below(&gone), self.above(&gone))];
         }
+        let beside = |&e: &Edge| [(self.below(&e), Some(e)), (Some(e), self.above(&e))];
+        started.iter().flat_map(beside).collect()
+    }
+
+    /// Neighbours that do not alternate.
+    fn winding_fault(&self, (below, above): Neighbours) -> Option<MeshFault> {
         // The triangle of an edge to the right lies above it.
         let covered_from_below = below.is_some_and(|e| e.rightward);
         let covered_from_above = above.is_some_and(|e| !e.rightward);
@@ -190,11 +192,12 @@ impl Sweep<'_> {
     }
 
     /// Neighbours that have more in common than an end.
-    fn contact_fault(&self, one: &Edge, two: &Edge) -> Option<MeshFault> {
+    fn contact_fault(&self, (below, above): Neighbours) -> Option<MeshFault> {
+        let (one, two) = (below?, above?);
         let contact = segment_contact(one.left, one.right, two.left, two.right);
         let fine = match contact {
             SegmentContact::Apart => true,
-            SegmentContact::Touching => one.shares_vertex(two),
+            SegmentContact::Touching => one.shares_vertex(&two),
             SegmentContact::Crossing | SegmentContact::Overlapping => false,
         };
         (!fine).then(|| MeshFault::BoundaryContact {
