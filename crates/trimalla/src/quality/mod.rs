@@ -1,8 +1,8 @@
 //! How good a mesh is, and whether it is the mesh of its input.
 //!
 //! * [`Statistics`] counts and measures a mesh; it prints as a table with histograms;
-//! * [`below_bound`] lists the triangles with an angle below a bound, by the exact certificate;
-//! * [`against_input`] compares a mesh with the drawing it was made from;
+//! * [`below_bound()`] lists the triangles with an angle below a bound, by the exact certificate;
+//! * [`against_input()`] compares a mesh with the drawing it was made from;
 //! * [`aspect_ratio`] measures one triangle.
 //!
 //! Everything here takes an [`IndexedMesh`](crate::triangulation::IndexedMesh), may be given a broken one, and

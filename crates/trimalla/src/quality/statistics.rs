@@ -42,7 +42,7 @@ impl Default for Bins {
 /// # Guarantees
 /// A function of the mesh, the same on every platform. Measured are the triangles whose indices are in range
 /// and differ and whose corners are finite; `unmeasured` counts the others, which nothing else does.
-/// Measures are rounded; whether a bound is met says [`below_bound`](super::below_bound).
+/// Measures are rounded; whether a bound is met says [`below_bound`](super::below_bound()).
 ///
 /// # Examples
 /// ```
