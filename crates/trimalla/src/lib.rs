@@ -7,6 +7,7 @@ pub mod geometry;
 pub mod locate;
 pub mod mesh;
 pub mod refine;
+pub mod quality;
 pub mod triangulation;
 
 pub use facade::{DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, triangulate};
