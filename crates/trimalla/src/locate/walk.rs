@@ -1,6 +1,6 @@
 //! The walk, and what it finds.
 
-use crate::geometry::{Orientation, Point, lexicographic, strictly_between};
+use crate::geometry::{Orientation, Point, lexicographic, orient2d, strictly_between};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -34,7 +34,7 @@ pub enum Walk {
     Blocked(HalfEdgeId),
 }
 
-/// After this many steps the order in which edges are looked at is varied.
+/// After this many steps the edge to cross, where there are two, is drawn.
 const CALM_STEPS: usize = 1 << 10;
 
 impl Triangulation {
@@ -78,54 +78,61 @@ impl Triangulation {
     }
 
     /// The visibility walk. `None` when the bound on steps was met.
+    ///
+    /// ```text
+    ///          c           p lies left of e, or on its line: where it lies
+    ///        /   \         in the face is a matter of the two other edges
+    ///     ca       bc
+    ///    /           \
+    ///   a ──── e ────> b
+    /// ```
     #[inline]
     fn walk<const STOP_AT_CONSTRAINTS: bool>(&self, start: FaceId, p: Point) -> Option<Walk> {
-        let mut face = self.real_face_near(start)?;
-        let mut entered = HalfEdgeId::NONE;
-        let mut spin = 0;
+        let mut e = self.real_face_near(start)?.half_edge(0);
+        let mut side = self.side_of(e, p);
+        if side == Orientation::Clockwise {
+            if STOP_AT_CONSTRAINTS && self.is_marked(e) {
+                return Some(Walk::Blocked(e));
+            }
+            (e, side) = (self.twin(e), Orientation::CounterClockwise);
+        }
+        let [mut a, mut b] = self.edge_points(e);
         let bound = CALM_STEPS + 4 * self.face_slots();
-        'steps: for step in 0..bound {
-            if step >= CALM_STEPS {
-                spin = vary(step);
+        for step in 0..bound {
+            let (bc, ca) = (e.next(), e.prev());
+            let Some(&c) = self.points.get(self.origin(ca).index()) else {
+                return Some(Walk::Arrived(Locus::Outside(e))); // The face is a ghost.
+            };
+            let (beyond_bc, beyond_ca) = (orient2d(b, c, p), orient2d(c, a, p));
+            let cross_ca = match (beyond_bc, beyond_ca) {
+                (Orientation::Clockwise, Orientation::Clockwise) => step >= CALM_STEPS && vary(step),
+                (Orientation::Clockwise, _) => false,
+                (_, Orientation::Clockwise) => true,
+                _ => return Some(Walk::Arrived(self.locus_in(e, [side, beyond_bc, beyond_ca]))),
+            };
+            let crossed = if cross_ca { ca } else { bc };
+            if STOP_AT_CONSTRAINTS && self.is_marked(crossed) {
+                return Some(Walk::Blocked(crossed));
             }
-            let mut flat = [HalfEdgeId::NONE; 2];
-            for k in 0..3 {
-                let h = face.half_edge((k + spin) % 3);
-                if h == entered {
-                    continue;
-                }
-                match self.side_of(h, p) {
-                    Orientation::CounterClockwise => {}
-                    Orientation::Collinear => flat = [h, flat[0]],
-                    Orientation::Clockwise => {
-                        if STOP_AT_CONSTRAINTS && self.is_marked(h) {
-                            return Some(Walk::Blocked(h));
-                        }
-                        entered = self.twin(h);
-                        if !self.apex(entered).is_finite() {
-                            return Some(Walk::Arrived(Locus::Outside(entered)));
-                        }
-                        face = entered.face();
-                        continue 'steps;
-                    }
-                }
-            }
-            return Some(Walk::Arrived(self.locus_in(face, flat)));
+            (a, b) = if cross_ca { (a, c) } else { (c, b) };
+            (e, side) = (self.twin(crossed), Orientation::CounterClockwise);
         }
         None
     }
 
-    /// The locus of a point in a face, given the edges it is collinear with.
+    /// The locus of a point in the face of `e`, by its sides of `e` and the edges that follow, none of them clockwise.
     #[inline]
-    fn locus_in(&self, face: FaceId, flat: [HalfEdgeId; 2]) -> Locus {
-        match flat {
-            [HalfEdgeId::NONE, _] => Locus::Face(face),
-            [h, HalfEdgeId::NONE] => Locus::Edge(h),
-            [h, g] if g == h.next() => Locus::Vertex(self.origin(g)),
-            [h, _] => Locus::Vertex(self.origin(h)),
+    fn locus_in(&self, e: HalfEdgeId, sides: [Orientation; 3]) -> Locus {
+        match sides.map(|side| side == Orientation::Collinear) {
+            [false, false, false] => Locus::Face(e.face()),
+            [true, false, false] => Locus::Edge(e),
+            [false, true, false] => Locus::Edge(e.next()),
+            [false, false, true] => Locus::Edge(e.prev()),
+            [true, _, true] => Locus::Vertex(self.origin(e)),
+            [true, true, _] => Locus::Vertex(self.dest(e)),
+            [_, true, true] => Locus::Vertex(self.apex(e)),
         }
     }
-
     /// A real face at or beside a slot.
     #[inline]
     fn real_face_near(&self, f: FaceId) -> Option<FaceId> {
@@ -149,13 +156,7 @@ impl Triangulation {
     /// Looks at every real face.
     fn scan(&self, p: Point) -> Option<Locus> {
         let f = self.real_faces().find(|&f| self.face_contains(f, p))?;
-        let mut flat = [HalfEdgeId::NONE; 2];
-        for h in f.half_edges() {
-            if self.side_of(h, p) == Orientation::Collinear {
-                flat = [h, flat[0]];
-            }
-        }
-        Some(self.locus_in(f, flat))
+        Some(self.locus_in(f.half_edge(0), f.half_edges().map(|h| self.side_of(h, p))))
     }
 
     /// Location in dimension −1, 0 and 1.
@@ -198,8 +199,7 @@ impl Triangulation {
     }
 }
 
-/// A fixed sequence of 0, 1, 2 without pattern.
-fn vary(step: usize) -> u32 {
-    let x = (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    ((x >> 33) % 3) as u32
+/// A fixed sequence of choices without pattern.
+fn vary(step: usize) -> bool {
+    (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1
 }
