@@ -89,14 +89,15 @@ impl Triangulation {
     #[inline]
     fn walk<const STOP_AT_CONSTRAINTS: bool>(&self, start: FaceId, p: Point) -> Option<Walk> {
         let mut e = self.real_face_near(start)?.half_edge(0);
-        let mut side = self.side_of(e, p);
+        let [mut a, mut b] = self.edge_points(e);
+        let mut side = orient2d(a, b, p);
         if side == Orientation::Clockwise {
             if STOP_AT_CONSTRAINTS && self.is_marked(e) {
                 return Some(Walk::Blocked(e));
             }
             (e, side) = (self.twin(e), Orientation::CounterClockwise);
+            (a, b) = (b, a);
         }
-        let [mut a, mut b] = self.edge_points(e);
         let bound = CALM_STEPS + 4 * self.face_slots();
         for step in 0..bound {
             let (bc, ca) = (e.next(), e.prev());
