@@ -204,3 +204,28 @@ impl Triangulation {
 fn vary(step: usize) -> bool {
     (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::delaunay::Delaunay;
+
+    #[test]
+    fn a_walk_from_any_face_ends_where_the_scan_does() {
+        let points: Vec<Point> = (0..20u8).map(|i| Point::new(f64::from(i * 7 % 5), f64::from(i * 3 % 4))).collect();
+        let t = Delaunay::new(&points).expect("finite");
+        for (i, start) in (0..14 * 11u8).zip((0..t.face_slots()).cycle()) {
+            let p = Point::new(f64::from(i % 14) * 0.5 - 1.0, f64::from(i / 14) * 0.5 - 1.0);
+            for start in [start, start + 5, start + 11].map(|f| FaceId::from_index(f % t.face_slots())) {
+                match (t.locate_from(start, p), t.scan(p)) {
+                    (Locus::Edge(h), Some(Locus::Edge(g))) => assert!(h == g || h == t.twin(g), "{p} from {start}"),
+                    (Locus::Outside(h), None) => {
+                        assert!(t.is_ghost(h.face()), "{p} from {start}");
+                        assert_eq!(t.side_of(h, p), Orientation::CounterClockwise, "{p} from {start}");
+                    }
+                    (walked, scanned) => assert_eq!(Some(walked), scanned, "{p} from {start}"),
+                }
+            }
+        }
+    }
+}
