@@ -1,7 +1,7 @@
 //! Merging two subsegments: the vertex between them taken out.
 
 use super::constrained::ConstrainedDelaunay;
-use crate::delaunay::RemoveError;
+use crate::delaunay::{RemoveError, flip_spokes_away, legalise_hole};
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 
 impl ConstrainedDelaunay {
@@ -40,7 +40,7 @@ impl ConstrainedDelaunay {
 
     fn try_merge(&mut self, v: VertexId, log: &mut UndoLog) -> Option<HalfEdgeId> {
         let rim: Vec<HalfEdgeId> = self.t.star(v).map(|h| self.t.twin(h.next())).collect();
-        self.flip_spokes_away(v, log);
+        let flipped = flip_spokes_away(&mut self.t, v, log);
         let spokes: Vec<HalfEdgeId> = self.t.star(v).collect();
         let h = spokes.iter().copied().find(|&h| self.t.is_marked(h))?;
         let opposite = self.t.ccw(self.t.ccw(h));
@@ -48,30 +48,8 @@ impl ConstrainedDelaunay {
             return None;
         }
         let e = self.t.mesh.unsplit_edge(h, log);
-        for outer in rim.into_iter().filter(|o| self.t.is_alive(o.face())) {
-            for h in self.t.twin(outer).face().half_edges() {
-                self.lawson.push(h);
-            }
-        }
-        self.lawson.legalise_all(&mut self.t, log);
+        legalise_hole(&mut self.t, &rim, &flipped, &mut self.lawson, log);
         Some(e)
-    }
-
-    /// Flips unconstrained spokes while there are more than one on a side.
-    fn flip_spokes_away(&mut self, v: VertexId, log: &mut UndoLog) {
-        let mut bound = self.t.star(v).count();
-        while bound > 0 && self.t.star(v).count() > 4 {
-            bound -= 1;
-            let Some(h) = self.t.star(v).find(|&h| self.is_ear(h)) else { return };
-            self.t.mesh.flip(h, log);
-        }
-    }
-
-    /// Whether spoke `h` may be flipped: unconstrained, with a strictly convex quadrilateral around it.
-    fn is_ear(&self, h: HalfEdgeId) -> bool {
-        let (a, b, c) = (self.t.dest(self.t.cw(h)), self.t.dest(h), self.t.dest(self.t.ccw(h)));
-        let finite = a.is_finite() && b.is_finite() && c.is_finite();
-        finite && a != c && !self.t.is_marked(h) && self.t.is_ccw(a, b, c) && self.t.is_ccw(a, c, self.t.origin(h))
     }
 
     fn merged_faces_are_ccw(&self, h: HalfEdgeId, opposite: HalfEdgeId) -> bool {

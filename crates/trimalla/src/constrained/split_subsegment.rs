@@ -77,7 +77,7 @@ impl ConstrainedDelaunay {
         for e in self.t.mesh.opposite_edges_after_split(h, n) {
             self.lawson.push(e);
         }
-        self.lawson.legalise_around::<true, _>(&mut self.t, j);
+        self.lawson.legalise_around::<true, _>(&mut self.t, p, j);
         self.last = n.face();
         Ok(v)
     }

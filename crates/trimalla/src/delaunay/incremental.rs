@@ -123,7 +123,8 @@ fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<VertexI
         }
     }
     t.mesh.relabel(&names, points.len());
-    t.points = points.to_vec();
+    t.points.clear();
+    t.points.extend_from_slice(points);
     t.lone = t.lone.map(|v| names[v.index()]);
     t.duplicates = same.iter().map(|&(v, w)| (names[v.index()], names[w.index()])).collect();
     t.duplicates.sort_unstable();

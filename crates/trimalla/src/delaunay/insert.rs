@@ -29,7 +29,7 @@ pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(t: &mut Triangulation,
         Locus::Nowhere => start(t, v, j),
     }
     if t.dimension == 2 {
-        lawson.legalise_around::<OUTGOING, J>(t, j);
+        lawson.legalise_around::<OUTGOING, J>(t, t.point(v), j);
     }
     true
 }

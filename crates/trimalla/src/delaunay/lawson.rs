@@ -1,6 +1,6 @@
 //! Lawson's loop: flip what fails the circle test until nothing does.
 
-use crate::geometry::{CircleSide, Orientation, in_circle_perturbed};
+use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -19,7 +19,7 @@ impl Lawson {
         self.stack.push(h);
     }
 
-    /// Legalises around a new vertex `q`: every edge on the stack lies opposite `q` in its own face.
+    /// Legalises around a new vertex at `q`: every edge on the stack lies opposite it in its own face.
     ///
     /// ```text
     ///            q                    q
@@ -36,11 +36,11 @@ impl Lawson {
     ///
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
-    #[inline]
-    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) {
+    #[inline(never)] // A loop on its own keeps its registers.
+    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(&mut self, t: &mut Triangulation, q: Point, j: &mut J) {
         while let Some(e) = self.stack.pop() {
             let o = t.mesh.twin(e);
-            if !t.mesh.is_marked(e) && conflicts(t, e, o) {
+            if !t.mesh.is_marked(e) && conflicts(t, e, o, q) {
                 self.flips += 1;
                 if OUTGOING {
                     t.mesh.flip(e, j);
@@ -64,7 +64,8 @@ impl Lawson {
                 continue;
             }
             let o = t.mesh.twin(e);
-            if conflicts(t, e, o) {
+            // A hull edge between a ghost and its face is legal.
+            if t.points.get(t.apex(e).index()).is_some_and(|&q| conflicts(t, e, o, q)) {
                 self.flips += 1;
                 t.mesh.flip(e, j);
                 self.stack.extend([e, e.next(), o, o.next()]);
@@ -78,15 +79,15 @@ impl Lawson {
     }
 }
 
-/// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included).
+/// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included), whose apex is at `q`.
 #[inline(always)]
-fn conflicts(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId) -> bool {
-    let [x, y, d, q] = [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o), t.mesh.apex(e)];
+fn conflicts(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId, q: Point) -> bool {
+    let [x, y, d] = [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o)];
     let point = |v: VertexId| t.points.get(v.index());
     // The vertex at infinity has no coordinates: the look-up doubles as the test for ghosts.
-    match (point(x), point(y), point(d), point(q)) {
-        (Some(&x), Some(&y), Some(&d), Some(&q)) => in_circle_perturbed(y, x, d, q) == CircleSide::Inside,
-        _ => ghost_conflicts(t, [x, y, d, q]),
+    match (point(x), point(y), point(d)) {
+        (Some(&x), Some(&y), Some(&d)) => in_circle_perturbed(y, x, d, q) == CircleSide::Inside,
+        _ => ghost_conflicts(t, [x, y, d], q),
     }
 }
 
@@ -95,7 +96,7 @@ fn conflicts(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId) -> bool {
 /// Across a spoke x–∞ the ghost beyond has a hull edge; the edge conflicts if the near corner sees it.
 #[cold]
 #[inline(never)]
-fn ghost_conflicts(t: &Triangulation, [x, y, d, q]: [VertexId; 4]) -> bool {
+fn ghost_conflicts(t: &Triangulation, [x, y, d]: [VertexId; 3], q: Point) -> bool {
     if t.closure == Closure::Domain || t.dimension < 2 {
         return false; // A domain's ghosts claim no convexity; a chain has nothing to flip.
     }
@@ -107,5 +108,5 @@ fn ghost_conflicts(t: &Triangulation, [x, y, d, q]: [VertexId; 4]) -> bool {
         return false; // A hull edge between a face and its ghost.
     };
     let [a, b] = hull_edge.map(|v| t.point(v));
-    crate::geometry::orient2d(a, b, t.point(q)) == Orientation::CounterClockwise
+    crate::geometry::orient2d(a, b, q) == Orientation::CounterClockwise
 }

@@ -29,4 +29,5 @@ pub use delaunay::{BuildError, Delaunay, Inserted};
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
 pub(crate) use order::along_curve;
-pub(crate) use remove::{RemoveError, remove_vertex};
+pub use remove::RemoveError;
+pub(crate) use remove::{flip_spokes_away, legalise_hole, remove_vertex};

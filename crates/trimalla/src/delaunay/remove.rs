@@ -5,7 +5,7 @@
 //! 2. * three faces around an inner vertex: they become one;
 //!    * four, the vertex on a diagonal of its neighbours: they become two (also on the border);
 //!    * a vertex on the hull whose neighbours form a convex path: the path is the new hull.
-//! 3. The edges of the hole and those flipped go to Lawson's loop.
+//! 3. The edges beside the hole's rim and those that flips made go to Lawson's loop: all there are inside.
 //!
 //! Each flip takes a spoke away, so there are fewer flips than neighbours; each is found by looking at the
 //! neighbours of the last. The result is the (constrained) Delaunay triangulation without the vertex,
@@ -49,24 +49,29 @@ pub(crate) fn remove_vertex<J: Journal>(t: &mut Triangulation, v: VertexId, laws
         1 => remove_from_chain(t, v, j),
         _ => {
             let rim: Vec<HalfEdgeId> = t.star(v).map(|h| h.next()).map(|h| t.twin(h)).collect();
-            remove_from_plane(t, v, j);
+            let flipped = flip_spokes_away(t, v, j);
+            take_out(t, v, j);
             lower_dimension(t, j);
-            legalise_hole(t, &rim, lawson, j);
+            legalise_hole(t, &rim, &flipped, lawson, j);
         }
     }
     Ok(())
 }
 
-/// The rim was kept as half-edges outside the hole, which flips and unsplits leave where they are.
-fn legalise_hole<J: Journal>(t: &mut Triangulation, rim: &[HalfEdgeId], lawson: &mut Lawson, j: &mut J) {
+/// Looks at every edge of the hole: those beside its rim, kept as half-edges outside it, which flips and unsplits leave
+/// where they are, and those that flips made.
+pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, rim: &[HalfEdgeId], flipped: &[[VertexId; 2]], lawson: &mut Lawson, j: &mut J) {
     if t.dimension < 2 {
         return;
     }
-    for &outer in rim {
-        if t.is_alive(outer.face()) {
-            for h in t.twin(outer).face().half_edges() {
-                lawson.push(h);
-            }
+    for &outer in rim.iter().filter(|o| t.is_alive(o.face())) {
+        for h in t.twin(outer).face().half_edges() {
+            lawson.push(h);
+        }
+    }
+    for &[a, c] in flipped {
+        if let Some(h) = t.half_edge_between(a, c) {
+            lawson.push(h);
         }
     }
     lawson.legalise_all(t, j);
@@ -101,21 +106,22 @@ fn remove_from_chain<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) 
     }
 }
 
-/// Flips spokes of `v` away and takes it out.
-fn remove_from_plane<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
+/// Flips spokes of `v` away as long as one is an ear; returns the ends of the edges made.
+pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) -> Vec<[VertexId; 2]> {
     let mut spokes: Vec<HalfEdgeId> = t.star(v).collect();
+    let mut made = Vec::new();
     while let Some(h) = spokes.pop() {
         // A spoke that was flipped away no longer starts at v.
         if t.origin(h) != v || !is_ear(t, h) {
             continue;
         }
-        let (before, after) = (t.cw(h), t.ccw(h));
-        let (a, c) = (t.dest(before), t.dest(after));
+        let (a, c) = (t.dest(t.cw(h)), t.dest(t.ccw(h)));
         t.mesh.flip(h, j);
+        made.push([a, c]);
         // The neighbours' ears changed; find their spokes again, their slots may have moved.
         spokes.extend(t.star(v).filter(|&s| t.dest(s) == a || t.dest(s) == c));
     }
-    take_out(t, v, j);
+    made
 }
 
 /// Whether spoke `h` = v→b between neighbours a (clockwise) and c (counter-clockwise) can be flipped:
@@ -129,9 +135,12 @@ fn remove_from_plane<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) 
 ///          a                   a
 /// ```
 fn is_ear(t: &Triangulation, h: HalfEdgeId) -> bool {
-    let (a, b, c) = (t.dest(t.cw(h)), t.dest(h), t.dest(t.ccw(h)));
+    let (before, after) = (t.cw(h), t.ccw(h));
+    let (a, b, c) = (t.dest(before), t.dest(h), t.dest(after));
     let finite = a.is_finite() && b.is_finite() && c.is_finite();
-    finite && a != c && t.is_ccw(a, b, c) && t.is_ccw(a, c, t.origin(h)) && !t.is_marked(h)
+    // Between two constrained spokes the last one stays: it is what their merging needs.
+    let locked = t.is_marked(h) || t.is_marked(before) && t.is_marked(after);
+    finite && a != c && !locked && t.is_ccw(a, b, c) && t.is_ccw(a, c, t.origin(h))
 }
 
 /// What is left when no ear is: step 2 of the prose above.

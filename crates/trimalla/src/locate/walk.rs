@@ -34,7 +34,7 @@ pub enum Walk {
     Blocked(HalfEdgeId),
 }
 
-/// After this many steps the order in which edges are looked at is varied.
+/// After this many steps the edge to cross, where there are two, is drawn.
 const CALM_STEPS: usize = 1 << 10;
 
 impl Triangulation {
@@ -102,48 +102,54 @@ impl Triangulation {
     }
 
     /// The visibility walk. `None` when the bound on steps was met.
+    ///
+    /// ```text
+    ///          c           p lies left of e, or on its line: where it lies
+    ///        /   \         in the face is a matter of the two other edges
+    ///     ca       bc
+    ///    /           \
+    ///   a ──── e ────> b
+    /// ```
     #[inline]
     fn walk(&self, start: FaceId, p: Point) -> Option<Locus> {
-        let mut face = self.real_face_near(start)?;
-        let mut entered = HalfEdgeId::NONE;
-        let mut spin = 0;
+        let mut e = self.real_face_near(start)?.half_edge(0);
+        let [mut a, mut b] = self.edge_points(e);
+        let mut side = orient2d(a, b, p);
+        if side == Orientation::Clockwise {
+            (e, side) = (self.twin(e), Orientation::CounterClockwise);
+            (a, b) = (b, a);
+        }
         let bound = CALM_STEPS + 4 * self.face_slots();
-        'steps: for step in 0..bound {
-            if step >= CALM_STEPS {
-                spin = vary(step);
-            }
-            let mut flat = [HalfEdgeId::NONE; 2];
-            for k in 0..3 {
-                let h = face.half_edge((k + spin) % 3);
-                if h == entered {
-                    continue;
-                }
-                match self.side_of(h, p) {
-                    Orientation::CounterClockwise => {}
-                    Orientation::Collinear => flat = [h, flat[0]],
-                    Orientation::Clockwise => {
-                        entered = self.twin(h);
-                        if !self.apex(entered).is_finite() {
-                            return Some(Locus::Outside(entered));
-                        }
-                        face = entered.face();
-                        continue 'steps;
-                    }
-                }
-            }
-            return Some(self.locus_in(face, flat));
+        for step in 0..bound {
+            let (bc, ca) = (e.next(), e.prev());
+            let Some(&c) = self.points.get(self.origin(ca).index()) else {
+                return Some(Locus::Outside(e)); // The face is a ghost.
+            };
+            let (beyond_bc, beyond_ca) = (orient2d(b, c, p), orient2d(c, a, p));
+            let cross_ca = match (beyond_bc, beyond_ca) {
+                (Orientation::Clockwise, Orientation::Clockwise) => step >= CALM_STEPS && vary(step),
+                (Orientation::Clockwise, _) => false,
+                (_, Orientation::Clockwise) => true,
+                _ => return Some(self.locus_in(e, [side, beyond_bc, beyond_ca])),
+            };
+            let crossed = if cross_ca { ca } else { bc };
+            (a, b) = if cross_ca { (a, c) } else { (c, b) };
+            (e, side) = (self.twin(crossed), Orientation::CounterClockwise);
         }
         None
     }
 
-    /// The locus of a point in a face, given the edges it is collinear with.
+    /// The locus of a point in the face of `e`, by its sides of `e` and the edges that follow, none of them clockwise.
     #[inline]
-    fn locus_in(&self, face: FaceId, flat: [HalfEdgeId; 2]) -> Locus {
-        match flat {
-            [HalfEdgeId::NONE, _] => Locus::Face(face),
-            [h, HalfEdgeId::NONE] => Locus::Edge(h),
-            [h, g] if g == h.next() => Locus::Vertex(self.origin(g)),
-            [h, _] => Locus::Vertex(self.origin(h)),
+    fn locus_in(&self, e: HalfEdgeId, sides: [Orientation; 3]) -> Locus {
+        match sides.map(|side| side == Orientation::Collinear) {
+            [false, false, false] => Locus::Face(e.face()),
+            [true, false, false] => Locus::Edge(e),
+            [false, true, false] => Locus::Edge(e.next()),
+            [false, false, true] => Locus::Edge(e.prev()),
+            [true, _, true] => Locus::Vertex(self.origin(e)),
+            [true, true, _] => Locus::Vertex(self.dest(e)),
+            [_, true, true] => Locus::Vertex(self.apex(e)),
         }
     }
 
@@ -175,13 +181,7 @@ impl Triangulation {
 
     /// The locus of a point in a face that contains it.
     fn locus_at(&self, f: FaceId, p: Point) -> Locus {
-        let mut flat = [HalfEdgeId::NONE; 2];
-        for h in f.half_edges() {
-            if self.side_of(h, p) == Orientation::Collinear {
-                flat = [h, flat[0]];
-            }
-        }
-        self.locus_in(f, flat)
+        self.locus_in(f.half_edge(0), f.half_edges().map(|h| self.side_of(h, p)))
     }
 
     /// Location in dimension −1, 0 and 1.
@@ -224,8 +224,32 @@ impl Triangulation {
     }
 }
 
-/// A fixed sequence of 0, 1, 2 without pattern.
-fn vary(step: usize) -> u32 {
-    let x = (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    ((x >> 33) % 3) as u32
+/// A fixed sequence of choices without pattern.
+fn vary(step: usize) -> bool {
+    (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::delaunay::Delaunay;
+
+    #[test]
+    fn a_walk_from_any_face_ends_where_the_scan_does() {
+        let points: Vec<Point> = (0..20u8).map(|i| Point::new(f64::from(i * 7 % 5), f64::from(i * 3 % 4))).collect();
+        let t = Delaunay::new(&points).expect("finite");
+        for (i, start) in (0..14 * 11u8).zip((0..t.face_slots()).cycle()) {
+            let p = Point::new(f64::from(i % 14) * 0.5 - 1.0, f64::from(i / 14) * 0.5 - 1.0);
+            for start in [start, start + 5, start + 11].map(|f| FaceId::from_index(f % t.face_slots())) {
+                match (t.locate_from(start, p), t.scan(p)) {
+                    (Locus::Edge(h), Some(Locus::Edge(g))) => assert!(h == g || h == t.twin(g), "{p} from {start}"),
+                    (Locus::Outside(h), None) => {
+                        assert!(t.is_ghost(h.face()), "{p} from {start}");
+                        assert_eq!(t.side_of(h, p), Orientation::CounterClockwise, "{p} from {start}");
+                    }
+                    (walked, scanned) => assert_eq!(Some(walked), scanned, "{p} from {start}"),
+                }
+            }
+        }
+    }
 }

@@ -223,7 +223,8 @@ impl HalfEdgeMesh {
 
     /// Gives every vertex with edges a half-edge of its own, in one pass; what bulk builders end with.
     pub(crate) fn keep_half_edges(&mut self, vertices: usize) {
-        self.outgoing = vec![HalfEdgeId::NONE; vertices];
+        self.outgoing.clear();
+        self.outgoing.resize(vertices, HalfEdgeId::NONE);
         for (i, &v) in self.origin.iter().enumerate() {
             if let Some(slot) = self.outgoing.get_mut(v.index()) {
                 *slot = HalfEdgeId::from_index(i);

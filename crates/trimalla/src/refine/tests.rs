@@ -116,9 +116,6 @@ fn the_result_does_not_depend_on_the_builder() {
             let (cdt, _) = r.finish();
             (cdt.points().to_vec(), cdt.canonical())
         });
-        let first = meshes[0].0.iter().zip(&meshes[1].0).position(|(a, b)| a != b);
-        eprintln!("first {first:?} {} {}", meshes[0].0.len(), meshes[1].0.len());
-        if let Some(f) = first { eprintln!("{:?} {:?}", &meshes[0].0[f - 2..f + 3], &meshes[1].0[f - 2..f + 3]); }
         assert!(meshes[0] == meshes[1], "{preset}: both builders lead to one mesh");
     }
 }
