@@ -110,13 +110,12 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
         + b_lift * (ca.abs() + ac.abs())
         + c_lift * (ab.abs() + ba.abs());
     let bound = CIRCLE_BOUND * magnitude + CIRCLE_GUARD;
-    let certain = (determinant.abs() > bound) & (a_lift + b_lift + c_lift < CIRCLE_LIFTS);
-    let side = if determinant > 0.0 {
-        CircleSide::Inside
+    // The first branch is nearly always taken; the second, which cannot be predicted, then waits for the sign alone.
+    if (determinant.abs() > bound) & (a_lift + b_lift + c_lift < CIRCLE_LIFTS) {
+        Some(if determinant > 0.0 { CircleSide::Inside } else { CircleSide::Outside })
     } else {
-        CircleSide::Outside
-    };
-    certain.then_some(side)
+        None
+    }
 }
 
 /// Decides what the filter left open.

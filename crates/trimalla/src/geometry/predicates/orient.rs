@@ -65,11 +65,7 @@ pub fn orient2d(a: Point, b: Point, c: Point) -> Orientation {
     let determinant = left - right;
     let bound = TWO_PRODUCTS_BOUND * (left.abs() + right.abs()) + UNDERFLOW_GUARD;
     if determinant.abs() > bound {
-        if determinant > 0.0 {
-            Orientation::CounterClockwise
-        } else {
-            Orientation::Clockwise
-        }
+        if determinant > 0.0 { Orientation::CounterClockwise } else { Orientation::Clockwise }
     } else {
         orient2d_exact(a, b, c)
     }
