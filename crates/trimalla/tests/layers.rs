@@ -25,6 +25,7 @@ const TIERS: &[&[&str]] = &[
     &["domain"],
     &["quality"],
     &["refine"],
+    &["facade"],
 ];
 
 /// The crates of the workspace and the crates of the workspace that each depends on.
