@@ -8,8 +8,6 @@ use crate::triangulation::{Closure, Triangulation};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lawson {
     stack: Vec<HalfEdgeId>,
-    /// Edges flipped since the last [`take_flips`](Self::take_flips).
-    flips: u64,
 }
 
 impl Lawson {
@@ -41,7 +39,6 @@ impl Lawson {
         while let Some(e) = self.stack.pop() {
             let o = t.mesh.twin(e);
             if !t.mesh.is_marked(e) && conflicts(t, e, o, q) {
-                self.flips += 1;
                 if OUTGOING {
                     t.mesh.flip(e, j);
                 } else {
@@ -66,16 +63,10 @@ impl Lawson {
             let o = t.mesh.twin(e);
             // A hull edge between a ghost and its face is legal.
             if t.points.get(t.apex(e).index()).is_some_and(|&q| conflicts(t, e, o, q)) {
-                self.flips += 1;
                 t.mesh.flip(e, j);
                 self.stack.extend([e, e.next(), o, o.next()]);
             }
         }
-    }
-
-    /// The number of flips since this was last asked.
-    pub(crate) fn take_flips(&mut self) -> u64 {
-        std::mem::take(&mut self.flips)
     }
 }
 

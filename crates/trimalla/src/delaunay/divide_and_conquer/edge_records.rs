@@ -142,6 +142,7 @@ impl EdgeRecords {
             .flat_map(|start| self.left_face(start))
     }
 
+    #[cfg(test)]
     /// The vertices of each triangle, counter-clockwise; triangles in the order of the first record of each.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         let triangle = |ab| self.triangle_begun_by(ab);
@@ -150,6 +151,7 @@ impl EdgeRecords {
             .map(|face| face.map(|e| self.origin(e)))
     }
 
+    #[cfg(test)]
     /// The edges of the triangle on the left of `ab`, if there is one and `ab` is the first of its records.
     ///
     /// The outer face has three edges too if the hull has three vertices: then one of them is the edge known as

@@ -1,0 +1,26 @@
+#!/bin/sh
+# Everything that must hold: format, lints, documentation, tests. Run it from anywhere.
+set -eu
+cd "$(dirname "$0")/.."
+
+step() { printf '\n== %s\n' "$1"; }
+
+if cargo fmt --version >/dev/null 2>&1; then
+    step "format"
+    cargo fmt --all --check
+else
+    echo "skipped: format (rustfmt is not installed)"
+fi
+if cargo clippy --version >/dev/null 2>&1; then
+    step "lints"
+    cargo clippy --quiet --locked --workspace --all-targets -- -D warnings
+else
+    echo "skipped: lints (clippy is not installed)"
+fi
+step "documentation"
+RUSTDOCFLAGS="-D warnings" cargo doc --quiet --locked --workspace --no-deps --document-private-items
+step "tests"
+cargo test --locked --workspace
+step "examples"
+cargo run --quiet --locked -p trimalla --example five_points
+cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1
