@@ -44,3 +44,8 @@ pub mod refine;
 pub mod triangulation;
 
 pub use facade::{DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, triangulate};
+
+/// The README's example, compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -12,7 +12,7 @@ use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, Lawson, Remo
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{Checkpoint, Column, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
-use crate::triangulation::{Closure, Fault, Triangulation};
+use crate::triangulation::{Closure, Triangulation};
 
 /// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.
 pub type SegmentId = u32;
@@ -171,12 +171,6 @@ impl ConstrainedDelaunay {
     #[must_use]
     pub fn steiner_vertices(&self) -> usize {
         self.t.points.len() - self.input_points - self.t.free_vertices().iter().filter(|v| v.index() >= self.input_points).count()
-    }
-
-    /// Every broken invariant, the constrained circle test included.
-    #[must_use]
-    pub fn check(&self) -> Vec<Fault> {
-        self.t.check_delaunay()
     }
 
     /// Inserts a point; on a constrained edge it parts it.

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::fmt;
+use std::sync::Arc;
 
 use super::bad_triangles::{Badness, Queue, Test, sorted};
 use super::encroachment::Region;
@@ -25,14 +26,15 @@ const PROGRESS_EVERY: u64 = 128;
 /// Input vertices are neither moved nor removed, input segments stay chains of edges, and the triangulation is
 /// constrained Delaunay after every step. The same input and options give the same mesh, whatever algorithm built
 /// the triangulation.
+#[derive(Clone)]
 pub struct Refinement {
     pub(super) cdt: ConstrainedDelaunay,
     pub(super) options: RefineOptions,
-    pub(super) prepare: Box<dyn PrepareStep + Send + Sync>,
-    select: Box<dyn SelectStep + Send + Sync>,
-    point: Box<dyn PointStep + Send + Sync>,
-    insert: Box<dyn InsertStep + Send + Sync>,
-    recover: Box<dyn RecoverStep + Send + Sync>,
+    pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
+    select: Arc<dyn SelectStep + Send + Sync>,
+    point: Arc<dyn PointStep + Send + Sync>,
+    insert: Arc<dyn InsertStep + Send + Sync>,
+    recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
     pub(super) ruler: Ruler,
     pub(super) test: Test,

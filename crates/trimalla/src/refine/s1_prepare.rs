@@ -1,5 +1,7 @@
 //! Step 1: segments before points.
 
+use std::sync::Arc;
+
 use super::encroachment::Region;
 use super::recipe::{Prepare, Recipe};
 use super::steps::{PrepareStep, View};
@@ -31,9 +33,9 @@ impl PrepareStep for SplitEncroached {
 }
 
 /// The step of a recipe.
-pub(super) fn step(recipe: &Recipe, region: Region) -> Box<dyn PrepareStep + Send + Sync> {
+pub(super) fn step(recipe: &Recipe, region: Region) -> Arc<dyn PrepareStep + Send + Sync> {
     match recipe.prepare {
-        Prepare::None => Box::new(LeaveSegments),
-        Prepare::SplitEncroached => Box::new(SplitEncroached(region)),
+        Prepare::None => Arc::new(LeaveSegments),
+        Prepare::SplitEncroached => Arc::new(SplitEncroached(region)),
     }
 }

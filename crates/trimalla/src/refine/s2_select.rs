@@ -1,5 +1,7 @@
 //! Step 2: which bad triangle is next.
 
+use std::sync::Arc;
+
 use super::recipe::{Recipe, Select};
 use super::ruler::Ruler;
 use super::steps::SelectStep;
@@ -31,9 +33,9 @@ impl SelectStep for SmallestAngle {
 }
 
 /// The step of a recipe.
-pub(super) fn step(recipe: &Recipe) -> Box<dyn SelectStep + Send + Sync> {
+pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {
     match recipe.select {
-        Select::ShortestEdge => Box::new(ShortestEdge),
-        Select::SmallestAngle => Box::new(SmallestAngle),
+        Select::ShortestEdge => Arc::new(ShortestEdge),
+        Select::SmallestAngle => Arc::new(SmallestAngle),
     }
 }

@@ -8,6 +8,8 @@
 //!        p ───── q
 //! ```
 
+use std::sync::Arc;
+
 use super::recipe::{PlacePoint, Recipe};
 use super::steps::{PointStep, Proposal, View};
 use crate::geometry::{Point, Triangle, math};
@@ -76,9 +78,9 @@ fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
 }
 
 /// The step of a recipe, for an angle bound in radians.
-pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Box<dyn PointStep + Send + Sync> {
+pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send + Sync> {
     match recipe.point {
-        PlacePoint::Circumcenter => Box::new(Circumcenter),
-        PlacePoint::OffCenter => Box::new(OffCenter::new(min_angle)),
+        PlacePoint::Circumcenter => Arc::new(Circumcenter),
+        PlacePoint::OffCenter => Arc::new(OffCenter::new(min_angle)),
     }
 }

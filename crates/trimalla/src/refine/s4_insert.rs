@@ -1,5 +1,7 @@
 //! Step 4: how the new vertex goes in.
 
+use std::sync::Arc;
+
 use super::recipe::{Insert, Recipe};
 use super::steps::InsertStep;
 use crate::constrained::ConstrainedDelaunay;
@@ -21,8 +23,8 @@ impl InsertStep for Flip {
 }
 
 /// The step of a recipe.
-pub(super) fn step(recipe: &Recipe) -> Box<dyn InsertStep + Send + Sync> {
+pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {
     match recipe.insert {
-        Insert::Flip => Box::new(Flip),
+        Insert::Flip => Arc::new(Flip),
     }
 }

@@ -1,5 +1,7 @@
 //! Step 5: what becomes of interior segments.
 
+use std::sync::Arc;
+
 use super::recipe::{Recipe, Recover};
 use super::steps::RecoverStep;
 
@@ -17,8 +19,8 @@ impl RecoverStep for WholeEdge {
 }
 
 /// The step of a recipe.
-pub(super) fn step(recipe: &Recipe) -> Box<dyn RecoverStep + Send + Sync> {
+pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
     match recipe.recover {
-        Recover::WholeEdge => Box::new(WholeEdge),
+        Recover::WholeEdge => Arc::new(WholeEdge),
     }
 }

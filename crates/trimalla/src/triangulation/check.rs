@@ -50,6 +50,15 @@ pub enum Fault {
     NotDelaunay(HalfEdgeId),
     /// A boundary edge of a domain carries no mark.
     BoundaryNotConstrained(HalfEdgeId),
+    /// I13: the edges of an input segment are not one chain from its start to its end.
+    SegmentBroken(u32),
+    /// I13: a chain does not run along its input segment at this vertex.
+    OffSegment {
+        /// The input segment.
+        segment: u32,
+        /// The vertex.
+        vertex: VertexId,
+    },
 }
 
 impl fmt::Display for Fault {
@@ -70,6 +79,8 @@ impl fmt::Display for Fault {
             Self::NotFinite(v) => write!(f, "vertex {v} is not finite"),
             Self::Dimension(d) => write!(f, "dimension {d} does not fit the faces"),
             Self::NotDelaunay(h) => write!(f, "edge {h} fails the circle test"),
+            Self::SegmentBroken(s) => write!(f, "the edges of segment {s} are not one chain"),
+            Self::OffSegment { segment, vertex } => write!(f, "vertex {vertex} is out of place on segment {segment}"),
             Self::BoundaryNotConstrained(h) => write!(f, "boundary edge {h} is not constrained"),
         }
     }

@@ -1,0 +1,52 @@
+//! The checker of the constrained layer.
+
+use super::constrained::{ConstrainedDelaunay, SegmentId};
+use crate::geometry::{Orientation, Point, orient2d};
+use crate::mesh::VertexId;
+use crate::triangulation::{Closure, Fault};
+
+/// Crossings bend a segment by their rounding; this many units in the last place of its largest coordinate are allowed.
+const BEND_ULPS: f64 = 16.0;
+
+impl ConstrainedDelaunay {
+    /// Every broken invariant: those of the triangulation, the constrained circle test, and the chains of segments.
+    ///
+    /// # Complexity
+    /// Linear, and the degrees of the vertices on segments.
+    #[must_use]
+    pub fn check(&self) -> Vec<Fault> {
+        let mut faults = self.t.check_delaunay();
+        if faults.is_empty() {
+            for segment in 0..self.segments.len() as SegmentId {
+                faults.extend(self.segment_fault(segment));
+            }
+        }
+        faults
+    }
+
+    /// I13: a segment is a chain of edges from its start to its end, along it. In a carved domain parts may be missing.
+    fn segment_fault(&self, segment: SegmentId) -> Option<Fault> {
+        let [a, b] = self.segments[segment as usize];
+        let chain = self.chain(segment);
+        let end = chain.last().map_or(a, |&h| self.dest(h));
+        if end != b && self.closure() == Closure::Hull && !chain.is_empty() {
+            return Some(Fault::SegmentBroken(segment));
+        }
+        let ends = [a, b].map(|v| self.point(v));
+        let inner = chain.iter().map(|&h| self.dest(h)).filter(|&v| v != b);
+        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v));
+        off.map(|vertex| Fault::OffSegment { segment, vertex })
+    }
+
+    /// Exactly on the segment, or as near as the rounding of a split or crossing allows (which may fall on a vertex).
+    fn lies_along(&self, [a, b]: [Point; 2], v: VertexId) -> bool {
+        let p = self.point(v);
+        if orient2d(a, b, p) == Orientation::Collinear {
+            return true;
+        }
+        let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        let ab = b - a;
+        let off = ab.cross(p - a).abs() / ab.length_sq().sqrt();
+        !(off > BEND_ULPS * f64::EPSILON * largest) // NaN from overflow is no proof of a fault.
+    }
+}
