@@ -6,6 +6,7 @@ mod facade;
 pub mod geometry;
 pub mod locate;
 pub mod mesh;
+pub mod quality;
 pub mod refine;
 pub mod triangulation;
 

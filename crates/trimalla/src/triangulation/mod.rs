@@ -8,6 +8,7 @@
 
 mod canonical;
 mod check;
+mod check_indexed;
 mod compact;
 mod indexed;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
@@ -15,6 +16,8 @@ mod triangulation;
 mod undo;
 
 pub use check::Fault;
+pub use check_indexed::{MeshFault, MeshVertex, check_mesh, check_mesh_delaunay};
+pub(crate) use check_indexed::{Side, Sides, is_sound, vertex as mesh_vertex};
 pub use compact::CompactMap;
 pub use indexed::IndexedMesh;
 pub use triangulation::{Closure, Triangulation};
