@@ -47,8 +47,14 @@ pub(crate) struct Options {
 
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60
     ///
-    /// Refinement is proved to end up to 26.5 degrees or so and does end up to 33 or so. Beyond, the vertex budget ends it.
-    #[arg(long, value_name = "DEGREES", default_value_t = Criteria::default().min_angle.degrees(), allow_negative_numbers = true, help_heading = "Refinement")]
+    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, the vertex budget ends it.
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value = "30",
+        allow_negative_numbers = true,
+        help_heading = "Refinement"
+    )]
     min_angle: f64,
 
     /// The largest area that a triangle may have, in squared units of the drawing [default: no limit]
