@@ -11,6 +11,7 @@ use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
 use crate::commands::{check, convert, list, mesh, stats, triangulate};
+use crate::console;
 use crate::exit::STATUSES;
 
 /// Triangulates planar drawings and refines them into meshes of good triangles
@@ -105,6 +106,14 @@ pub(crate) struct ReportOptions {
     /// No report, no warnings, no progress; errors only
     #[arg(short, long, help_heading = "Output")]
     pub(crate) quiet: bool,
+}
+
+impl ReportOptions {
+    /// Shows warnings, if they are wanted.
+    pub(crate) fn warn(&self, warnings: &[String]) {
+        let shown = warnings.iter().filter(|_| !self.quiet);
+        shown.for_each(|warning| console::note("warning", warning));
+    }
 }
 
 /// Parses one of a table of keys, each with a line of help and the value that it stands for.

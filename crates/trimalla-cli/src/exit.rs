@@ -106,7 +106,7 @@ impl From<IoError> for Failure {
         };
         let failure = Self::new(status, error.to_string());
         match error {
-            IoError::UnknownInput { .. } | IoError::UnknownOutput { .. } => {
+            IoError::UnknownOutput { .. } => {
                 failure.hint("'trimalla list' names the formats; --format names that of an output")
             }
             IoError::Missing {

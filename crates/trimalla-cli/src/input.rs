@@ -55,7 +55,13 @@ impl<T> Input<T> {
 
 /// Reads a drawing.
 pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
-    Ok(Input::of(read_pslg_numbered(path)?))
+    let read = read_pslg_numbered(path).map_err(Failure::from);
+    match Format::from_path(path) {
+        Some(Format::Ele) => read.map(Input::of).map_err(|failure| {
+            failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")
+        }),
+        _ => read.map(Input::of),
+    }
 }
 
 /// Reads a mesh.

@@ -44,20 +44,20 @@ impl Outputs {
         Ok(Self { targets })
     }
 
-    /// Writes a mesh everywhere.
-    pub(crate) fn write_mesh(&self, mesh: &IndexedMesh) -> Result<(), Failure> {
-        self.write(|out, target| out.add_mesh(&target.path, mesh, &target.options))
+    /// Writes a mesh everywhere; files appear when what is returned is committed.
+    pub(crate) fn prepare_mesh(&self, mesh: &IndexedMesh) -> Result<Prepared, Failure> {
+        self.prepare(|out, target| out.add_mesh(&target.path, mesh, &target.options))
     }
 
-    /// Writes a drawing everywhere.
-    pub(crate) fn write_drawing(&self, pslg: &Pslg) -> Result<(), Failure> {
-        self.write(|out, target| out.add_pslg(&target.path, pslg, &target.options))
+    /// Writes a drawing everywhere; files appear when what is returned is committed.
+    pub(crate) fn prepare_drawing(&self, pslg: &Pslg) -> Result<Prepared, Failure> {
+        self.prepare(|out, target| out.add_pslg(&target.path, pslg, &target.options))
     }
 
-    fn write(
+    fn prepare(
         &self,
         add: impl Fn(&mut io::Outputs, &Target) -> Result<(), IoError>,
-    ) -> Result<(), Failure> {
+    ) -> Result<Prepared, Failure> {
         let mut prepared = io::Outputs::default();
         for target in &self.targets {
             match add(&mut prepared, target) {
@@ -65,11 +65,11 @@ impl Outputs {
                 added => added?,
             }
         }
-        Ok(prepared.commit()?)
+        Ok(Prepared(prepared))
     }
 
-    /// The files written, for the report.
-    pub(crate) fn written(&self) -> Vec<String> {
+    /// The files that appear, for the report.
+    pub(crate) fn files(&self) -> Vec<String> {
         let files = self.targets.iter().filter(|t| !t.is_stream());
         files.flat_map(|t| &t.files).map(|f| shown(f)).collect()
     }
@@ -86,6 +86,18 @@ impl Outputs {
             (false, false, true) => Ok(Stream::Stderr),
             _ => Ok(Stream::Stdout),
         }
+    }
+}
+
+/// Complete outputs that wait for the last thing that may fail. Dropped, they leave no trace.
+#[derive(Debug)]
+#[must_use]
+pub(crate) struct Prepared(io::Outputs);
+
+impl Prepared {
+    /// Puts the files in their places.
+    pub(crate) fn commit(self) -> Result<(), Failure> {
+        Ok(self.0.commit()?)
     }
 }
 

@@ -82,10 +82,10 @@ pub(crate) fn angles([least, most]: [f64; 2]) -> String {
 }
 
 /// Time and files.
-pub(crate) fn add_end(lines: &mut Lines, seconds: f64, written: &[String]) {
+pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
     lines.row("time", format_args!("{seconds:.3} s"));
-    if !written.is_empty() {
-        lines.row("written", written.join(", "));
+    if !files.is_empty() {
+        lines.row("output", files.join(", "));
     }
 }
 

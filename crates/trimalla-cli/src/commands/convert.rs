@@ -47,19 +47,20 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let mesh = read_mesh(&options.input)?;
         let outputs = Outputs::plan(&output, &mesh)?;
         progress::begin_writing()?;
-        outputs.write_mesh(&mesh.value)?;
+        outputs.prepare_mesh(&mesh.value)?.commit()?;
     } else {
         let drawing = read_drawing(&options.input)?;
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
-        outputs
-            .write_drawing(&drawing.value)
-            .map_err(|failure| match output_format(options) {
+        let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| {
+            match output_format(options) {
                 Some(Format::Ele | Format::Edge | Format::Neigh) => {
                     failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
                 }
                 _ => failure,
-            })?;
+            }
+        })?;
+        prepared.commit()?;
     }
     Ok(Status::Done)
 }

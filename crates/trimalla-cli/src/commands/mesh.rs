@@ -4,13 +4,16 @@ use std::time::Instant;
 
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::Pslg;
 use trimalla::geometry::Angle;
-use trimalla::refine::{Criteria, Encroachment, Limits, Preset, Protect, RefineOptions, Select};
+use trimalla::refine::{
+    Criteria, Encroachment, Limits, Preset, Protect, RefineOptions, Report, Select,
+};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{Error, MeshOptions, Meshed};
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
-use crate::console::{self, note};
+use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
 use crate::names::Names;
@@ -141,72 +144,78 @@ impl Options {
         }
     }
 
-    /// Triangulates and refines; seconds beside the result.
-    fn mesh(
-        &self,
-        names: &Names<'_>,
-        input: &Input<trimalla::domain::Pslg>,
-    ) -> Result<(Meshed, f64), Failure> {
+    /// Triangulates and refines.
+    fn mesh(&self, drawing: &Input<Pslg>) -> Result<Made, Failure> {
+        let names = Names::of(drawing);
         let start = Instant::now();
         let mut watch = Watch::new(!self.report.json && !self.report.quiet);
-        let meshed = trimalla::mesh_with(&input.value, &self.mesh_options(), &mut watch);
+        let meshed = trimalla::mesh_with(&drawing.value, &self.mesh_options(), &mut watch);
         let seconds = start.elapsed().as_secs_f64();
         match meshed {
-            Ok(meshed) => Ok((meshed, seconds)),
+            Ok(Meshed {
+                mesh,
+                report,
+                warnings,
+            }) => Ok(Made {
+                mesh,
+                report,
+                seconds,
+                warnings: warnings.iter().map(|w| names.warning(w)).collect(),
+            }),
             Err(Error::Domain(error)) => Err(names.failure(&error)),
             Err(Error::Option(error)) => Err(error.into()),
             Err(other) => Err(Failure::bad_input(other.to_string())),
         }
     }
+
+    /// The report for people.
+    fn text(&self, drawing: &Input<Pslg>, made: &Made, files: &[String]) -> String {
+        let mut lines = text::Lines::default();
+        lines.heading(text::of_drawing(drawing));
+        lines.row("algorithm", self.algorithm);
+        text::add_counts(&mut lines, &made.mesh);
+        text::add_outcome(&mut lines, &made.report, self.min_angle);
+        text::add_end(&mut lines, made.seconds, files);
+        lines.into_text()
+    }
+}
+
+/// A mesh and what there is to say about it.
+struct Made {
+    mesh: IndexedMesh,
+    report: Report,
+    seconds: f64,
+    warnings: Vec<String>,
 }
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.mesh_options().refine.validate()?;
+    progress::handle_ctrl_c();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = Outputs::plan(&options.output, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
-    progress::handle_ctrl_c();
-    let names = Names::of(&drawing);
-    let (
-        Meshed {
+    let made = options.mesh(&drawing)?;
+    progress::begin_writing()?;
+    options.report.warn(&made.warnings);
+    let prepared = outputs.prepare_mesh(&made.mesh)?;
+    if options.report.json {
+        let Made {
             mesh,
             report,
-            warnings,
-        },
-        seconds,
-    ) = options.mesh(&names, &drawing)?;
-    progress::begin_writing()?;
-    let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
-    if !options.report.quiet {
-        warnings.iter().for_each(|w| note("warning", w));
-    }
-    outputs.write_mesh(&mesh)?;
-    if options.report.json {
-        json::print(&json::of_meshing(
-            &mesh,
-            &report,
-            options.algorithm.key(),
             seconds,
-            &warnings,
-        ))?;
+            warnings,
+        } = &made;
+        let key = options.algorithm.key();
+        json::print(&json::of_meshing(mesh, report, key, *seconds, warnings))?;
     } else {
-        let mut lines = text::Lines::default();
-        lines.heading(text::of_drawing(&drawing));
-        lines.row("algorithm", options.algorithm);
-        text::add_counts(&mut lines, &mesh);
-        text::add_outcome(&mut lines, &report, options.min_angle);
-        text::add_end(&mut lines, seconds, &outputs.written());
-        console::write(stream, &lines.into_text())?;
+        let text = options.text(&drawing, &made, &outputs.files());
+        console::write(stream, &text)?;
     }
-    Ok(status_of(&mesh, drawing.first_index, &report))
-}
-
-/// The status that a report earns; what limits left over is named.
-fn status_of(mesh: &IndexedMesh, first_index: u32, report: &trimalla::refine::Report) -> Status {
-    if report.complete() {
-        return Status::Done;
+    prepared.commit()?;
+    if made.report.complete() {
+        return Ok(Status::Done);
     }
-    text::name_leftovers(mesh, first_index, report);
-    Status::Unmet
+    text::name_leftovers(&made.mesh, drawing.first_index, &made.report);
+    Ok(Status::Unmet)
 }

@@ -6,7 +6,7 @@ use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
-use crate::console::{self, note};
+use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::read_drawing;
 use crate::names::Names;
@@ -43,10 +43,10 @@ pub(crate) struct Options {
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
+    progress::handle_ctrl_c();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = Outputs::plan(&options.output, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
-    progress::handle_ctrl_c();
     let names = Names::of(&drawing);
     let start = Instant::now();
     let made = trimalla::triangulate(
@@ -57,10 +57,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let seconds = start.elapsed().as_secs_f64();
     progress::begin_writing()?;
     let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
-    if !options.report.quiet {
-        warnings.iter().for_each(|w| note("warning", w));
-    }
-    outputs.write_mesh(&mesh)?;
+    options.report.warn(&warnings);
+    let prepared = outputs.prepare_mesh(&mesh)?;
     let angles_deg = text::extreme_angles_deg(&mesh);
     if options.report.json {
         json::print(&json::of_triangulation(
@@ -70,14 +68,15 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             seconds,
             &warnings,
         ))?;
-        return Ok(Status::Done);
+    } else {
+        let mut lines = text::Lines::default();
+        lines.heading(text::of_drawing(&drawing));
+        lines.row("algorithm", options.algorithm);
+        text::add_counts(&mut lines, &mesh);
+        lines.row("angles", text::angles(angles_deg));
+        text::add_end(&mut lines, seconds, &outputs.files());
+        console::write(stream, &lines.into_text())?;
     }
-    let mut lines = text::Lines::default();
-    lines.heading(text::of_drawing(&drawing));
-    lines.row("algorithm", options.algorithm);
-    text::add_counts(&mut lines, &mesh);
-    lines.row("angles", text::angles(angles_deg));
-    text::add_end(&mut lines, seconds, &outputs.written());
-    console::write(stream, &lines.into_text())?;
+    prepared.commit()?;
     Ok(Status::Done)
 }
