@@ -6,8 +6,8 @@ mod facade;
 pub mod geometry;
 pub mod locate;
 pub mod mesh;
-pub mod quality;
 pub mod refine;
+pub mod quality;
 pub mod triangulation;
 
 pub use facade::{DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, triangulate};
