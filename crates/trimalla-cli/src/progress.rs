@@ -9,7 +9,7 @@
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::refine::{Observer, Progress};
 
 use crate::console;
@@ -28,9 +28,8 @@ pub(crate) fn handle_ctrl_c() {
     let handler = || {
         let is_first = !INTERRUPTED.swap(true, Ordering::SeqCst);
         if !(is_first && PATIENT.load(Ordering::SeqCst)) {
-            if is_first {
-                console::note("error", MESSAGE);
-            }
+            // Files may be appearing when there is a second one.
+            console::note("error", if is_first { MESSAGE } else { "interrupted" });
             process::exit(Status::Interrupted as i32);
         }
     };
@@ -74,7 +73,8 @@ impl Observer for Watch {
     fn progress(&mut self, progress: Progress) -> bool {
         PATIENT.store(true, Ordering::SeqCst);
         if !self.line.is_hidden() {
-            self.line.set_message(progress.waiting.to_string());
+            self.line
+                .set_message(HumanCount(progress.waiting as u64).to_string());
             self.line.set_position(progress.vertices as u64);
         }
         !INTERRUPTED.load(Ordering::SeqCst)

@@ -216,6 +216,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if made.report.complete() {
         return Ok(Status::Done);
     }
-    text::name_leftovers(&made.mesh, drawing.first_index, &made.report);
+    if !options.report.quiet {
+        text::name_leftovers(&made.mesh, drawing.first_index, &made.report);
+    }
     Ok(Status::Unmet)
 }
