@@ -1,2 +1,35 @@
-//! The program `trimalla`.
-fn main() {}
+//! The program `trimalla`: a drawing in, a good mesh out.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`args`] | what the command line may say |
+//! | [`commands`] | one file a subcommand |
+//! | [`input`] | drawings and meshes with the names that their files give to things |
+//! | [`names`], [`records`] | faults and warnings in the numbers and lines of the file |
+//! | [`outputs`] | what goes where, checked before any work |
+//! | [`progress`] | the progress line, and Ctrl-C |
+//! | [`text`], [`json`] | what came of it, for people and for programs |
+//! | [`console`], [`exit`] | the two streams and the exit status |
+
+mod args;
+mod commands;
+mod console;
+mod exit;
+mod input;
+mod json;
+mod names;
+mod outputs;
+mod progress;
+mod records;
+mod text;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    match commands::run(args::Program::parse()) {
+        Ok(status) => status.into(),
+        Err(failure) => failure.report().into(),
+    }
+}

@@ -9,6 +9,7 @@
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
 //! | a drawing, and a path | [`write_pslg`] |
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
+//! | several outputs, all of them or none | [`Outputs`] |
 //! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`] |
 //!
 //! | format | holds | module |
@@ -71,5 +72,5 @@ pub use numbers::VertexRange;
 pub use read::{Numbered, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
 pub use svg::SvgOptions;
 pub use write::{
-    WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
+    Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
 };

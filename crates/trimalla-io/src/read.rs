@@ -20,6 +20,8 @@ pub struct Numbered<T> {
     pub value: T,
     /// The number of the first vertex in the file: 0 or 1. Hand it to [`WriteOptions`](crate::WriteOptions) to keep it.
     pub first_index: u32,
+    /// The files that were read, the one with the name asked for first; empty for standard input.
+    pub files: Vec<PathBuf>,
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file, the stem of
@@ -44,6 +46,7 @@ pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoEr
         return Ok(Numbered {
             first_index: poly.nodes.first_index,
             value: poly.into_pslg(),
+            files: Vec::new(),
         });
     }
     match Format::from_path(path) {
@@ -53,6 +56,7 @@ pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoEr
             Ok(Numbered {
                 first_index: nodes.first_index,
                 value: nodes.into_pslg(),
+                files: vec![path.to_owned()],
             })
         }
         None => match of_stem(path, &[Format::Poly, Format::Node]) {
@@ -90,12 +94,17 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
 
 fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {
     let bytes = read_file(path, None)?;
+    let mut files = vec![path.to_owned()];
     let poly = poly::read(&bytes, &name_of(path), || {
-        read_nodes(&companion(path, Format::Node), Some(path))
+        let beside = companion(path, Format::Node);
+        let nodes = read_nodes(&beside, Some(path))?;
+        files.push(beside);
+        Ok(nodes)
     })?;
     Ok(Numbered {
         first_index: poly.nodes.first_index,
         value: poly.into_pslg(),
+        files,
     })
 }
 
@@ -106,7 +115,8 @@ fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
 /// Reads the files of a mesh, given its `.ele` file.
 fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
     let bytes = read_file(path, None)?;
-    let nodes = read_nodes(&companion(path, Format::Node), Some(path))?;
+    let mut files = vec![path.to_owned(), companion(path, Format::Node)];
+    let nodes = read_nodes(&files[1], Some(path))?;
     let (range, first_index) = (nodes.range(), nodes.first_index);
     let elements = ele::read(&bytes, &name_of(path), range)?;
     drop(bytes);
@@ -117,6 +127,7 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
             poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?
         }
     };
+    files.extend(sections.is_some().then_some(drawing));
     let Sections {
         segments,
         segment_markers,
@@ -135,6 +146,7 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
     Ok(Numbered {
         value: mesh,
         first_index,
+        files,
     })
 }
 

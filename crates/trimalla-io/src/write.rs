@@ -80,11 +80,94 @@ pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
     }
 }
 
-/// Writes a mesh in the format that the ending of `path` says.
+/// Outputs that appear together or not at all.
 ///
-/// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone, `.poly` the
-/// vertices, subsegments and holes in one file. Files appear whole, a group together, or not at all. Pipes, devices and `-`
-/// (standard output) are written directly, and to them `.ele` writes the triangles alone.
+/// ```no_run
+/// # fn main() -> Result<(), trimalla_io::IoError> {
+/// # let mesh = trimalla::triangulation::IndexedMesh::default();
+/// use trimalla_io::{Outputs, WriteOptions};
+///
+/// let mut outputs = Outputs::default();
+/// outputs.add_mesh("key.1.ele", &mesh, &WriteOptions::default())?;
+/// outputs.add_mesh("key.svg", &mesh, &WriteOptions::default())?;
+/// outputs.commit()
+/// # }
+/// ```
+#[derive(Debug, Default)]
+pub struct Outputs {
+    group: Group,
+}
+
+impl Outputs {
+    /// Prepares a mesh in the format that the ending of `path` says.
+    ///
+    /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone, `.poly` the
+    /// vertices, subsegments and holes in one file. Pipes, devices and `-` (standard output) are written at once, and to them
+    /// `.ele` writes the triangles alone; add them last, as they cannot be taken back.
+    ///
+    /// # Errors
+    /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
+    pub fn add_mesh(
+        &mut self,
+        path: impl AsRef<Path>,
+        mesh: &IndexedMesh,
+        options: &WriteOptions,
+    ) -> Result<(), IoError> {
+        let path = path.as_ref();
+        let format = options.format_for(path, MESH_ENDINGS)?;
+        if !is_group(path, options) {
+            return self
+                .group
+                .add(path, |out| write_mesh_to(out, format, mesh, options));
+        }
+        let first_index = options.first_index;
+        self.group.add(&member(path, Format::Node), |out| {
+            node::write(out, mesh, first_index)
+        })?;
+        self.group.add(&member(path, Format::Ele), |out| {
+            ele::write(out, mesh, first_index)
+        })?;
+        self.group.add(&member(path, Format::Poly), |out| {
+            poly::write_beside_node(out, mesh, first_index)
+        })
+    }
+
+    /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node`
+    /// (the vertices alone) or `.svg`.
+    ///
+    /// # Errors
+    /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
+    pub fn add_pslg(
+        &mut self,
+        path: impl AsRef<Path>,
+        pslg: &Pslg,
+        options: &WriteOptions,
+    ) -> Result<(), IoError> {
+        let path = path.as_ref();
+        let format = options.format_for(path, PSLG_ENDINGS)?;
+        if !matches!(format, Format::Poly | Format::Node | Format::Svg) {
+            return Err(IoError::UnknownOutput {
+                path: path.to_owned(),
+                expected: PSLG_ENDINGS,
+            });
+        }
+        self.group
+            .add(path, |out| write_pslg_to(out, format, pslg, options))
+    }
+
+    /// Puts every file in its place. Without this call, old files stay as they are and nothing new appears.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    pub fn commit(self) -> Result<(), IoError> {
+        self.group.commit()
+    }
+}
+
+const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh or .svg";
+const PSLG_ENDINGS: &str = ".poly, .node or .svg";
+
+/// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].
 ///
 /// # Errors
 /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
@@ -93,24 +176,9 @@ pub fn write_mesh(
     mesh: &IndexedMesh,
     options: &WriteOptions,
 ) -> Result<(), IoError> {
-    let path = path.as_ref();
-    let format = options.format_for(path, ".node, .ele, .poly, .edge, .neigh or .svg")?;
-    let mut group = Group::default();
-    if is_group(path, options) {
-        let first_index = options.first_index;
-        group.add(&member(path, Format::Node), |out| {
-            node::write(out, mesh, first_index)
-        })?;
-        group.add(&member(path, Format::Ele), |out| {
-            ele::write(out, mesh, first_index)
-        })?;
-        group.add(&member(path, Format::Poly), |out| {
-            poly::write_beside_node(out, mesh, first_index)
-        })?;
-    } else {
-        group.add(path, |out| write_mesh_to(out, format, mesh, options))?;
-    }
-    group.commit()
+    let mut outputs = Outputs::default();
+    outputs.add_mesh(path, mesh, options)?;
+    outputs.commit()
 }
 
 /// Writes a mesh in one format to a stream.
@@ -134,8 +202,7 @@ pub fn write_mesh_to(
     }
 }
 
-/// Writes a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node` (the
-/// vertices alone) or `.svg`.
+/// Writes a drawing in the format that the ending of `path` says: see [`Outputs::add_pslg`].
 ///
 /// # Errors
 /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
@@ -144,18 +211,9 @@ pub fn write_pslg(
     pslg: &Pslg,
     options: &WriteOptions,
 ) -> Result<(), IoError> {
-    const EXPECTED: &str = ".poly, .node or .svg";
-    let path = path.as_ref();
-    let format = options.format_for(path, EXPECTED)?;
-    if !matches!(format, Format::Poly | Format::Node | Format::Svg) {
-        return Err(IoError::UnknownOutput {
-            path: path.to_owned(),
-            expected: EXPECTED,
-        });
-    }
-    let mut group = Group::default();
-    group.add(path, |out| write_pslg_to(out, format, pslg, options))?;
-    group.commit()
+    let mut outputs = Outputs::default();
+    outputs.add_pslg(path, pslg, options)?;
+    outputs.commit()
 }
 
 /// Writes a drawing to a stream as `.poly`, `.node` or `.svg`.

@@ -1,0 +1,83 @@
+//! `trimalla convert`: from one format to another.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use trimalla_io::Format;
+
+use crate::args::{OutputOptions, one_of};
+use crate::exit::{Failure, STATUSES, Status};
+use crate::input::{read_drawing, read_mesh};
+use crate::outputs::Outputs;
+use crate::progress;
+
+const HELP: &str = "\
+Examples:
+  trimalla convert key.poly key.svg           a picture of a drawing
+  trimalla convert key.1.ele key.1.svg        a picture of a mesh
+  trimalla convert key.1.ele key.1.neigh      which triangles share an edge
+  trimalla convert key.1.ele - --format edge  its edges, on standard output
+
+An .ele file, or a stem that has one, is a mesh and is read with its .node and .poly files; all
+else is a drawing. Numbers keep their bits, and records their numbering.";
+
+/// Convert a drawing or a mesh to another format, or to a picture
+#[derive(Debug, Args)]
+#[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
+pub(crate) struct Options {
+    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, or '-')
+    input: PathBuf,
+
+    /// Where to; the ending says the format
+    output: PathBuf,
+
+    /// The format, where the output's name does not say it, such as '-'
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(Format::ALL.map(|f| (f.extension(), f.summary(), f))))]
+    format: Option<Format>,
+}
+
+/// Runs it.
+pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
+    progress::handle_ctrl_c();
+    let output = OutputOptions {
+        output: vec![options.output.clone()],
+        format: options.format,
+    };
+    if is_mesh(&options.input) {
+        let mesh = read_mesh(&options.input)?;
+        let outputs = Outputs::plan(&output, &mesh)?;
+        progress::begin_writing()?;
+        outputs.prepare_mesh(&mesh.value)?.commit()?;
+    } else {
+        let drawing = read_drawing(&options.input)?;
+        let outputs = Outputs::plan(&output, &drawing)?;
+        progress::begin_writing()?;
+        let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| {
+            match output_format(options) {
+                Some(Format::Ele | Format::Edge | Format::Neigh) => {
+                    failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
+                }
+                _ => failure,
+            }
+        })?;
+        prepared.commit()?;
+    }
+    Ok(Status::Done)
+}
+
+fn output_format(options: &Options) -> Option<Format> {
+    Format::from_path(&options.output).or(options.format)
+}
+
+/// Whether a path names a mesh: an `.ele` file, or a stem that has one.
+fn is_mesh(path: &Path) -> bool {
+    let beside = || {
+        let mut name = path.as_os_str().to_owned();
+        name.push(".ele");
+        Path::new(&name).exists()
+    };
+    match Format::from_path(path) {
+        Some(format) => format == Format::Ele,
+        None => path != Path::new("-") && beside(),
+    }
+}

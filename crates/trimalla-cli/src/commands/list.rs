@@ -1,0 +1,91 @@
+//! `trimalla list`: what there is to choose from.
+
+use std::fmt::Write as _;
+
+use clap::Args;
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::DomainRule;
+use trimalla::refine::{Encroachment, Row, registry};
+use trimalla_io::Format;
+
+use crate::console;
+use crate::exit::{Failure, Status};
+
+/// List algorithms, the steps they are made of, domain rules and formats
+#[derive(Debug, Args)]
+pub(crate) struct Options {}
+
+/// Runs it.
+pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
+    console::print(&text())?;
+    Ok(Status::Done)
+}
+
+/// The steps of a recipe, 0 for whole recipes.
+const STEPS: [(u8, &str); 6] = [
+    (0, "algorithms: recipes by name (mesh --algorithm)"),
+    (1, "step 1, prepare: what is done to segments first"),
+    (
+        2,
+        "step 2, select: which bad triangle is next (mesh --select)",
+    ),
+    (3, "step 3, point: where the new vertex goes"),
+    (4, "step 4, insert: how it goes in"),
+    (5, "step 5, recover: what becomes of interior segments"),
+];
+
+fn text() -> String {
+    let mut text = String::new();
+    let rows = registry();
+    for (step, title) in STEPS {
+        add(
+            &mut text,
+            title,
+            rows.iter().filter(|row| row.step == step).map(with_source),
+        );
+        if step == 1 {
+            add(
+                &mut text,
+                "encroachment: the region kept free around segments (mesh --encroachment)",
+                Encroachment::ALL.iter().map(|e| with_source(&e.row())),
+            );
+        }
+    }
+    add(
+        &mut text,
+        "triangulators (triangulate --algorithm, mesh --triangulator)",
+        AlgorithmKey::ALL
+            .iter()
+            .map(|a| (a.key(), a.summary().to_owned())),
+    );
+    add(
+        &mut text,
+        "domain rules (--domain)",
+        DomainRule::ALL
+            .iter()
+            .map(|r| (r.key(), r.summary().to_owned())),
+    );
+    add(
+        &mut text,
+        "file formats (by the ending of the name, or --format)",
+        Format::ALL
+            .iter()
+            .map(|f| (f.extension(), f.summary().to_owned())),
+    );
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+fn with_source(row: &Row) -> (&'static str, String) {
+    (row.key, format!("{} [{}]", row.summary, row.source))
+}
+
+/// One section: a title, and a line each key.
+fn add(text: &mut String, title: &str, rows: impl Iterator<Item = (&'static str, String)>) {
+    let _ = writeln!(text, "{title}");
+    for (key, summary) in rows {
+        let _ = writeln!(text, "  {key:<20} {summary}");
+    }
+    text.push('\n');
+}

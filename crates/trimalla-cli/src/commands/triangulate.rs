@@ -1,0 +1,82 @@
+//! `trimalla triangulate`: the constrained Delaunay triangulation of a drawing.
+
+use std::time::Instant;
+
+use clap::Args;
+use trimalla::delaunay::AlgorithmKey;
+
+use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
+use crate::console;
+use crate::exit::{Failure, STATUSES, Status};
+use crate::input::read_drawing;
+use crate::names::Names;
+use crate::outputs::Outputs;
+use crate::{json, progress, text};
+
+const HELP: &str = "\
+Examples:
+  trimalla triangulate key.poly -o key.1.ele
+  trimalla triangulate points.node -o points.svg --algorithm divide-and-conquer
+
+The triangulation is unique: cocircular points are decided by a fixed rule, so that algorithms
+and the order of the points make no difference. No vertex is added, but at crossings with
+--crossings split.";
+
+/// Triangulate a drawing: constrained Delaunay, no new vertices
+#[derive(Debug, Args)]
+#[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
+pub(crate) struct Options {
+    #[command(flatten)]
+    drawing: DrawingOptions,
+
+    /// How the points are triangulated; the result does not depend on it
+    #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(),
+          value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), a))))]
+    algorithm: AlgorithmKey,
+
+    #[command(flatten)]
+    output: OutputOptions,
+
+    #[command(flatten)]
+    report: ReportOptions,
+}
+
+/// Runs it.
+pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
+    progress::handle_ctrl_c();
+    let drawing = read_drawing(&options.drawing.input)?;
+    let outputs = Outputs::plan(&options.output, &drawing)?;
+    let stream = outputs.report_stream(&options.report)?;
+    let names = Names::of(&drawing);
+    let start = Instant::now();
+    let made = trimalla::triangulate(
+        &drawing.value,
+        &options.drawing.domain_options(options.algorithm),
+    );
+    let (mesh, warnings) = made.map_err(|error| names.failure(&error))?;
+    let seconds = start.elapsed().as_secs_f64();
+    progress::begin_writing()?;
+    let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
+    options.report.warn(&warnings);
+    let prepared = outputs.prepare_mesh(&mesh)?;
+    let angles_deg = text::extreme_angles_deg(&mesh);
+    if options.report.json {
+        json::print(&json::of_triangulation(
+            &mesh,
+            angles_deg,
+            options.algorithm.key(),
+            seconds,
+            &warnings,
+        ))?;
+    } else {
+        let mut lines = text::Lines::default();
+        lines.heading(text::of_drawing(&drawing));
+        lines.row("algorithm", options.algorithm);
+        text::add_counts(&mut lines, &mesh);
+        lines.row("angles", text::angles(angles_deg));
+        text::add_end(&mut lines, seconds, &outputs.files());
+        console::write(stream, &lines.into_text())?;
+    }
+    prepared.commit()?;
+    Ok(Status::Done)
+}

@@ -1,0 +1,83 @@
+//! Standard output and standard error.
+//!
+//! A reader that goes away (`trimalla list | head -1`) has had enough: that is no failure, and nothing panics. A full disk
+//! behind standard output is a failure.
+
+use std::fmt::Display;
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
+
+use crate::exit::{Failure, Status};
+
+/// Where a report goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stream {
+    Stdout,
+    /// Where a mesh occupies standard output.
+    Stderr,
+    /// Asked for by `--quiet`.
+    Nowhere,
+}
+
+/// Writes text to a stream.
+pub(crate) fn write(stream: Stream, text: &str) -> Result<(), Failure> {
+    let written = match stream {
+        Stream::Stdout => write_all(io::stdout().lock(), text),
+        Stream::Stderr => write_all(io::stderr().lock(), text),
+        Stream::Nowhere => Ok(()),
+    };
+    match written {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::new(
+            Status::Unwritable,
+            format!("cannot write the report: {e}"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Writes text to standard output.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    write(Stream::Stdout, text)
+}
+
+/// Writes a line such as `warning: …` to standard error; there is nobody to tell if that fails.
+pub(crate) fn note(kind: &str, message: &str) {
+    let _ = writeln!(io::stderr(), "{kind}: {message}");
+}
+
+/// Writes a line that belongs to the note before it.
+pub(crate) fn note_more(line: impl Display) {
+    let _ = writeln!(io::stderr(), "  {line}");
+}
+
+fn write_all(mut out: impl Write, text: &str) -> io::Result<()> {
+    out.write_all(text.as_bytes())?;
+    out.flush()
+}
+
+/// A path for messages: control characters in a name shall not reach a terminal.
+pub(crate) fn shown(path: &Path) -> String {
+    let mut text = String::new();
+    for c in path.to_string_lossy().chars() {
+        if c.is_control() {
+            text.extend(c.escape_default());
+        } else {
+            text.push(c);
+        }
+    }
+    text
+}
+
+/// A count with its noun: `1 segment`, `2 segments`.
+pub(crate) fn count(n: usize, noun: &str) -> String {
+    let irregular = match noun {
+        "vertex" => Some("vertices"),
+        "new vertex" => Some("new vertices"),
+        _ => None,
+    };
+    match (n, irregular) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(plural)) => format!("{n} {plural}"),
+        _ => format!("{n} {noun}s"),
+    }
+}

@@ -1,0 +1,76 @@
+//! Drawings and meshes as read from files.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use trimalla::domain::Pslg;
+use trimalla::triangulation::IndexedMesh;
+use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
+
+use crate::console::shown;
+use crate::exit::Failure;
+
+/// What was read, and from where.
+#[derive(Debug)]
+pub(crate) struct Input<T> {
+    pub(crate) value: T,
+    /// The number of the first vertex in the file.
+    pub(crate) first_index: u32,
+    /// The files that were read, the one with segments or triangles first; none for standard input.
+    pub(crate) files: Vec<PathBuf>,
+}
+
+impl<T> Input<T> {
+    fn of(numbered: Numbered<T>) -> Self {
+        let Numbered {
+            value,
+            first_index,
+            files,
+        } = numbered;
+        Self {
+            value,
+            first_index,
+            files,
+        }
+    }
+
+    /// What messages call the input.
+    pub(crate) fn name(&self) -> String {
+        self.files
+            .first()
+            .map_or_else(|| "-".to_owned(), |file| shown(file))
+    }
+
+    /// What a picture of it is called.
+    pub(crate) fn title(&self) -> String {
+        let stem = self.files.first().and_then(|file| file.file_stem());
+        shown(Path::new(stem.unwrap_or(OsStr::new("standard input"))))
+    }
+
+    /// The number that the file gives to the vertex, segment or triangle with this index.
+    pub(crate) fn number(&self, index: usize) -> usize {
+        index + self.first_index as usize
+    }
+}
+
+/// Reads a drawing.
+pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
+    let read = read_pslg_numbered(path).map_err(Failure::from);
+    match Format::from_path(path) {
+        Some(Format::Ele) => read.map(Input::of).map_err(|failure| {
+            failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")
+        }),
+        _ => read.map(Input::of),
+    }
+}
+
+/// Reads a mesh.
+pub(crate) fn read_mesh(path: &Path) -> Result<Input<IndexedMesh>, Failure> {
+    let read = read_mesh_numbered(path).map_err(Failure::from);
+    match Format::from_path(path) {
+        Some(Format::Poly) => read.map(Input::of).map_err(|failure| {
+            failure.hint("a .poly file is a drawing; 'trimalla mesh' makes a mesh of it")
+        }),
+        _ => read.map(Input::of),
+    }
+}

@@ -1,0 +1,71 @@
+//! Reports for programs: one JSON object, keys in alphabetical order.
+
+use serde_json::{Map, Value, json};
+use trimalla::refine::{Report, StopReason};
+use trimalla::triangulation::IndexedMesh;
+
+use crate::console;
+use crate::exit::Failure;
+
+/// The report of a refinement.
+pub(crate) fn of_meshing(
+    mesh: &IndexedMesh,
+    report: &Report,
+    algorithm: &str,
+    seconds: f64,
+    warnings: &[String],
+) -> Value {
+    let reasons: Map<_, _> = report
+        .reasons()
+        .into_iter()
+        .map(|(reason, count)| (reason.key().to_owned(), json!(count)))
+        .collect();
+    json!({
+        "vertices": mesh.points.len(),
+        "triangles": mesh.triangles.len(),
+        "steiner_points": mesh.points.len() - mesh.input_points,
+        "min_angle": report.min_angle_deg,
+        "max_angle": report.max_angle_deg,
+        "below_bound": report.leftovers.len(),
+        "reasons": reasons,
+        "algorithm": algorithm,
+        "seconds": seconds,
+        "complete": report.complete(),
+        "stop": stop_key(report.stop),
+        "warnings": warnings,
+    })
+}
+
+/// The report of a triangulation.
+pub(crate) fn of_triangulation(
+    mesh: &IndexedMesh,
+    angles_deg: [f64; 2],
+    algorithm: &str,
+    seconds: f64,
+    warnings: &[String],
+) -> Value {
+    json!({
+        "vertices": mesh.points.len(),
+        "triangles": mesh.triangles.len(),
+        "steiner_points": mesh.points.len() - mesh.input_points,
+        "min_angle": angles_deg[0],
+        "max_angle": angles_deg[1],
+        "algorithm": algorithm,
+        "seconds": seconds,
+        "warnings": warnings,
+    })
+}
+
+/// Prints an object on one line of standard output.
+pub(crate) fn print(object: &Value) -> Result<(), Failure> {
+    console::print(&format!("{object}\n"))
+}
+
+fn stop_key(stop: StopReason) -> &'static str {
+    match stop {
+        StopReason::Finished => "finished",
+        StopReason::Budget => "budget",
+        StopReason::Cancelled => "cancelled",
+        _ => "other",
+    }
+}

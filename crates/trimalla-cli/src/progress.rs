@@ -1,0 +1,88 @@
+//! The progress line, and Ctrl-C.
+//!
+//! ```text
+//!   reading, triangulating ──> refining ──────────> writing
+//!   Ctrl-C: ends at once       Ctrl-C: cancels      Ctrl-C: waits until the files are whole
+//! ```
+//! A second Ctrl-C ends the program at once, whatever it is doing.
+
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::{HumanCount, ProgressBar, ProgressStyle};
+use trimalla::refine::{Observer, Progress};
+
+use crate::console;
+use crate::exit::{Failure, Status};
+
+/// Whether Ctrl-C has been pressed.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Whether the first Ctrl-C is left to the work itself: it is asked now and then while refining, and is about to end while
+/// writing.
+static PATIENT: AtomicBool = AtomicBool::new(false);
+
+const MESSAGE: &str = "interrupted; no file was changed";
+
+/// Takes Ctrl-C over.
+pub(crate) fn handle_ctrl_c() {
+    let handler = || {
+        let is_first = !INTERRUPTED.swap(true, Ordering::SeqCst);
+        if !(is_first && PATIENT.load(Ordering::SeqCst)) {
+            // Files may be appearing when there is a second one.
+            console::note("error", if is_first { MESSAGE } else { "interrupted" });
+            process::exit(Status::Interrupted as i32);
+        }
+    };
+    // Where no handler can be set, the system's own ends the program.
+    let _ = ctrlc::set_handler(handler);
+}
+
+/// Enters the part in which files appear; from here on they become whole, unless Ctrl-C was pressed before.
+pub(crate) fn begin_writing() -> Result<(), Failure> {
+    PATIENT.store(true, Ordering::SeqCst);
+    if INTERRUPTED.load(Ordering::SeqCst) {
+        return Err(Failure::new(Status::Interrupted, MESSAGE));
+    }
+    Ok(())
+}
+
+/// Shows how far a refinement has come, on a terminal, and cancels it on Ctrl-C.
+#[derive(Debug)]
+pub(crate) struct Watch {
+    line: ProgressBar,
+}
+
+impl Watch {
+    /// A line on standard error, if that is a terminal and the line is wanted.
+    pub(crate) fn new(is_wanted: bool) -> Self {
+        if !is_wanted {
+            return Self {
+                line: ProgressBar::hidden(),
+            };
+        }
+        let template = "{spinner} {human_pos} vertices, {msg} bad triangles waiting, {elapsed}";
+        let style = ProgressStyle::with_template(template);
+        let line = ProgressBar::new_spinner(); // Draws on standard error, and there only on a terminal.
+        Self {
+            line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())),
+        }
+    }
+}
+
+impl Observer for Watch {
+    fn progress(&mut self, progress: Progress) -> bool {
+        PATIENT.store(true, Ordering::SeqCst);
+        if !self.line.is_hidden() {
+            self.line
+                .set_message(HumanCount(progress.waiting as u64).to_string());
+            self.line.set_position(progress.vertices as u64);
+        }
+        !INTERRUPTED.load(Ordering::SeqCst)
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        self.line.finish_and_clear();
+    }
+}

@@ -1,0 +1,139 @@
+//! Reports for people.
+
+use std::fmt::Write as _;
+
+use trimalla::domain::Pslg;
+use trimalla::geometry::{Point, Triangle};
+use trimalla::refine::{Leftover, Report};
+use trimalla::triangulation::IndexedMesh;
+
+use crate::console::{self, count};
+use crate::input::Input;
+
+/// Lines of a label and a value, in columns.
+#[derive(Debug, Default)]
+pub(crate) struct Lines {
+    text: String,
+}
+
+impl Lines {
+    /// A line that stands alone.
+    pub(crate) fn heading(&mut self, text: impl std::fmt::Display) {
+        let _ = writeln!(self.text, "{text}");
+    }
+
+    /// A label and its value.
+    pub(crate) fn row(&mut self, label: &str, value: impl std::fmt::Display) {
+        let _ = writeln!(self.text, "  {label:<12} {value}");
+    }
+
+    pub(crate) fn into_text(self) -> String {
+        self.text
+    }
+}
+
+/// What was read, in one line.
+pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
+    let pslg = &drawing.value;
+    let parts = [
+        (pslg.points.len(), "vertex"),
+        (pslg.segments.len(), "segment"),
+        (pslg.holes.len(), "hole"),
+        (pslg.regions.len(), "region"),
+    ];
+    let parts: Vec<_> = parts
+        .into_iter()
+        .filter(|&(n, _)| n > 0)
+        .map(|(n, noun)| count(n, noun))
+        .collect();
+    format!("{}: {}", drawing.name(), parts.join(", "))
+}
+
+/// The size of a mesh.
+pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh) {
+    let added = mesh.points.len() - mesh.input_points;
+    lines.row(
+        "vertices",
+        format_args!("{} ({added} added)", mesh.points.len()),
+    );
+    lines.row("triangles", mesh.triangles.len());
+}
+
+/// What came of a refinement.
+pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
+    lines.row(
+        "angles",
+        angles([report.min_angle_deg, report.max_angle_deg]),
+    );
+    let reasons: Vec<_> = report
+        .reasons()
+        .iter()
+        .map(|(reason, n)| format!("{reason} {n}"))
+        .collect();
+    match report.leftovers.len() {
+        0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
+        n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
+    }
+}
+
+/// The smallest and the largest angle.
+pub(crate) fn angles([least, most]: [f64; 2]) -> String {
+    format!("{least:.2} to {most:.2} degrees")
+}
+
+/// Time and files.
+pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
+    lines.row("time", format_args!("{seconds:.3} s"));
+    if !files.is_empty() {
+        lines.row("output", files.join(", "));
+    }
+}
+
+/// Names the first triangles that limits left below the bound, on standard error.
+pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report) {
+    const SHOWN: usize = 10;
+    let unmet: Vec<&Leftover> = report
+        .leftovers
+        .iter()
+        .filter(|l| !l.reason.is_forced())
+        .collect();
+    let verb = if unmet.len() == 1 { "stays" } else { "stay" };
+    let total = count(unmet.len(), "triangle");
+    console::note(
+        "warning",
+        &format!("{total} {verb} below the bound, though the input does not force it"),
+    );
+    for leftover in unmet.iter().take(SHOWN) {
+        console::note_more(describe(mesh, first_index, leftover));
+    }
+    if unmet.len() > SHOWN {
+        console::note_more(format_args!("and {} more", unmet.len() - SHOWN));
+    }
+}
+
+fn describe(mesh: &IndexedMesh, first_index: u32, leftover: &Leftover) -> String {
+    let number = leftover.triangle + first_index as usize;
+    let at = corners(mesh, leftover.triangle).map(|c| format!(" at {}", c.centroid()));
+    format!(
+        "triangle {number}{}: {:.2} degrees, {}",
+        at.unwrap_or_default(),
+        leftover.min_angle_deg,
+        leftover.reason
+    )
+}
+
+/// The corners of a triangle, if all are there.
+pub(crate) fn corners(mesh: &IndexedMesh, triangle: usize) -> Option<Triangle> {
+    let point = |v: u32| -> Option<Point> { mesh.points.get(v as usize).copied() };
+    let [a, b, c] = *mesh.triangles.get(triangle)?;
+    Some(Triangle::new(point(a)?, point(b)?, point(c)?))
+}
+
+/// The smallest and the largest angle of a mesh in degrees; zeros where there is no triangle.
+pub(crate) fn extreme_angles_deg(mesh: &IndexedMesh) -> [f64; 2] {
+    let triangles = (0..mesh.triangles.len()).filter_map(|t| corners(mesh, t));
+    triangles
+        .map(|t| [t.min_angle().degrees(), t.max_angle().degrees()])
+        .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
+        .unwrap_or_default()
+}

@@ -1,0 +1,14 @@
+//! The built program, from outside: what it prints, what it leaves on disk, how it ends.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stderr,
+    reason = "a test that cannot run its program has failed; one that is skipped says so"
+)]
+
+mod checks;
+mod common;
+mod faults;
+mod help;
+mod interrupt;
+mod outputs;
+mod reports;
