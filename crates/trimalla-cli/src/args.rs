@@ -60,25 +60,13 @@ pub(crate) struct DrawingOptions {
 impl DrawingOptions {
     /// How the library is to read the drawing.
     pub(crate) fn domain_options(&self, algorithm: AlgorithmKey) -> DomainOptions {
-        DomainOptions {
-            rule: self.domain,
-            crossings: self.crossings,
-            algorithm,
-        }
+        DomainOptions { rule: self.domain, crossings: self.crossings, algorithm }
     }
 }
 
 const CROSSINGS: [(&str, &str, Crossings); 2] = [
-    (
-        "refuse",
-        "names every pair of segments that cross, and stops",
-        Crossings::Refuse,
-    ),
-    (
-        "split",
-        "puts a vertex at each crossing and splits both segments",
-        Crossings::Split,
-    ),
+    ("refuse", "names every pair of segments that cross, and stops", Crossings::Refuse),
+    ("split", "puts a vertex at each crossing and splits both segments", Crossings::Split),
 ];
 
 /// Where results go.
@@ -121,10 +109,7 @@ pub(crate) fn one_of<T: Clone + Send + Sync + 'static>(
     rows: impl IntoIterator<Item = (&'static str, &'static str, T)>,
 ) -> impl TypedValueParser<Value = T> {
     let rows: Vec<_> = rows.into_iter().collect();
-    let keys: Vec<_> = rows
-        .iter()
-        .map(|(key, help, _)| PossibleValue::new(key).help(help))
-        .collect();
+    let keys: Vec<_> = rows.iter().map(|(key, help, _)| PossibleValue::new(key).help(help)).collect();
     PossibleValuesParser::new(keys).try_map(move |given| {
         let row = rows.iter().find(|(key, ..)| *key == given);
         row.map(|(.., value)| value.clone()).ok_or("no such key")

@@ -27,10 +27,9 @@ pub(crate) fn write(stream: Stream, text: &str) -> Result<(), Failure> {
         Stream::Nowhere => Ok(()),
     };
     match written {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::new(
-            Status::Unwritable,
-            format!("cannot write the report: {e}"),
-        )),
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::new(Status::Unwritable, format!("cannot write the report: {e}")))
+        }
         _ => Ok(()),
     }
 }

@@ -57,11 +57,7 @@ impl Failure {
 
     /// A failure that takes several lines to say.
     pub(crate) fn of_many(status: Status, messages: Vec<String>) -> Self {
-        Self {
-            status,
-            messages,
-            hints: Vec::new(),
-        }
+        Self { status, messages, hints: Vec::new() }
     }
 
     pub(crate) fn wrong_use(message: impl Into<String>) -> Self {
@@ -99,19 +95,15 @@ impl From<OptionError> for Failure {
 
 impl From<IoError> for Failure {
     fn from(error: IoError) -> Self {
-        let status = if error.is_output() {
-            Status::Unwritable
-        } else {
-            Status::BadInput
-        };
+        let status = if error.is_output() { Status::Unwritable } else { Status::BadInput };
         let failure = Self::new(status, error.to_string());
         match error {
             IoError::UnknownOutput { .. } => {
                 failure.hint("'trimalla list' names the formats; --format names that of an output")
             }
-            IoError::Missing {
-                needed_by: Some(_), ..
-            } => failure.hint("both files are needed, side by side and with the same stem"),
+            IoError::Missing { needed_by: Some(_), .. } => {
+                failure.hint("both files are needed, side by side and with the same stem")
+            }
             _ => failure,
         }
     }

@@ -22,23 +22,13 @@ pub(crate) struct Input<T> {
 
 impl<T> Input<T> {
     fn of(numbered: Numbered<T>) -> Self {
-        let Numbered {
-            value,
-            first_index,
-            files,
-        } = numbered;
-        Self {
-            value,
-            first_index,
-            files,
-        }
+        let Numbered { value, first_index, files } = numbered;
+        Self { value, first_index, files }
     }
 
     /// What messages call the input.
     pub(crate) fn name(&self) -> String {
-        self.files
-            .first()
-            .map_or_else(|| "-".to_owned(), |file| shown(file))
+        self.files.first().map_or_else(|| "-".to_owned(), |file| shown(file))
     }
 
     /// What a picture of it is called.
@@ -57,9 +47,9 @@ impl<T> Input<T> {
 pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
     let read = read_pslg_numbered(path).map_err(Failure::from);
     match Format::from_path(path) {
-        Some(Format::Ele) => read.map(Input::of).map_err(|failure| {
-            failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")
-        }),
+        Some(Format::Ele) => read
+            .map(Input::of)
+            .map_err(|failure| failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")),
         _ => read.map(Input::of),
     }
 }
@@ -68,9 +58,9 @@ pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
 pub(crate) fn read_mesh(path: &Path) -> Result<Input<IndexedMesh>, Failure> {
     let read = read_mesh_numbered(path).map_err(Failure::from);
     match Format::from_path(path) {
-        Some(Format::Poly) => read.map(Input::of).map_err(|failure| {
-            failure.hint("a .poly file is a drawing; 'trimalla mesh' makes a mesh of it")
-        }),
+        Some(Format::Poly) => read
+            .map(Input::of)
+            .map_err(|failure| failure.hint("a .poly file is a drawing; 'trimalla mesh' makes a mesh of it")),
         _ => read.map(Input::of),
     }
 }

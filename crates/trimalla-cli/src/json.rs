@@ -15,11 +15,8 @@ pub(crate) fn of_meshing(
     seconds: f64,
     warnings: &[String],
 ) -> Value {
-    let reasons: Map<_, _> = report
-        .reasons()
-        .into_iter()
-        .map(|(reason, count)| (reason.key().to_owned(), json!(count)))
-        .collect();
+    let reasons: Map<_, _> =
+        report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
     json!({
         "vertices": mesh.points.len(),
         "triangles": mesh.triangles.len(),

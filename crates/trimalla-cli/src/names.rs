@@ -23,10 +23,7 @@ pub(crate) struct Names<'a> {
 
 impl<'a> Names<'a> {
     pub(crate) fn of(drawing: &'a Input<Pslg>) -> Self {
-        Self {
-            drawing,
-            records: OnceCell::new(),
-        }
+        Self { drawing, records: OnceCell::new() }
     }
 
     /// An error of the library as the user shall read it.
@@ -36,21 +33,11 @@ impl<'a> Names<'a> {
         }
         let failure = Failure::bad_input(self.describe_error(error));
         match error {
-            DomainError::OpenOutline => {
-                failure.hint("close the outline, or keep the convex hull with --domain hull")
-            }
-            DomainError::NothingNested => {
-                failure.hint("close the outline, or use --domain seeds or --domain hull")
-            }
-            DomainError::SeedLeaks { .. } => {
-                failure.hint("close the outline of the hole, or move the seed into it")
-            }
-            DomainError::SeedOnSegment { .. } => {
-                failure.hint("move the seed to one side of the segment")
-            }
-            DomainError::Flat { .. } => {
-                failure.hint("a mesh needs three vertices that do not lie on one line")
-            }
+            DomainError::OpenOutline => failure.hint("close the outline, or keep the convex hull with --domain hull"),
+            DomainError::NothingNested => failure.hint("close the outline, or use --domain seeds or --domain hull"),
+            DomainError::SeedLeaks { .. } => failure.hint("close the outline of the hole, or move the seed into it"),
+            DomainError::SeedOnSegment { .. } => failure.hint("move the seed to one side of the segment"),
+            DomainError::Flat { .. } => failure.hint("a mesh needs three vertices that do not lie on one line"),
             _ => failure,
         }
     }
@@ -63,12 +50,21 @@ impl<'a> Names<'a> {
                 1 | 2 => format!("{} span no triangle", count(*points, "vertex")),
                 n => format!("all {n} vertices lie on one line"),
             }),
-            DomainError::OpenOutline => self.of_file(
-                "the domain is empty: the outside reaches every triangle without crossing a segment",
+            DomainError::OpenOutline => {
+                self.of_file("the domain is empty: the outside reaches every triangle without crossing a segment")
+            }
+            DomainError::SeedLeaks { seed, at } => self.of_seed(
+                "hole",
+                *seed,
+                *at,
+                "lies in no hole: no closed line of segments parts it from the outside",
             ),
-            DomainError::SeedLeaks { seed, at } => self.of_seed("hole", *seed, *at, "lies in no hole: no closed line of segments parts it from the outside"),
-            DomainError::SeedTakesAll { seed, at } => self.of_seed("hole", *seed, *at, "removes all that was left of the domain"),
-            DomainError::SeedOnSegment { what, seed, at } => self.of_seed(what, *seed, *at, "lies on a segment, so that its side is not known"),
+            DomainError::SeedTakesAll { seed, at } => {
+                self.of_seed("hole", *seed, *at, "removes all that was left of the domain")
+            }
+            DomainError::SeedOnSegment { what, seed, at } => {
+                self.of_seed(what, *seed, *at, "lies on a segment, so that its side is not known")
+            }
             other => self.of_file(other),
         }
     }
@@ -77,10 +73,7 @@ impl<'a> Names<'a> {
         match fault {
             ConstraintError::UnusedVertex { segment, vertex } => self.of_segment(
                 *segment,
-                &format!(
-                    "ends at vertex {}, which is not used",
-                    self.drawing.number(vertex.index())
-                ),
+                &format!("ends at vertex {}, which is not used", self.drawing.number(vertex.index())),
             ),
             ConstraintError::NoSuchVertex { segment, .. } => {
                 self.of_segment(*segment, "ends at a vertex that does not exist")
@@ -98,17 +91,12 @@ impl<'a> Names<'a> {
 
     /// Every pair of crossing segments, one a line.
     fn crossings(&self, pairs: &[CrossingPair]) -> Failure {
-        let mut messages: Vec<_> = pairs
-            .iter()
-            .take(MOST_CROSSINGS)
-            .map(|p| self.pair(p))
-            .collect();
+        let mut messages: Vec<_> = pairs.iter().take(MOST_CROSSINGS).map(|p| self.pair(p)).collect();
         if pairs.len() > MOST_CROSSINGS {
             let rest = pairs.len() - MOST_CROSSINGS;
             messages.push(self.of_file(format!("{rest} more pairs of segments cross")));
         }
-        Failure::of_many(Status::BadInput, messages)
-            .hint("--crossings split puts a vertex at each crossing")
+        Failure::of_many(Status::BadInput, messages).hint("--crossings split puts a vertex at each crossing")
     }
 
     fn pair(&self, pair: &CrossingPair) -> String {
@@ -126,51 +114,28 @@ impl<'a> Names<'a> {
         match warning {
             Warning::Duplicates { count: n, first } => {
                 let [a, b] = first.map(|v| self.drawing.number(v as usize));
-                let verb = if *n == 1 {
-                    "lies exactly on another and stays"
-                } else {
-                    "lie exactly on others and stay"
-                };
-                self.of_file(format!(
-                    "{} {verb} unused; the first is {a}, on {b}",
-                    count(*n, "vertex")
-                ))
+                let verb = if *n == 1 { "lies exactly on another and stays" } else { "lie exactly on others and stay" };
+                self.of_file(format!("{} {verb} unused; the first is {a}, on {b}", count(*n, "vertex")))
             }
             Warning::ZeroLength { count: n, first } => {
-                let verb = if *n == 1 {
-                    "has no length and was"
-                } else {
-                    "have no length and were"
-                };
-                let text = format!(
-                    "{} {verb} left out; the first is {}",
-                    count(*n, "segment"),
-                    self.drawing.number(*first)
-                );
+                let verb = if *n == 1 { "has no length and was" } else { "have no length and were" };
+                let text =
+                    format!("{} {verb} left out; the first is {}", count(*n, "segment"), self.drawing.number(*first));
                 self.at(self.records().segments.get(*first), text)
             }
-            Warning::IdleHole { seed, at } => self.of_seed(
-                "hole",
-                *seed,
-                *at,
-                "has no effect: it lies outside, or in another hole",
-            ),
-            Warning::IdleRegion { seed, at } => self.of_seed(
-                "region",
-                *seed,
-                *at,
-                "has no effect: it lies outside the domain",
-            ),
+            Warning::IdleHole { seed, at } => {
+                self.of_seed("hole", *seed, *at, "has no effect: it lies outside, or in another hole")
+            }
+            Warning::IdleRegion { seed, at } => {
+                self.of_seed("region", *seed, *at, "has no effect: it lies outside the domain")
+            }
             Warning::RegionTwice { seeds } => {
                 let [a, b] = seeds.map(|s| self.seed_number("region", s));
-                self.of_file(format!(
-                    "region seeds {a} and {b} lie in one region; the first counts"
-                ))
+                self.of_file(format!("region seeds {a} and {b} lie in one region; the first counts"))
             }
-            Warning::Crossings { vertices } => self.of_file(format!(
-                "segments cross; they were split at {}",
-                count(*vertices, "new vertex")
-            )),
+            Warning::Crossings { vertices } => {
+                self.of_file(format!("segments cross; they were split at {}", count(*vertices, "new vertex")))
+            }
             other => self.of_file(other),
         }
     }
@@ -185,10 +150,7 @@ impl<'a> Names<'a> {
     }
 
     fn of_seed(&self, what: &str, seed: usize, at: Point, text: &str) -> String {
-        let text = format!(
-            "{what} seed {} at {at} {text}",
-            self.seed_number(what, seed)
-        );
+        let text = format!("{what} seed {} at {at} {text}", self.seed_number(what, seed));
         self.at(self.seed(what, seed), text)
     }
 
@@ -207,11 +169,7 @@ impl<'a> Names<'a> {
 
     fn seed(&self, what: &str, seed: usize) -> Option<&Record> {
         let records = self.records();
-        let list = if what == "hole" {
-            &records.holes
-        } else {
-            &records.regions
-        };
+        let list = if what == "hole" { &records.holes } else { &records.regions };
         list.get(seed)
     }
 

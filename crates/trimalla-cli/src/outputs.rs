@@ -54,10 +54,7 @@ impl Outputs {
         self.prepare(|out, target| out.add_pslg(&target.path, pslg, &target.options))
     }
 
-    fn prepare(
-        &self,
-        add: impl Fn(&mut io::Outputs, &Target) -> Result<(), IoError>,
-    ) -> Result<Prepared, Failure> {
+    fn prepare(&self, add: impl Fn(&mut io::Outputs, &Target) -> Result<(), IoError>) -> Result<Prepared, Failure> {
         let mut prepared = io::Outputs::default();
         for target in &self.targets {
             match add(&mut prepared, target) {
@@ -78,10 +75,10 @@ impl Outputs {
     pub(crate) fn report_stream(&self, report: &ReportOptions) -> Result<Stream, Failure> {
         let taken = self.targets.iter().any(Target::is_stdout);
         match (report.json, report.quiet, taken) {
-            (true, _, true) => Err(Failure::wrong_use(
-                "both --json and an output want standard output",
-            )
-            .hint("write the output to a file")),
+            (true, _, true) => {
+                Err(Failure::wrong_use("both --json and an output want standard output")
+                    .hint("write the output to a file"))
+            }
             (false, true, _) => Ok(Stream::Nowhere),
             (false, false, true) => Ok(Stream::Stderr),
             _ => Ok(Stream::Stdout),
@@ -106,10 +103,8 @@ impl Target {
         let mut options = base.clone();
         options.format = Format::from_path(path).or(format);
         if options.format.is_none() && is_stdout(path) {
-            return Err(
-                Failure::wrong_use("standard output needs --format to say what to write")
-                    .hint("for example: -o - --format poly"),
-            );
+            return Err(Failure::wrong_use("standard output needs --format to say what to write")
+                .hint("for example: -o - --format poly"));
         }
         if options.format.is_none() {
             return Err(IoError::UnknownOutput {
@@ -119,11 +114,7 @@ impl Target {
             .into());
         }
         let files = files_of_mesh(path, &options);
-        Ok(Self {
-            path: path.to_owned(),
-            options,
-            files,
-        })
+        Ok(Self { path: path.to_owned(), options, files })
     }
 
     fn is_stdout(&self) -> bool {
@@ -132,8 +123,7 @@ impl Target {
 
     /// Whether it is written directly, and replaces nothing.
     fn is_stream(&self) -> bool {
-        self.is_stdout()
-            || fs::metadata(&self.path).is_ok_and(|found| !found.is_file() && !found.is_dir())
+        self.is_stdout() || fs::metadata(&self.path).is_ok_and(|found| !found.is_file() && !found.is_dir())
     }
 
     /// Refuses to overwrite what was read, through links too.
@@ -157,8 +147,7 @@ impl Target {
     fn spare_outputs(&self, earlier: &[Self]) -> Result<(), Failure> {
         let clash = earlier.iter().find(|other| {
             let one = self.files.iter().map(|f| place_of(f));
-            let mut pairs =
-                one.flat_map(|a| other.files.iter().map(move |b| (a.clone(), place_of(b))));
+            let mut pairs = one.flat_map(|a| other.files.iter().map(move |b| (a.clone(), place_of(b))));
             pairs.any(|(a, b)| a == b)
         });
         match clash {
@@ -203,10 +192,7 @@ fn why_unwritable(file: &Path) -> Option<&'static str> {
 fn place_of(path: &Path) -> PathBuf {
     let directory = || fs::canonicalize(directory_of(path)).ok();
     let beside = || Some(directory()?.join(path.file_name()?));
-    fs::canonicalize(path)
-        .ok()
-        .or_else(beside)
-        .unwrap_or_else(|| path.to_owned())
+    fs::canonicalize(path).ok().or_else(beside).unwrap_or_else(|| path.to_owned())
 }
 
 fn directory_of(path: &Path) -> &Path {

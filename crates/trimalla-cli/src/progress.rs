@@ -56,16 +56,12 @@ impl Watch {
     /// A line on standard error, if that is a terminal and the line is wanted.
     pub(crate) fn new(is_wanted: bool) -> Self {
         if !is_wanted {
-            return Self {
-                line: ProgressBar::hidden(),
-            };
+            return Self { line: ProgressBar::hidden() };
         }
         let template = "{spinner} {human_pos} vertices, {msg} bad triangles waiting, {elapsed}";
         let style = ProgressStyle::with_template(template);
         let line = ProgressBar::new_spinner(); // Draws on standard error, and there only on a terminal.
-        Self {
-            line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())),
-        }
+        Self { line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())) }
     }
 }
 
@@ -73,8 +69,7 @@ impl Observer for Watch {
     fn progress(&mut self, progress: Progress) -> bool {
         PATIENT.store(true, Ordering::SeqCst);
         if !self.line.is_hidden() {
-            self.line
-                .set_message(HumanCount(progress.waiting as u64).to_string());
+            self.line.set_message(HumanCount(progress.waiting as u64).to_string());
             self.line.set_position(progress.vertices as u64);
         }
         !INTERRUPTED.load(Ordering::SeqCst)

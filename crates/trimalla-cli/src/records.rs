@@ -34,11 +34,7 @@ impl Records {
     fn in_text(text: &str) -> Self {
         let mut records = records(text);
         drop(section(&mut records)); // the vertices
-        Self {
-            segments: section(&mut records),
-            holes: section(&mut records),
-            regions: section(&mut records),
-        }
+        Self { segments: section(&mut records), holes: section(&mut records), regions: section(&mut records) }
     }
 }
 
@@ -50,16 +46,11 @@ fn read(file: &Path) -> Option<String> {
 
 /// Every record of a text. Lines end with LF, CR LF or a lone CR.
 fn records(text: &str) -> impl Iterator<Item = Record> + '_ {
-    let lines = text
-        .split('\n')
-        .flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
+    let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
     lines.enumerate().filter_map(|(index, line)| {
         let content = line.trim_start_matches('\u{feff}').split('#').next()?;
         let number = content.split_whitespace().next()?.to_owned();
-        Some(Record {
-            line: index + 1,
-            number,
-        })
+        Some(Record { line: index + 1, number })
     })
 }
 
@@ -74,10 +65,7 @@ mod tests {
     use super::*;
 
     fn record(line: usize, number: &str) -> Record {
-        Record {
-            line,
-            number: number.to_owned(),
-        }
+        Record { line, number: number.to_owned() }
     }
 
     #[test]

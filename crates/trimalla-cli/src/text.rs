@@ -41,35 +41,21 @@ pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
         (pslg.holes.len(), "hole"),
         (pslg.regions.len(), "region"),
     ];
-    let parts: Vec<_> = parts
-        .into_iter()
-        .filter(|&(n, _)| n > 0)
-        .map(|(n, noun)| count(n, noun))
-        .collect();
+    let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
     format!("{}: {}", drawing.name(), parts.join(", "))
 }
 
 /// The size of a mesh.
 pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh) {
     let added = mesh.points.len() - mesh.input_points;
-    lines.row(
-        "vertices",
-        format_args!("{} ({added} added)", mesh.points.len()),
-    );
+    lines.row("vertices", format_args!("{} ({added} added)", mesh.points.len()));
     lines.row("triangles", mesh.triangles.len());
 }
 
 /// What came of a refinement.
 pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
-    lines.row(
-        "angles",
-        angles([report.min_angle_deg, report.max_angle_deg]),
-    );
-    let reasons: Vec<_> = report
-        .reasons()
-        .iter()
-        .map(|(reason, n)| format!("{reason} {n}"))
-        .collect();
+    lines.row("angles", angles([report.min_angle_deg, report.max_angle_deg]));
+    let reasons: Vec<_> = report.reasons().iter().map(|(reason, n)| format!("{reason} {n}")).collect();
     match report.leftovers.len() {
         0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
         n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
@@ -92,17 +78,10 @@ pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
 /// Names the first triangles that limits left below the bound, on standard error.
 pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report) {
     const SHOWN: usize = 10;
-    let unmet: Vec<&Leftover> = report
-        .leftovers
-        .iter()
-        .filter(|l| !l.reason.is_forced())
-        .collect();
+    let unmet: Vec<&Leftover> = report.leftovers.iter().filter(|l| !l.reason.is_forced()).collect();
     let verb = if unmet.len() == 1 { "stays" } else { "stay" };
     let total = count(unmet.len(), "triangle");
-    console::note(
-        "warning",
-        &format!("{total} {verb} below the bound, though the input does not force it"),
-    );
+    console::note("warning", &format!("{total} {verb} below the bound, though the input does not force it"));
     for leftover in unmet.iter().take(SHOWN) {
         console::note_more(describe(mesh, first_index, leftover));
     }
@@ -114,12 +93,7 @@ pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Repo
 fn describe(mesh: &IndexedMesh, first_index: u32, leftover: &Leftover) -> String {
     let number = leftover.triangle + first_index as usize;
     let at = corners(mesh, leftover.triangle).map(|c| format!(" at {}", c.centroid()));
-    format!(
-        "triangle {number}{}: {:.2} degrees, {}",
-        at.unwrap_or_default(),
-        leftover.min_angle_deg,
-        leftover.reason
-    )
+    format!("triangle {number}{}: {:.2} degrees, {}", at.unwrap_or_default(), leftover.min_angle_deg, leftover.reason)
 }
 
 /// The corners of a triangle, if all are there.

@@ -55,20 +55,13 @@ impl Group {
         path: &Path,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), IoError> {
-        self.try_add(path, write)
-            .map_err(|source| unwritable(path, source))
+        self.try_add(path, write).map_err(|source| unwritable(path, source))
     }
 
-    fn try_add(
-        &mut self,
-        path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
+    fn try_add(&mut self, path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         match destination(path)? {
             Destination::Stdout => write_through(io::stdout().lock(), write),
-            Destination::Special => {
-                write_through(OpenOptions::new().write(true).open(path)?, write)
-            }
+            Destination::Special => write_through(OpenOptions::new().write(true).open(path)?, write),
             Destination::File(target) => {
                 self.staged.push(stage(target, write)?);
                 Ok(())
@@ -79,8 +72,7 @@ impl Group {
     /// Moves all files to their targets.
     pub(crate) fn commit(self) -> Result<(), IoError> {
         for staged in &self.staged {
-            fs::rename(&staged.temporary, &staged.target)
-                .map_err(|source| unwritable(&staged.target, source))?;
+            fs::rename(&staged.temporary, &staged.target).map_err(|source| unwritable(&staged.target, source))?;
             sync_directory(&staged.target);
         }
         Ok(())
@@ -88,10 +80,7 @@ impl Group {
 }
 
 fn unwritable(path: &Path, source: io::Error) -> IoError {
-    IoError::Unwritable {
-        path: path.to_owned(),
-        source,
-    }
+    IoError::Unwritable { path: path.to_owned(), source }
 }
 
 /// Whether a path is written directly, and which file is behind it if not.
@@ -102,10 +91,9 @@ fn destination(path: &Path) -> io::Result<Destination> {
     match fs::metadata(path) {
         Ok(found) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
         Ok(found) if !found.is_file() => Ok(Destination::Special),
-        Ok(found) if found.permissions().readonly() => Err(io::Error::new(
-            io::ErrorKind::PermissionDenied,
-            "the file is read-only",
-        )),
+        Ok(found) if found.permissions().readonly() => {
+            Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
+        }
         _ => follow_links(path).map(Destination::File),
     }
 }
@@ -133,23 +121,15 @@ fn directory_of(path: &Path) -> &Path {
 }
 
 /// Writes, flushes and syncs a temporary file in the directory of `target`.
-fn stage(
-    target: PathBuf,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<Staged> {
+fn stage(target: PathBuf, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Staged> {
     if target.file_name().is_none() {
-        return Err(io::Error::new(
-            io::ErrorKind::InvalidInput,
-            "the path names no file",
-        ));
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
     }
     let (temporary, file) = create_temporary(directory_of(&target))?;
     let staged = Staged { temporary, target };
     let mut buffer = BufWriter::with_capacity(BUFFER, file);
     write(&mut buffer)?;
-    let file = buffer
-        .into_inner()
-        .map_err(io::IntoInnerError::into_error)?;
+    let file = buffer.into_inner().map_err(io::IntoInnerError::into_error)?;
     if let Ok(old) = fs::metadata(&staged.target) {
         file.set_permissions(old.permissions())?;
     }
@@ -169,16 +149,10 @@ fn create_temporary(directory: &Path) -> io::Result<(PathBuf, File)> {
             Err(error) => return Err(error),
         }
     }
-    Err(io::Error::new(
-        io::ErrorKind::AlreadyExists,
-        "no free name for a temporary file",
-    ))
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no free name for a temporary file"))
 }
 
-fn write_through(
-    out: impl Write,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<()> {
+fn write_through(out: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut buffer = BufWriter::with_capacity(BUFFER, out);
     write(&mut buffer)?;
     buffer.flush()

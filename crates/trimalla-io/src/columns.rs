@@ -48,17 +48,10 @@ impl<'a> Points<'a> {
 
     pub(crate) fn check(&self, first_index: u32) -> io::Result<()> {
         if first_index > 1 {
-            return Err(invalid(format!(
-                "numbering must start at 0 or 1, not at {first_index}"
-            )));
+            return Err(invalid(format!("numbering must start at 0 or 1, not at {first_index}")));
         }
         check_optional("vertex markers", self.markers.len(), self.points.len())?;
-        check_rows(
-            "vertex attributes",
-            self.attributes.len(),
-            self.points.len(),
-            self.attributes_per_point,
-        )?;
+        check_rows("vertex attributes", self.attributes.len(), self.points.len(), self.attributes_per_point)?;
         check_points("vertex", self.points)?;
         check_reals("vertex attribute", self.attributes)
     }
@@ -66,21 +59,11 @@ impl<'a> Points<'a> {
 
 impl<'a> Segments<'a> {
     pub(crate) fn of_mesh(mesh: &'a IndexedMesh) -> Self {
-        Self {
-            segments: &mesh.segments,
-            markers: &mesh.segment_markers,
-            holes: &mesh.holes,
-            regions: &[],
-        }
+        Self { segments: &mesh.segments, markers: &mesh.segment_markers, holes: &mesh.holes, regions: &[] }
     }
 
     pub(crate) fn of_pslg(pslg: &'a Pslg) -> Self {
-        Self {
-            segments: &pslg.segments,
-            markers: &pslg.segment_markers,
-            holes: &pslg.holes,
-            regions: &pslg.regions,
-        }
+        Self { segments: &pslg.segments, markers: &pslg.segment_markers, holes: &pslg.holes, regions: &pslg.regions }
     }
 
     pub(crate) fn check(&self, vertices: usize) -> io::Result<()> {
@@ -88,12 +71,7 @@ impl<'a> Segments<'a> {
         check_indices("segment", self.segments, vertices)?;
         check_points("hole", self.holes)?;
         for (i, region) in self.regions.iter().enumerate() {
-            let numbers = [
-                region.seed.x,
-                region.seed.y,
-                region.attribute,
-                region.max_area.unwrap_or(0.0),
-            ];
+            let numbers = [region.seed.x, region.seed.y, region.attribute, region.max_area.unwrap_or(0.0)];
             check_finite("region", i, &numbers)?;
         }
         Ok(())
@@ -118,53 +96,37 @@ pub(crate) fn invalid(what: String) -> io::Error {
 }
 
 fn check_optional(column: &str, found: usize, rows: usize) -> io::Result<()> {
-    if found == 0 || found == rows {
-        Ok(())
-    } else {
-        Err(invalid(format!("{found} {column} for {rows} rows")))
-    }
+    if found == 0 || found == rows { Ok(()) } else { Err(invalid(format!("{found} {column} for {rows} rows"))) }
 }
 
 fn check_rows(column: &str, found: usize, rows: usize, width: usize) -> io::Result<()> {
     if rows.checked_mul(width) == Some(found) {
         Ok(())
     } else {
-        Err(invalid(format!(
-            "{found} {column} for {rows} rows of {width}"
-        )))
+        Err(invalid(format!("{found} {column} for {rows} rows of {width}")))
     }
 }
 
 fn check_indices<const N: usize>(noun: &str, rows: &[[u32; N]], vertices: usize) -> io::Result<()> {
     for (i, row) in rows.iter().enumerate() {
         if let Some(vertex) = row.iter().find(|&&v| v as usize >= vertices) {
-            return Err(invalid(format!(
-                "{noun} {i} names vertex {vertex}, but there are {vertices} vertices"
-            )));
+            return Err(invalid(format!("{noun} {i} names vertex {vertex}, but there are {vertices} vertices")));
         }
     }
     Ok(())
 }
 
 fn check_points(noun: &str, points: &[Point]) -> io::Result<()> {
-    points
-        .iter()
-        .enumerate()
-        .try_for_each(|(i, p)| check_finite(noun, i, &[p.x, p.y]))
+    points.iter().enumerate().try_for_each(|(i, p)| check_finite(noun, i, &[p.x, p.y]))
 }
 
 fn check_reals(noun: &str, numbers: &[f64]) -> io::Result<()> {
-    numbers
-        .iter()
-        .enumerate()
-        .try_for_each(|(i, n)| check_finite(noun, i, &[*n]))
+    numbers.iter().enumerate().try_for_each(|(i, n)| check_finite(noun, i, &[*n]))
 }
 
 fn check_finite(noun: &str, index: usize, numbers: &[f64]) -> io::Result<()> {
     match numbers.iter().find(|n| !n.is_finite()) {
         None => Ok(()),
-        Some(n) => Err(invalid(format!(
-            "{noun} {index} has the value {n}, which is not finite"
-        ))),
+        Some(n) => Err(invalid(format!("{noun} {index} has the value {n}, which is not finite"))),
     }
 }

@@ -40,15 +40,9 @@ pub fn read(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Edges, Io
     let has_markers = reader.one_of_or("0 or 1 markers an edge", 0, &[0, 1])? == 1;
     reader.end_record()?;
     let mut found = Edges::default();
-    let mut rows = Numbering::new(
-        "edge",
-        count,
-        (vertices.count > 0).then_some(vertices.first_index),
-    );
+    let mut rows = Numbering::new("edge", count, (vertices.count > 0).then_some(vertices.first_index));
     while rows.next(&mut reader)? {
-        found
-            .edges
-            .push([reader.vertex(vertices)?, reader.vertex(vertices)?]);
+        found.edges.push([reader.vertex(vertices)?, reader.vertex(vertices)?]);
         if has_markers {
             found.markers.push(reader.marker()?);
         }

@@ -38,30 +38,15 @@ pub fn read(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Elements,
     reader.record(|| "the number of triangles".to_owned())?;
     let count = reader.count("the number of triangles")?;
     let nodes = reader.one_of_or("3 or 6 nodes a triangle", 3, &[3, 6])?;
-    let attributes_per_triangle =
-        reader.count_or("the number of attributes a triangle", 0, u32::MAX)? as usize;
+    let attributes_per_triangle = reader.count_or("the number of attributes a triangle", 0, u32::MAX)? as usize;
     reader.end_record()?;
 
-    let mut elements = Elements {
-        triangles: Vec::new(),
-        attributes_per_triangle,
-        attributes: Vec::new(),
-    };
-    elements
-        .triangles
-        .reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
+    let mut elements = Elements { triangles: Vec::new(), attributes_per_triangle, attributes: Vec::new() };
+    elements.triangles.reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
     // Without vertices there is no triangle either, and nothing says where the numbers start.
-    let mut rows = Numbering::new(
-        "triangle",
-        count,
-        (vertices.count > 0).then_some(vertices.first_index),
-    );
+    let mut rows = Numbering::new("triangle", count, (vertices.count > 0).then_some(vertices.first_index));
     while rows.next(&mut reader)? {
-        let corners = [
-            reader.vertex(vertices)?,
-            reader.vertex(vertices)?,
-            reader.vertex(vertices)?,
-        ];
+        let corners = [reader.vertex(vertices)?, reader.vertex(vertices)?, reader.vertex(vertices)?];
         elements.triangles.push(corners);
         for _ in 3..nodes {
             reader.vertex(vertices)?;

@@ -35,11 +35,7 @@ pub struct Fault {
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{}: expected {}, found {}",
-            self.place, self.expected, self.found
-        )
+        write!(f, "{}: expected {}, found {}", self.place, self.expected, self.found)
     }
 }
 
@@ -70,10 +66,7 @@ pub enum IoError {
         source: io::Error,
     },
     /// The name of an input says nothing about its format, or the format does not hold what is asked for.
-    #[error(
-        "cannot read {}: expected a name that ends in {expected}",
-        Printable(path)
-    )]
+    #[error("cannot read {}: expected a name that ends in {expected}", Printable(path))]
     UnknownInput {
         /// The file.
         path: PathBuf,
@@ -89,10 +82,7 @@ pub enum IoError {
         source: io::Error,
     },
     /// The name of an output says nothing about its format, or the format does not hold what is to be written.
-    #[error(
-        "cannot write {}: expected a name that ends in {expected}",
-        Printable(path)
-    )]
+    #[error("cannot write {}: expected a name that ends in {expected}", Printable(path))]
     UnknownOutput {
         /// The file.
         path: PathBuf,

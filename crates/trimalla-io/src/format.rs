@@ -22,14 +22,7 @@ pub enum Format {
 
 impl Format {
     /// All formats, in the order in which lists show them.
-    pub const ALL: [Self; 6] = [
-        Self::Node,
-        Self::Ele,
-        Self::Poly,
-        Self::Edge,
-        Self::Neigh,
-        Self::Svg,
-    ];
+    pub const ALL: [Self; 6] = [Self::Node, Self::Ele, Self::Poly, Self::Edge, Self::Neigh, Self::Svg];
 
     /// The ending of file names, without the dot.
     #[must_use]
@@ -61,9 +54,7 @@ impl Format {
     #[must_use]
     pub fn from_path(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?;
-        Self::ALL
-            .into_iter()
-            .find(|format| ending.eq_ignore_ascii_case(format.extension()))
+        Self::ALL.into_iter().find(|format| ending.eq_ignore_ascii_case(format.extension()))
     }
 }
 
@@ -72,11 +63,7 @@ impl Format {
 pub(crate) fn companion(path: &Path, format: Format) -> PathBuf {
     let mut ending = format.extension().to_owned();
     if Format::from_path(path).is_some() {
-        if path.extension().is_some_and(|old| {
-            old.to_string_lossy()
-                .bytes()
-                .all(|b| b.is_ascii_uppercase())
-        }) {
+        if path.extension().is_some_and(|old| old.to_string_lossy().bytes().all(|b| b.is_ascii_uppercase())) {
             ending.make_ascii_uppercase();
         }
         return path.with_extension(ending);

@@ -34,11 +34,7 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Vec<Neighbours>, IoError> {
     let mut rows = Numbering::new("triangle", count, None);
     while rows.next(&mut reader)? {
         let first = rows.first_index();
-        all.push([
-            reader.neighbour(first, count)?,
-            reader.neighbour(first, count)?,
-            reader.neighbour(first, count)?,
-        ]);
+        all.push([reader.neighbour(first, count)?, reader.neighbour(first, count)?, reader.neighbour(first, count)?]);
         reader.end_record()?;
     }
     reader.end_file()?;

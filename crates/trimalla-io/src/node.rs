@@ -40,10 +40,7 @@ impl Nodes {
     #[must_use]
     pub fn range(&self) -> VertexRange {
         // A section never holds more records than its header, a u32, allows.
-        VertexRange {
-            first_index: self.first_index,
-            count: self.points.len() as u32,
-        }
+        VertexRange { first_index: self.first_index, count: self.points.len() as u32 }
     }
 
     /// The drawing that consists of these vertices alone.
@@ -88,27 +85,16 @@ pub(crate) fn read_section(reader: &mut Reader<'_>) -> Result<Nodes, IoError> {
     reader.record(|| "the number of vertices".to_owned())?;
     let count = reader.count("the number of vertices")?;
     reader.one_of_or("the dimension 2", 2, &[2])?;
-    let attributes_per_point =
-        reader.count_or("the number of attributes a vertex", 0, u32::MAX)? as usize;
+    let attributes_per_point = reader.count_or("the number of attributes a vertex", 0, u32::MAX)? as usize;
     let has_markers = reader.one_of_or("0 or 1 markers a vertex", 0, &[0, 1])? == 1;
     reader.end_record()?;
 
-    let mut nodes = Nodes {
-        first_index: 1,
-        points: Vec::new(),
-        markers: Vec::new(),
-        attributes_per_point,
-        attributes: Vec::new(),
-    };
-    nodes
-        .points
-        .reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
+    let mut nodes =
+        Nodes { first_index: 1, points: Vec::new(), markers: Vec::new(), attributes_per_point, attributes: Vec::new() };
+    nodes.points.reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
     let mut rows = Numbering::new("vertex", count, None);
     while rows.next(reader)? {
-        let (x, y) = (
-            reader.real("an x coordinate")?,
-            reader.real("a y coordinate")?,
-        );
+        let (x, y) = (reader.real("an x coordinate")?, reader.real("a y coordinate")?);
         nodes.points.push(Point::new(x, y));
         for _ in 0..attributes_per_point {
             nodes.attributes.push(reader.real("an attribute")?);
@@ -133,27 +119,12 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
     write_points(out, &Points::of_mesh(mesh), first_index)
 }
 
-pub(crate) fn write_points(
-    out: &mut dyn Write,
-    points: &Points<'_>,
-    first_index: u32,
-) -> io::Result<()> {
+pub(crate) fn write_points(out: &mut dyn Write, points: &Points<'_>, first_index: u32) -> io::Result<()> {
     points.check(first_index)?;
     let width = points.attributes_per_point;
-    writeln!(
-        out,
-        "{} 2 {width} {}",
-        points.points.len(),
-        u8::from(!points.markers.is_empty())
-    )?;
+    writeln!(out, "{} 2 {width} {}", points.points.len(), u8::from(!points.markers.is_empty()))?;
     for (i, point) in points.points.iter().enumerate() {
-        write!(
-            out,
-            "{} {} {}",
-            i as u64 + u64::from(first_index),
-            Real(point.x),
-            Real(point.y)
-        )?;
+        write!(out, "{} {} {}", i as u64 + u64::from(first_index), Real(point.x), Real(point.y))?;
         for attribute in &points.attributes[i * width..(i + 1) * width] {
             write!(out, " {}", Real(*attribute))?;
         }

@@ -19,10 +19,7 @@ impl VertexRange {
     /// Every index from `first_index` on, where the number of vertices is not known.
     #[must_use]
     pub fn unbounded(first_index: u32) -> Self {
-        Self {
-            first_index,
-            count: u32::MAX - first_index,
-        }
+        Self { first_index, count: u32::MAX - first_index }
     }
 
     fn describe(self) -> String {
@@ -48,12 +45,7 @@ pub(crate) struct Numbering {
 impl Numbering {
     /// `count` records called `noun`, numbered from `first` or, where that is `None`, from what the first record says.
     pub(crate) fn new(noun: &'static str, count: u32, first: Option<u32>) -> Self {
-        Self {
-            noun,
-            count,
-            first,
-            next: 0,
-        }
+        Self { noun, count, first, next: 0 }
     }
 
     /// The index of the first record; 1 where nothing decides it.
@@ -66,14 +58,7 @@ impl Numbering {
         if self.next == self.count {
             return Ok(false);
         }
-        reader.record(|| {
-            format!(
-                "{} {} of {}",
-                self.noun,
-                u64::from(self.next) + 1,
-                self.count
-            )
-        })?;
+        reader.record(|| format!("{} {} of {}", self.noun, u64::from(self.next) + 1, self.count))?;
         let token = reader.expect("a number")?;
         let number: i128 = parse(token).ok_or_else(|| reader.syntax(token, &self.describe()))?;
         let fits = match self.first {
@@ -90,11 +75,7 @@ impl Numbering {
 
     fn describe(&self) -> String {
         match self.first {
-            Some(first) => format!(
-                "{} number {}",
-                self.noun,
-                u64::from(first) + u64::from(self.next)
-            ),
+            Some(first) => format!("{} number {}", self.noun, u64::from(first) + u64::from(self.next)),
             None => format!("0 or 1 as the number of the first {}", self.noun),
         }
     }
@@ -105,10 +86,7 @@ fn parse<T: FromStr>(token: Token<'_>) -> Option<T> {
 }
 
 fn looks_like_an_integer(text: &[u8]) -> bool {
-    let digits = text
-        .strip_prefix(b"-")
-        .or_else(|| text.strip_prefix(b"+"))
-        .unwrap_or(text);
+    let digits = text.strip_prefix(b"-").or_else(|| text.strip_prefix(b"+")).unwrap_or(text);
     !digits.is_empty() && digits.iter().all(u8::is_ascii_digit)
 }
 
@@ -116,32 +94,19 @@ impl Reader<'_> {
     /// A count of records or columns. Nothing is allocated on its word.
     pub(crate) fn count(&mut self, what: &str) -> Result<u32, IoError> {
         let token = self.expect(what)?;
-        self.integer_in(token, what, 0, i64::from(u32::MAX))
-            .map(|n| n as u32)
+        self.integer_in(token, what, 0, i64::from(u32::MAX)).map(|n| n as u32)
     }
 
     /// A count that may be missing at the end of a header line.
-    pub(crate) fn count_or(
-        &mut self,
-        what: &str,
-        default: u32,
-        largest: u32,
-    ) -> Result<u32, IoError> {
+    pub(crate) fn count_or(&mut self, what: &str, default: u32, largest: u32) -> Result<u32, IoError> {
         match self.field() {
             None => Ok(default),
-            Some(token) => self
-                .integer_in(token, what, 0, i64::from(largest))
-                .map(|n| n as u32),
+            Some(token) => self.integer_in(token, what, 0, i64::from(largest)).map(|n| n as u32),
         }
     }
 
     /// A header field that allows only some values.
-    pub(crate) fn one_of_or(
-        &mut self,
-        what: &str,
-        default: u32,
-        allowed: &[u32],
-    ) -> Result<u32, IoError> {
+    pub(crate) fn one_of_or(&mut self, what: &str, default: u32, allowed: &[u32]) -> Result<u32, IoError> {
         let Some(token) = self.field() else {
             return Ok(default);
         };
@@ -154,8 +119,7 @@ impl Reader<'_> {
     pub(crate) fn marker(&mut self) -> Result<i32, IoError> {
         const WHAT: &str = "a marker between -2147483648 and 2147483647";
         let token = self.expect(WHAT)?;
-        self.integer_in(token, WHAT, i64::from(i32::MIN), i64::from(i32::MAX))
-            .map(|n| n as i32)
+        self.integer_in(token, WHAT, i64::from(i32::MIN), i64::from(i32::MAX)).map(|n| n as i32)
     }
 
     /// A vertex index, counted from 0 whatever the file does.
@@ -169,11 +133,7 @@ impl Reader<'_> {
     }
 
     /// An index of a record of this file, counted from 0, or `None` where the file says -1.
-    pub(crate) fn neighbour(
-        &mut self,
-        first_index: u32,
-        count: u32,
-    ) -> Result<Option<u32>, IoError> {
+    pub(crate) fn neighbour(&mut self, first_index: u32, count: u32) -> Result<Option<u32>, IoError> {
         const WHAT: &str = "the number of a triangle, or -1";
         let token = self.expect(WHAT)?;
         let last = i64::from(first_index) + i64::from(count) - 1;
@@ -197,21 +157,12 @@ impl Reader<'_> {
     pub(crate) fn real_of(&self, token: Token<'_>, what: &str) -> Result<f64, IoError> {
         match parse::<f64>(token) {
             Some(value) if value.is_finite() => Ok(value),
-            Some(_) => Err(self.value(
-                token,
-                &format!("{what}, finite and within the range of a double"),
-            )),
+            Some(_) => Err(self.value(token, &format!("{what}, finite and within the range of a double"))),
             None => Err(self.syntax(token, what)),
         }
     }
 
-    fn integer_in(
-        &self,
-        token: Token<'_>,
-        what: &str,
-        low: i64,
-        high: i64,
-    ) -> Result<i64, IoError> {
+    fn integer_in(&self, token: Token<'_>, what: &str, low: i64, high: i64) -> Result<i64, IoError> {
         match parse::<i64>(token) {
             Some(value) if (low..=high).contains(&value) => Ok(value),
             _ if looks_like_an_integer(token.text) => Err(self.value(token, what)),
@@ -227,11 +178,7 @@ pub(crate) struct Real(pub(crate) f64);
 impl fmt::Display for Real {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.0.abs();
-        if size == 0.0 || (1e-5..1e17).contains(&size) {
-            write!(f, "{}", self.0)
-        } else {
-            write!(f, "{:e}", self.0)
-        }
+        if size == 0.0 || (1e-5..1e17).contains(&size) { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
     }
 }
 
@@ -242,24 +189,9 @@ mod tests {
     #[test]
     fn reals_keep_their_bits_and_stay_short() {
         let largest = 9_007_199_254_740_993_u64 as f64;
-        for value in [
-            5e-324,
-            -0.0,
-            1.0 / 3.0,
-            largest,
-            1e308,
-            f64::MAX,
-            f64::MIN_POSITIVE,
-            1e17,
-            1e-5,
-            123.0,
-        ] {
+        for value in [5e-324, -0.0, 1.0 / 3.0, largest, 1e308, f64::MAX, f64::MIN_POSITIVE, 1e17, 1e-5, 123.0] {
             let text = Real(value).to_string();
-            assert_eq!(
-                text.parse::<f64>().unwrap().to_bits(),
-                value.to_bits(),
-                "{text}"
-            );
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
             assert!(text.len() <= 24, "{text}");
         }
     }

@@ -68,11 +68,7 @@ impl Poly {
 ///
 /// # Errors
 /// [`IoError::Syntax`] or [`IoError::Value`] with the place of the first fault, and those of `companion`.
-pub fn read(
-    bytes: &[u8],
-    name: &str,
-    companion: impl FnOnce() -> Result<Nodes, IoError>,
-) -> Result<Poly, IoError> {
+pub fn read(bytes: &[u8], name: &str, companion: impl FnOnce() -> Result<Nodes, IoError>) -> Result<Poly, IoError> {
     let mut reader = Reader::new(bytes, name)?;
     let mut nodes = node::read_section(&mut reader)?;
     if nodes.points.is_empty() {
@@ -87,18 +83,10 @@ pub fn read(
 ///
 /// # Errors
 /// [`IoError::Syntax`] or [`IoError::Value`] with the place of the first fault.
-pub fn read_with_mesh(
-    bytes: &[u8],
-    name: &str,
-    vertices: VertexRange,
-) -> Result<Option<Sections>, IoError> {
+pub fn read_with_mesh(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Option<Sections>, IoError> {
     let mut reader = Reader::new(bytes, name)?;
     let own = node::read_section(&mut reader)?;
-    if own.points.is_empty() {
-        read_sections(&mut reader, vertices).map(Some)
-    } else {
-        Ok(None)
-    }
+    if own.points.is_empty() { read_sections(&mut reader, vertices).map(Some) } else { Ok(None) }
 }
 
 /// Reads a drawing that came without a name, such as standard input: a `.poly` file, or a `.node` file if nothing follows
@@ -109,45 +97,25 @@ pub fn read_with_mesh(
 pub fn read_unnamed(bytes: &[u8], name: &str) -> Result<Poly, IoError> {
     let mut reader = Reader::new(bytes, name)?;
     let nodes = node::read_section(&mut reader)?;
-    let sections = if reader.advance() {
-        read_sections(&mut reader, nodes.range())?
-    } else {
-        Sections::default()
-    };
+    let sections = if reader.advance() { read_sections(&mut reader, nodes.range())? } else { Sections::default() };
     Ok(Poly { nodes, sections })
 }
 
 fn read_sections(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<Sections, IoError> {
     let (segments, segment_markers) = read_segments(reader, vertices)?;
     let holes = read_holes(reader)?;
-    let regions = if reader.advance() {
-        read_regions(reader)?
-    } else {
-        Vec::new()
-    };
+    let regions = if reader.advance() { read_regions(reader)? } else { Vec::new() };
     reader.end_file()?;
-    Ok(Sections {
-        segments,
-        segment_markers,
-        holes,
-        regions,
-    })
+    Ok(Sections { segments, segment_markers, holes, regions })
 }
 
-fn read_segments(
-    reader: &mut Reader<'_>,
-    vertices: VertexRange,
-) -> Result<(Vec<[u32; 2]>, Vec<i32>), IoError> {
+fn read_segments(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<(Vec<[u32; 2]>, Vec<i32>), IoError> {
     reader.record(|| "the number of segments".to_owned())?;
     let count = reader.count("the number of segments")?;
     let has_markers = reader.one_of_or("0 or 1 markers a segment", 0, &[0, 1])? == 1;
     reader.end_record()?;
     let (mut segments, mut markers) = (Vec::new(), Vec::new());
-    let mut rows = Numbering::new(
-        "segment",
-        count,
-        (vertices.count > 0).then_some(vertices.first_index),
-    );
+    let mut rows = Numbering::new("segment", count, (vertices.count > 0).then_some(vertices.first_index));
     while rows.next(reader)? {
         segments.push([reader.vertex(vertices)?, reader.vertex(vertices)?]);
         if has_markers {
@@ -165,10 +133,7 @@ fn read_holes(reader: &mut Reader<'_>) -> Result<Vec<Point>, IoError> {
     let mut holes = Vec::new();
     let mut rows = Numbering::new("hole", count, None);
     while rows.next(reader)? {
-        holes.push(Point::new(
-            reader.real("an x coordinate")?,
-            reader.real("a y coordinate")?,
-        ));
+        holes.push(Point::new(reader.real("an x coordinate")?, reader.real("a y coordinate")?));
         reader.end_record()?;
     }
     Ok(holes)
@@ -180,23 +145,14 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
     let mut regions = Vec::new();
     let mut rows = Numbering::new("region", count, None);
     while rows.next(reader)? {
-        let seed = Point::new(
-            reader.real("an x coordinate")?,
-            reader.real("a y coordinate")?,
-        );
+        let seed = Point::new(reader.real("an x coordinate")?, reader.real("a y coordinate")?);
         let attribute = reader.real("the attribute of the region")?;
         let max_area = match reader.field() {
             None => None,
-            Some(token) => {
-                Some(reader.real_of(token, "the largest area")?).filter(|&area| area > 0.0)
-            }
+            Some(token) => Some(reader.real_of(token, "the largest area")?).filter(|&area| area > 0.0),
         };
         reader.end_record()?;
-        regions.push(Region {
-            seed,
-            attribute,
-            max_area,
-        });
+        regions.push(Region { seed, attribute, max_area });
     }
     Ok(regions)
 }
@@ -206,12 +162,7 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
 pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg, first_index: u32) -> io::Result<()> {
-    write_whole(
-        out,
-        &Points::of_pslg(pslg),
-        &Segments::of_pslg(pslg),
-        first_index,
-    )
+    write_whole(out, &Points::of_pslg(pslg), &Segments::of_pslg(pslg), first_index)
 }
 
 /// Writes the vertices, subsegments and holes of a mesh as a drawing.
@@ -219,58 +170,30 @@ pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg, first_index: u32) -> io::Res
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
-    write_whole(
-        out,
-        &Points::of_mesh(mesh),
-        &Segments::of_mesh(mesh),
-        first_index,
-    )
+    write_whole(out, &Points::of_mesh(mesh), &Segments::of_mesh(mesh), first_index)
 }
 
 /// Writes the subsegments and holes of a mesh whose vertices are in the `.node` file of the same stem.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
-pub fn write_beside_node(
-    out: &mut dyn Write,
-    mesh: &IndexedMesh,
-    first_index: u32,
-) -> io::Result<()> {
+pub fn write_beside_node(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
     let (points, segments) = (Points::of_mesh(mesh), Segments::of_mesh(mesh));
     points.check(first_index)?;
     segments.check(points.points.len())?;
-    writeln!(
-        out,
-        "0 2 {} {}",
-        points.attributes_per_point,
-        u8::from(!points.markers.is_empty())
-    )?;
+    writeln!(out, "0 2 {} {}", points.attributes_per_point, u8::from(!points.markers.is_empty()))?;
     write_sections(out, &segments, first_index)
 }
 
-fn write_whole(
-    out: &mut dyn Write,
-    points: &Points<'_>,
-    segments: &Segments<'_>,
-    first_index: u32,
-) -> io::Result<()> {
+fn write_whole(out: &mut dyn Write, points: &Points<'_>, segments: &Segments<'_>, first_index: u32) -> io::Result<()> {
     segments.check(points.points.len())?;
     node::write_points(out, points, first_index)?;
     write_sections(out, segments, first_index)
 }
 
-fn write_sections(
-    out: &mut dyn Write,
-    sections: &Segments<'_>,
-    first_index: u32,
-) -> io::Result<()> {
+fn write_sections(out: &mut dyn Write, sections: &Segments<'_>, first_index: u32) -> io::Result<()> {
     let base = u64::from(first_index);
-    writeln!(
-        out,
-        "{} {}",
-        sections.segments.len(),
-        u8::from(!sections.markers.is_empty())
-    )?;
+    writeln!(out, "{} {}", sections.segments.len(), u8::from(!sections.markers.is_empty()))?;
     for (i, segment) in sections.segments.iter().enumerate() {
         let [a, b] = segment.map(|v| u64::from(v) + base);
         write!(out, "{} {a} {b}", i as u64 + base)?;
@@ -293,13 +216,7 @@ fn write_regions(out: &mut dyn Write, regions: &[Region], base: u64) -> io::Resu
     writeln!(out, "{}", regions.len())?;
     for (i, region) in regions.iter().enumerate() {
         let (seed, number) = (region.seed, i as u64 + base);
-        write!(
-            out,
-            "{number} {} {} {}",
-            Real(seed.x),
-            Real(seed.y),
-            Real(region.attribute)
-        )?;
+        write!(out, "{number} {} {} {}", Real(seed.x), Real(seed.y), Real(region.attribute))?;
         match region.max_area {
             // Other readers take a missing area for the attribute, so "none" is written out.
             None => writeln!(out, " -1")?,

@@ -40,24 +40,15 @@ pub fn read_pslg(path: impl AsRef<Path>) -> Result<Pslg, IoError> {
 pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoError> {
     let path = path.as_ref();
     if path == Path::new("-") {
-        let bytes =
-            fill(io::stdin().lock(), LONGEST_STREAM).map_err(|source| unreadable(path, source))?;
+        let bytes = fill(io::stdin().lock(), LONGEST_STREAM).map_err(|source| unreadable(path, source))?;
         let poly = poly::read_unnamed(&bytes, "-")?;
-        return Ok(Numbered {
-            first_index: poly.nodes.first_index,
-            value: poly.into_pslg(),
-            files: Vec::new(),
-        });
+        return Ok(Numbered { first_index: poly.nodes.first_index, value: poly.into_pslg(), files: Vec::new() });
     }
     match Format::from_path(path) {
         Some(Format::Poly) => read_poly(path),
         Some(Format::Node) => {
             let nodes = read_nodes(path, None)?;
-            Ok(Numbered {
-                first_index: nodes.first_index,
-                value: nodes.into_pslg(),
-                files: vec![path.to_owned()],
-            })
+            Ok(Numbered { first_index: nodes.first_index, value: nodes.into_pslg(), files: vec![path.to_owned()] })
         }
         None => match of_stem(path, &[Format::Poly, Format::Node]) {
             Some(file) => read_pslg_numbered(file),
@@ -85,9 +76,7 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
     match Format::from_path(path) {
         Some(Format::Ele) => read_group(path),
         Some(Format::Node) => read_group(&companion(path, Format::Ele)),
-        None if of_stem(path, &[Format::Ele]).is_some() => {
-            read_group(&companion(path, Format::Ele))
-        }
+        None if of_stem(path, &[Format::Ele]).is_some() => read_group(&companion(path, Format::Ele)),
         _ => Err(unknown(path, ".ele")),
     }
 }
@@ -101,11 +90,7 @@ fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {
         files.push(beside);
         Ok(nodes)
     })?;
-    Ok(Numbered {
-        first_index: poly.nodes.first_index,
-        value: poly.into_pslg(),
-        files,
-    })
+    Ok(Numbered { first_index: poly.nodes.first_index, value: poly.into_pslg(), files })
 }
 
 fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
@@ -123,17 +108,10 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
     let drawing = companion(path, Format::Poly);
     let sections = match fs::symlink_metadata(&drawing) {
         Err(_) => None,
-        Ok(_) => {
-            poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?
-        }
+        Ok(_) => poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?,
     };
     files.extend(sections.is_some().then_some(drawing));
-    let Sections {
-        segments,
-        segment_markers,
-        holes,
-        ..
-    } = sections.unwrap_or_default();
+    let Sections { segments, segment_markers, holes, .. } = sections.unwrap_or_default();
     let mesh = IndexedMesh {
         triangles: elements.triangles,
         attributes_per_triangle: elements.attributes_per_triangle,
@@ -143,26 +121,16 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
         holes,
         ..nodes.into_mesh()
     };
-    Ok(Numbered {
-        value: mesh,
-        first_index,
-        files,
-    })
+    Ok(Numbered { value: mesh, first_index, files })
 }
 
 /// The first existing file of the given formats that has `path` as its stem.
 fn of_stem(path: &Path, formats: &[Format]) -> Option<PathBuf> {
-    formats
-        .iter()
-        .map(|&format| companion(path, format))
-        .find(|file| file.exists())
+    formats.iter().map(|&format| companion(path, format)).find(|file| file.exists())
 }
 
 fn unknown(path: &Path, expected: &'static str) -> IoError {
-    IoError::UnknownInput {
-        path: path.to_owned(),
-        expected,
-    }
+    IoError::UnknownInput { path: path.to_owned(), expected }
 }
 
 fn name_of(path: &Path) -> String {
@@ -172,21 +140,14 @@ fn name_of(path: &Path) -> String {
 /// The bytes of a file.
 fn read_file(path: &Path, needed_by: Option<&Path>) -> Result<Vec<u8>, IoError> {
     let file = File::open(path).map_err(|source| match source.kind() {
-        io::ErrorKind::NotFound => IoError::Missing {
-            path: path.to_owned(),
-            needed_by: needed_by.map(Path::to_owned),
-        },
+        io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: needed_by.map(Path::to_owned) },
         _ => unreadable(path, source),
     })?;
     let found = file.metadata().map_err(|source| unreadable(path, source))?;
     if found.is_dir() {
         return Err(unreadable(path, io::ErrorKind::IsADirectory.into()));
     }
-    let longest = if found.is_file() {
-        LONGEST_FILE
-    } else {
-        LONGEST_STREAM
-    };
+    let longest = if found.is_file() { LONGEST_FILE } else { LONGEST_STREAM };
     fill(file, longest).map_err(|source| unreadable(path, source))
 }
 
@@ -206,9 +167,7 @@ fn fill(mut stream: impl Read, longest: u64) -> io::Result<Vec<u8>> {
         if (bytes.len() + length) as u64 > longest {
             return Err(io::ErrorKind::FileTooLarge.into());
         }
-        bytes
-            .try_reserve(length)
-            .map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
+        bytes.try_reserve(length).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
         bytes.extend_from_slice(new);
         if new.contains(&0) {
             return Ok(bytes);
@@ -225,8 +184,5 @@ const LONGEST_FILE: u64 = 1 << 38;
 const LONGEST_STREAM: u64 = 1 << 31;
 
 fn unreadable(path: &Path, source: io::Error) -> IoError {
-    IoError::Unreadable {
-        path: path.to_owned(),
-        source,
-    }
+    IoError::Unreadable { path: path.to_owned(), source }
 }

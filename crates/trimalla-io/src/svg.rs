@@ -35,11 +35,7 @@ pub struct SvgOptions {
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self {
-            title: String::new(),
-            show_vertices: false,
-            show_legend: true,
-        }
+        Self { title: String::new(), show_vertices: false, show_legend: true }
     }
 }
 
@@ -68,8 +64,8 @@ impl SvgOptions {
 
 /// The classes' colours, from the smallest angles to the largest: steps of equal size in a perceptual colour space.
 const COLOURS: [&str; CLASSES] = [
-    "#9e1b32", "#c24537", "#e26b3d", "#ef984f", "#f5bf6b", "#f4db93", "#dfe5aa", "#b5dbb2",
-    "#8ac9b4", "#5eb3b3", "#4292a7", "#2b6f97",
+    "#9e1b32", "#c24537", "#e26b3d", "#ef984f", "#f5bf6b", "#f4db93", "#dfe5aa", "#b5dbb2", "#8ac9b4", "#5eb3b3",
+    "#4292a7", "#2b6f97",
 ];
 const INK: &str = "#1d2733";
 
@@ -87,24 +83,13 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) 
 
     frame.open(out, &options.title)?;
     draw_triangles(out, mesh, &frame, &histogram, stroke)?;
-    draw_segments(
-        out,
-        &mesh.points,
-        &mesh.segments,
-        &frame,
-        (2.5 * stroke).max(0.3),
-    )?;
+    draw_segments(out, &mesh.points, &mesh.segments, &frame, (2.5 * stroke).max(0.3))?;
     if options.show_vertices || mesh.triangles.is_empty() {
         draw_dots(out, &mesh.points, &frame, (5.0 * stroke).max(0.6))?;
     }
     if options.show_legend {
         legend::draw_scale(out, &frame, &histogram)?;
-        legend::draw_lines(
-            out,
-            &frame,
-            legend::SCALE_ROWS,
-            &mesh_lines(mesh, &histogram),
-        )?;
+        legend::draw_lines(out, &frame, legend::SCALE_ROWS, &mesh_lines(mesh, &histogram))?;
     }
     writeln!(out, "</svg>")
 }
@@ -124,20 +109,8 @@ pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &SvgOptions) -> io::
     frame.open(out, &options.title)?;
     draw_segments(out, &pslg.points, &pslg.segments, &frame, 1.5 * stroke)?;
     draw_dots(out, &pslg.points, &frame, 5.0 * stroke)?;
-    draw_marks(
-        out,
-        &pslg.holes,
-        &frame,
-        "m-5-5l10 10m-10 0l10-10",
-        COLOURS[1],
-    )?;
-    draw_marks(
-        out,
-        &seeds,
-        &frame,
-        "m-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0",
-        COLOURS[11],
-    )?;
+    draw_marks(out, &pslg.holes, &frame, "m-5-5l10 10m-10 0l10-10", COLOURS[1])?;
+    draw_marks(out, &seeds, &frame, "m-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", COLOURS[11])?;
     if options.show_legend {
         let counts = [
             ("vertices", pslg.points.len()),
@@ -145,12 +118,7 @@ pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &SvgOptions) -> io::
             ("holes", pslg.holes.len()),
             ("regions", seeds.len()),
         ];
-        legend::draw_lines(
-            out,
-            &frame,
-            0.0,
-            &counts.map(|(noun, count)| Line::count(noun, count)),
-        )?;
+        legend::draw_lines(out, &frame, 0.0, &counts.map(|(noun, count)| Line::count(noun, count)))?;
     }
     writeln!(out, "</svg>")
 }
@@ -180,31 +148,12 @@ fn draw_triangles(
     histogram: &Histogram,
     stroke: f64,
 ) -> io::Result<()> {
-    writeln!(
-        out,
-        "<g stroke=\"#fff\" stroke-width=\"{stroke:.2}\" stroke-linejoin=\"round\" stroke-opacity=\".75\">"
-    )?;
-    for class in (0..CLASSES)
-        .rev()
-        .filter(|&class| histogram.counts[class] > 0)
-    {
+    writeln!(out, "<g stroke=\"#fff\" stroke-width=\"{stroke:.2}\" stroke-linejoin=\"round\" stroke-opacity=\".75\">")?;
+    for class in (0..CLASSES).rev().filter(|&class| histogram.counts[class] > 0) {
         write!(out, "<path fill=\"{}\" d=\"", COLOURS[class])?;
-        for (triangle, _) in mesh
-            .triangles
-            .iter()
-            .zip(&histogram.class_of)
-            .filter(|(_, c)| usize::from(**c) == class)
-        {
+        for (triangle, _) in mesh.triangles.iter().zip(&histogram.class_of).filter(|(_, c)| usize::from(**c) == class) {
             let [a, b, c] = triangle.map(|v| frame.place(mesh.points[v as usize]));
-            write!(
-                out,
-                "M{}{}z",
-                a.absolute(),
-                Polyline {
-                    from: a,
-                    to: &[b, c]
-                }
-            )?;
+            write!(out, "M{}{}z", a.absolute(), Polyline { from: a, to: &[b, c] })?;
         }
         writeln!(out, "\"/>")?;
     }
@@ -221,10 +170,7 @@ fn draw_segments(
     if segments.is_empty() {
         return Ok(());
     }
-    write!(
-        out,
-        "<path fill=\"none\" stroke=\"{INK}\" stroke-width=\"{width:.2}\" stroke-linecap=\"round\" d=\""
-    )?;
+    write!(out, "<path fill=\"none\" stroke=\"{INK}\" stroke-width=\"{width:.2}\" stroke-linecap=\"round\" d=\"")?;
     for segment in segments {
         let [a, b] = segment.map(|v| frame.place(points[v as usize]));
         write!(out, "M{}{}", a.absolute(), Polyline { from: a, to: &[b] })?;
@@ -237,30 +183,18 @@ fn draw_dots(out: &mut dyn Write, points: &[Point], frame: &Frame, size: f64) ->
     if points.is_empty() {
         return Ok(());
     }
-    write!(
-        out,
-        "<path fill=\"none\" stroke=\"{INK}\" stroke-width=\"{size:.2}\" stroke-linecap=\"round\" d=\""
-    )?;
+    write!(out, "<path fill=\"none\" stroke=\"{INK}\" stroke-width=\"{size:.2}\" stroke-linecap=\"round\" d=\"")?;
     for &point in points {
         write!(out, "M{}h0", frame.place(point).absolute())?;
     }
     writeln!(out, "\"/>")
 }
 
-fn draw_marks(
-    out: &mut dyn Write,
-    seeds: &[Point],
-    frame: &Frame,
-    mark: &str,
-    colour: &str,
-) -> io::Result<()> {
+fn draw_marks(out: &mut dyn Write, seeds: &[Point], frame: &Frame, mark: &str, colour: &str) -> io::Result<()> {
     if seeds.is_empty() {
         return Ok(());
     }
-    write!(
-        out,
-        "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-linecap=\"round\" d=\""
-    )?;
+    write!(out, "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-linecap=\"round\" d=\"")?;
     for &seed in seeds {
         write!(out, "M{}{mark}", frame.place(seed).absolute())?;
     }

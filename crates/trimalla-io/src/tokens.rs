@@ -30,18 +30,8 @@ pub(crate) struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// A cursor at the start of `bytes`; `name` is what errors call the file.
     pub(crate) fn new(bytes: &'a [u8], name: &'a str) -> Result<Self, IoError> {
-        let start = if bytes.starts_with(BYTE_ORDER_MARK) {
-            BYTE_ORDER_MARK.len()
-        } else {
-            0
-        };
-        let mut reader = Self {
-            name,
-            bytes,
-            pos: start,
-            line: 1,
-            line_start: start,
-        };
+        let start = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+        let mut reader = Self { name, bytes, pos: start, line: 1, line_start: start };
         match not_text(bytes) {
             None => Ok(reader),
             Some((offset, found)) => {
@@ -70,31 +60,18 @@ impl<'a> Reader<'a> {
 
     /// Moves to the next record, which `expected` describes.
     pub(crate) fn record(&mut self, expected: impl FnOnce() -> String) -> Result<(), IoError> {
-        if self.advance() {
-            Ok(())
-        } else {
-            Err(IoError::Syntax(
-                self.fault_here(&expected(), "the end of the file"),
-            ))
-        }
+        if self.advance() { Ok(()) } else { Err(IoError::Syntax(self.fault_here(&expected(), "the end of the file"))) }
     }
 
     /// The next field of this line, if there is one.
     pub(crate) fn field(&mut self) -> Option<Token<'a>> {
         self.skip_blanks();
         let rest = self.bytes.get(self.pos..).unwrap_or_default();
-        let length = rest
-            .iter()
-            .position(|&b| ends_field(b))
-            .unwrap_or(rest.len());
+        let length = rest.iter().position(|&b| ends_field(b)).unwrap_or(rest.len());
         if length == 0 {
             return None;
         }
-        let token = Token {
-            text: &rest[..length],
-            line: self.line,
-            column: self.column(),
-        };
+        let token = Token { text: &rest[..length], line: self.line, column: self.column() };
         self.pos += length;
         Some(token)
     }
@@ -106,9 +83,7 @@ impl<'a> Reader<'a> {
             Some(token) => Ok(token),
             None => {
                 self.pos = end;
-                Err(IoError::Syntax(
-                    self.fault_here(expected, "the end of the line"),
-                ))
+                Err(IoError::Syntax(self.fault_here(expected, "the end of the line")))
             }
         }
     }
@@ -151,16 +126,8 @@ impl<'a> Reader<'a> {
     }
 
     fn fault(&self, line: u64, column: u64, expected: &str, found: String) -> Box<Fault> {
-        let place = Place {
-            file: self.name.to_owned(),
-            line,
-            column,
-        };
-        Box::new(Fault {
-            place,
-            expected: expected.to_owned(),
-            found,
-        })
+        let place = Place { file: self.name.to_owned(), line, column };
+        Box::new(Fault { place, expected: expected.to_owned(), found })
     }
 
     fn column(&self) -> u64 {
@@ -219,10 +186,7 @@ fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
     if bytes.starts_with(b"\x1f\x8b") {
         return Some((0, "gzip-compressed data"));
     }
-    bytes
-        .iter()
-        .position(|&b| b == 0)
-        .map(|offset| (offset, "a NUL byte"))
+    bytes.iter().position(|&b| b == 0).map(|offset| (offset, "a NUL byte"))
 }
 
 #[cfg(test)]
@@ -235,11 +199,7 @@ mod tests {
         let mut all = Vec::new();
         while reader.advance() {
             let token = reader.field().unwrap();
-            all.push((
-                token.line,
-                token.column,
-                String::from_utf8_lossy(token.text).into_owned(),
-            ));
+            all.push((token.line, token.column, String::from_utf8_lossy(token.text).into_owned()));
         }
         all
     }
@@ -250,21 +210,13 @@ mod tests {
 
     #[test]
     fn every_line_end_counts_once() {
-        let expected = [
-            field(1, 1, "a"),
-            field(2, 2, "b"),
-            field(3, 1, "c"),
-            field(5, 1, "d"),
-        ];
+        let expected = [field(1, 1, "a"), field(2, 2, "b"), field(3, 1, "c"), field(5, 1, "d")];
         assert_eq!(fields(b"a\r\n\tb\rc\n\nd"), expected);
     }
 
     #[test]
     fn comments_and_marks_are_skipped() {
-        assert_eq!(
-            fields(b"\xef\xbb\xbf1#x y\n# \xe4\xff\n 2 # 3"),
-            [field(1, 1, "1"), field(3, 2, "2")]
-        );
+        assert_eq!(fields(b"\xef\xbb\xbf1#x y\n# \xe4\xff\n 2 # 3"), [field(1, 1, "1"), field(3, 2, "2")]);
     }
 
     #[test]

@@ -16,11 +16,7 @@ pub(crate) fn sorted_sides(mesh: &IndexedMesh) -> Vec<Side> {
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         for corner in 0..3 {
             let (a, b) = (corners[(corner + 1) % 3], corners[(corner + 2) % 3]);
-            sides.push(Side {
-                edge: [a.min(b), a.max(b)],
-                triangle,
-                corner,
-            });
+            sides.push(Side { edge: [a.min(b), a.max(b)], triangle, corner });
         }
     }
     sides.sort_unstable();

@@ -27,11 +27,7 @@ pub struct WriteOptions {
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self {
-            first_index: 1,
-            format: None,
-            svg: SvgOptions::default(),
-        }
+        Self { first_index: 1, format: None, svg: SvgOptions::default() }
     }
 }
 
@@ -58,13 +54,8 @@ impl WriteOptions {
     }
 
     fn format_for(&self, path: &Path, expected: &'static str) -> Result<Format, IoError> {
-        let unknown = || IoError::UnknownOutput {
-            path: path.to_owned(),
-            expected,
-        };
-        self.format
-            .or_else(|| Format::from_path(path))
-            .ok_or_else(unknown)
+        let unknown = || IoError::UnknownOutput { path: path.to_owned(), expected };
+        self.format.or_else(|| Format::from_path(path)).ok_or_else(unknown)
     }
 }
 
@@ -72,9 +63,7 @@ impl WriteOptions {
 #[must_use]
 pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
     if is_group(path, options) {
-        [Format::Node, Format::Ele, Format::Poly]
-            .map(|format| member(path, format))
-            .into()
+        [Format::Node, Format::Ele, Format::Poly].map(|format| member(path, format)).into()
     } else {
         vec![path.to_owned()]
     }
@@ -116,20 +105,12 @@ impl Outputs {
         let path = path.as_ref();
         let format = options.format_for(path, MESH_ENDINGS)?;
         if !is_group(path, options) {
-            return self
-                .group
-                .add(path, |out| write_mesh_to(out, format, mesh, options));
+            return self.group.add(path, |out| write_mesh_to(out, format, mesh, options));
         }
         let first_index = options.first_index;
-        self.group.add(&member(path, Format::Node), |out| {
-            node::write(out, mesh, first_index)
-        })?;
-        self.group.add(&member(path, Format::Ele), |out| {
-            ele::write(out, mesh, first_index)
-        })?;
-        self.group.add(&member(path, Format::Poly), |out| {
-            poly::write_beside_node(out, mesh, first_index)
-        })
+        self.group.add(&member(path, Format::Node), |out| node::write(out, mesh, first_index))?;
+        self.group.add(&member(path, Format::Ele), |out| ele::write(out, mesh, first_index))?;
+        self.group.add(&member(path, Format::Poly), |out| poly::write_beside_node(out, mesh, first_index))
     }
 
     /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node`
@@ -137,22 +118,13 @@ impl Outputs {
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
-    pub fn add_pslg(
-        &mut self,
-        path: impl AsRef<Path>,
-        pslg: &Pslg,
-        options: &WriteOptions,
-    ) -> Result<(), IoError> {
+    pub fn add_pslg(&mut self, path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -> Result<(), IoError> {
         let path = path.as_ref();
         let format = options.format_for(path, PSLG_ENDINGS)?;
         if !matches!(format, Format::Poly | Format::Node | Format::Svg) {
-            return Err(IoError::UnknownOutput {
-                path: path.to_owned(),
-                expected: PSLG_ENDINGS,
-            });
+            return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
-        self.group
-            .add(path, |out| write_pslg_to(out, format, pslg, options))
+        self.group.add(path, |out| write_pslg_to(out, format, pslg, options))
     }
 
     /// Puts every file in its place. Without this call, old files stay as they are and nothing new appears.
@@ -171,11 +143,7 @@ const PSLG_ENDINGS: &str = ".poly, .node or .svg";
 ///
 /// # Errors
 /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
-pub fn write_mesh(
-    path: impl AsRef<Path>,
-    mesh: &IndexedMesh,
-    options: &WriteOptions,
-) -> Result<(), IoError> {
+pub fn write_mesh(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), IoError> {
     let mut outputs = Outputs::default();
     outputs.add_mesh(path, mesh, options)?;
     outputs.commit()
@@ -206,11 +174,7 @@ pub fn write_mesh_to(
 ///
 /// # Errors
 /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`]; old files are then as they were.
-pub fn write_pslg(
-    path: impl AsRef<Path>,
-    pslg: &Pslg,
-    options: &WriteOptions,
-) -> Result<(), IoError> {
+pub fn write_pslg(path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -> Result<(), IoError> {
     let mut outputs = Outputs::default();
     outputs.add_pslg(path, pslg, options)?;
     outputs.commit()
@@ -220,12 +184,7 @@ pub fn write_pslg(
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes only.
-pub fn write_pslg_to(
-    out: &mut dyn Write,
-    format: Format,
-    pslg: &Pslg,
-    options: &WriteOptions,
-) -> io::Result<()> {
+pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: &WriteOptions) -> io::Result<()> {
     match format {
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
@@ -243,9 +202,7 @@ fn is_group(path: &Path, options: &WriteOptions) -> bool {
 fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
         || path == Path::new("/dev/stdout")
-        || path
-            .metadata()
-            .is_ok_and(|found| !found.is_file() && !found.is_dir())
+        || path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 /// A file of the group of `path`; the one the caller named keeps its name.

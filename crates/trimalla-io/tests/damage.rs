@@ -26,13 +26,8 @@ fn check(bytes: &[u8]) {
     let lines: Vec<&[u8]> = split_lines(bytes);
     for error in read_all(bytes).into_iter().filter_map(Result::err) {
         let fault = error.fault().expect("reading bytes fails at a place only");
-        let line = lines
-            .get(fault.place.line as usize - 1)
-            .expect("the line exists");
-        assert!(
-            (1..=line.len() as u64 + 1).contains(&fault.place.column),
-            "{error} in {bytes:?}"
-        );
+        let line = lines.get(fault.place.line as usize - 1).expect("the line exists");
+        assert!((1..=line.len() as u64 + 1).contains(&fault.place.column), "{error} in {bytes:?}");
         assert!(error.to_string().len() < 300, "{error}");
     }
 }
@@ -41,11 +36,7 @@ fn split_lines(bytes: &[u8]) -> Vec<&[u8]> {
     let mut lines = vec![];
     let (mut start, mut at) = (0, 0);
     while at < bytes.len() {
-        let step = if bytes[at..].starts_with(b"\r\n") {
-            2
-        } else {
-            1
-        };
+        let step = if bytes[at..].starts_with(b"\r\n") { 2 } else { 1 };
         if matches!(bytes[at], b'\r' | b'\n') {
             lines.push(&bytes[start..at]);
             start = at + step;
@@ -60,15 +51,7 @@ const SAMPLES: [&str; 5] = [NODE, ELE, POLY, EDGE, NEIGH];
 
 #[test]
 fn samples_are_read() {
-    for (i, sample) in [
-        (0, NODE),
-        (1, POLY),
-        (2, POLY),
-        (2, NODE),
-        (4, ELE),
-        (5, EDGE),
-        (6, NEIGH),
-    ] {
+    for (i, sample) in [(0, NODE), (1, POLY), (2, POLY), (2, NODE), (4, ELE), (5, EDGE), (6, NEIGH)] {
         assert!(read_all(sample.as_bytes())[i].is_ok(), "{sample}");
     }
 }
@@ -110,12 +93,7 @@ fn every_bit_flipped() {
 
 #[test]
 fn headers_promise_in_vain() {
-    for header in [
-        "4294967295",
-        "4294967295 2 4294967295 1",
-        "4294967295 3 4294967295",
-        "4294967295 6 4294967295",
-    ] {
+    for header in ["4294967295", "4294967295 2 4294967295 1", "4294967295 3 4294967295", "4294967295 6 4294967295"] {
         check(header.as_bytes());
         check(format!("{header}\n1 1 2 3 4 5 6 7\n").as_bytes());
         check(format!("3\n1 0 0\n2 1 0\n3 0 1\n{header}\n").as_bytes());

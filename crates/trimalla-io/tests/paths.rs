@@ -8,9 +8,7 @@ use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 
 use common::{ELE, NODE, POLY, grid, names_in, scratch};
-use trimalla_io::{
-    Format, IoError, WriteOptions, files_of_mesh, read_mesh, read_pslg, write_mesh, write_pslg,
-};
+use trimalla_io::{Format, IoError, WriteOptions, files_of_mesh, read_mesh, read_pslg, write_mesh, write_pslg};
 
 fn options() -> WriteOptions {
     WriteOptions::default()
@@ -33,12 +31,7 @@ fn companions_are_found_and_missed() {
     assert!(
         matches!(&error, IoError::Missing { path, needed_by: Some(by) } if path.ends_with("a.node") && by.ends_with("a.poly"))
     );
-    assert!(
-        error
-            .to_string()
-            .contains("a.node: no such file, needed by "),
-        "{error}"
-    );
+    assert!(error.to_string().contains("a.node: no such file, needed by "), "{error}");
     fs::write(dir.join("a.node"), NODE).unwrap();
     assert_eq!(read_pslg(dir.join("a.poly")).unwrap().points.len(), 4);
     assert_eq!(read_pslg(dir.join("a")).unwrap().segments, [[0, 1]]);
@@ -62,17 +55,11 @@ fn companions_must_agree() {
     fs::write(dir.join("a.node"), "3\n0 0 0\n1 1 0\n2 0 1\n").unwrap();
     fs::write(dir.join("a.ele"), "1 3 0\n1 1 2 3\n").unwrap();
     let error = read_mesh(dir.join("a.ele")).unwrap_err().to_string();
-    assert!(
-        error.ends_with("a.ele:2:1: expected triangle number 0, found '1'"),
-        "{error}"
-    );
+    assert!(error.ends_with("a.ele:2:1: expected triangle number 0, found '1'"), "{error}");
     fs::write(dir.join("a.ele"), "1 3 0\n0 0 1 2\n").unwrap();
     fs::write(dir.join("a.poly"), "0\n1\n0 1 3\n0\n").unwrap();
     let error = read_mesh(dir.join("a.ele")).unwrap_err().to_string();
-    assert!(
-        error.ends_with("a.poly:3:5: expected a vertex index between 0 and 2, found '3'"),
-        "{error}"
-    );
+    assert!(error.ends_with("a.poly:3:5: expected a vertex index between 0 and 2, found '3'"), "{error}");
 }
 
 #[test]
@@ -84,24 +71,15 @@ fn what_is_no_file_is_named() {
     for (name, expected) in [
         ("d.poly", "is a directory"),
         ("loop.node", "symbolic links"),
-        (
-            "zero.node",
-            "zero.node:1:1: expected text, found a NUL byte",
-        ),
+        ("zero.node", "zero.node:1:1: expected text, found a NUL byte"),
         ("none.node", "none.node: no such file"),
         ("none", "expected a name that ends in .poly or .node"),
         ("none.svg", "expected a name that ends in .poly or .node"),
     ] {
         let error = read_pslg(dir.join(name)).unwrap_err();
-        assert!(
-            !error.is_output() && error.to_string().contains(expected),
-            "{error}"
-        );
+        assert!(!error.is_output() && error.to_string().contains(expected), "{error}");
     }
-    assert!(matches!(
-        read_mesh(dir.join("d.poly")),
-        Err(IoError::UnknownInput { .. })
-    ));
+    assert!(matches!(read_mesh(dir.join("d.poly")), Err(IoError::UnknownInput { .. })));
     assert!(read_pslg(dir.join("x".repeat(4096) + ".node")).is_err());
     assert!(read_pslg(dir.join("nul\0.node")).is_err());
 }
@@ -110,11 +88,7 @@ fn what_is_no_file_is_named() {
 fn a_pipe_can_be_read() {
     let dir = scratch("pipe");
     let pipe = dir.join("pipe.poly");
-    if !std::process::Command::new("mkfifo")
-        .arg(&pipe)
-        .status()
-        .is_ok_and(|s| s.success())
-    {
+    if !std::process::Command::new("mkfifo").arg(&pipe).status().is_ok_and(|s| s.success()) {
         return;
     }
     let writer = std::thread::spawn({
@@ -132,14 +106,8 @@ fn a_mesh_is_three_files_and_no_more() {
     assert_eq!(names_in(&dir), ["m.1.ele", "m.1.node", "m.1.poly"]);
     let mut files = files_of_mesh(&dir.join("m.1.ele"), &options());
     files.sort();
-    assert_eq!(
-        files,
-        ["m.1.ele", "m.1.node", "m.1.poly"].map(|name| dir.join(name))
-    );
-    assert_eq!(
-        files_of_mesh(Path::new("m.svg"), &options()),
-        [PathBuf::from("m.svg")]
-    );
+    assert_eq!(files, ["m.1.ele", "m.1.node", "m.1.poly"].map(|name| dir.join(name)));
+    assert_eq!(files_of_mesh(Path::new("m.svg"), &options()), [PathBuf::from("m.svg")]);
     for format in Format::ALL {
         let path = dir.join("one").with_extension(format.extension());
         write_mesh(&path, &grid(2), &options()).unwrap();
@@ -187,10 +155,7 @@ fn old_files_survive_a_failure() {
 #[test]
 fn a_full_device_is_an_error() {
     let error = write_mesh("/dev/full", &grid(2), &options().with_format(Format::Svg)).unwrap_err();
-    assert!(
-        error.is_output() && error.to_string().contains("No space left"),
-        "{error}"
-    );
+    assert!(error.is_output() && error.to_string().contains("No space left"), "{error}");
     write_mesh("/dev/null", &grid(2), &options().with_format(Format::Ele)).unwrap();
 }
 
@@ -208,14 +173,7 @@ fn links_stay_and_permissions_are_kept() {
         assert!(fs::symlink_metadata(dir.join(name)).unwrap().is_symlink());
         assert_eq!(read_pslg(dir.join(name)).unwrap(), pslg);
     }
-    assert_eq!(
-        fs::metadata(dir.join("real/m.poly"))
-            .unwrap()
-            .permissions()
-            .mode()
-            & 0o777,
-        0o640
-    );
+    assert_eq!(fs::metadata(dir.join("real/m.poly")).unwrap().permissions().mode() & 0o777, 0o640);
     assert_eq!(names_in(&dir.join("real")), ["m.poly", "new.poly"]);
 }
 

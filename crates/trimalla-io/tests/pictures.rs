@@ -20,26 +20,15 @@ fn picture(mesh: &IndexedMesh, options: &SvgOptions) -> String {
 
 /// Elements are closed, and no number has become anything else.
 fn check(text: &str) {
-    assert!(
-        text.starts_with("<svg ") && text.ends_with("</svg>\n"),
-        "{text}"
-    );
+    assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"), "{text}");
     assert!(!text.contains("NaN") && !text.contains("\"inf"), "{text}");
     for path in text.split(" d=\"").skip(1) {
         let path = path.split('"').next().unwrap_or_default();
-        assert!(
-            path.chars().all(|c| "Mmlhvaz0123456789.- ".contains(c)),
-            "{path}"
-        );
+        assert!(path.chars().all(|c| "Mmlhvaz0123456789.- ".contains(c)), "{path}");
     }
     for element in ["svg", "g", "text", "title"] {
-        let opened = text.matches(&format!("<{element}>")).count()
-            + text.matches(&format!("<{element} ")).count();
-        assert_eq!(
-            opened,
-            text.matches(&format!("</{element}>")).count(),
-            "{element}"
-        );
+        let opened = text.matches(&format!("<{element}>")).count() + text.matches(&format!("<{element} ")).count();
+        assert_eq!(opened, text.matches(&format!("</{element}>")).count(), "{element}");
     }
 }
 
@@ -47,36 +36,17 @@ fn check(text: &str) {
 fn every_mesh_has_a_picture() {
     let scaled = |size: f64| {
         let mut mesh = grid(4);
-        mesh.points
-            .iter_mut()
-            .for_each(|p| *p = Point::new((p.x / 5.0 - 0.5) * size, (p.y / 8.0 - 0.5) * size));
+        mesh.points.iter_mut().for_each(|p| *p = Point::new((p.x / 5.0 - 0.5) * size, (p.y / 8.0 - 0.5) * size));
         mesh
     };
-    let point = IndexedMesh {
-        points: vec![Point::new(3.0, 4.0)],
-        ..IndexedMesh::default()
-    };
-    let flat = IndexedMesh {
-        triangles: vec![[0, 0, 0]],
-        ..point.clone()
-    };
-    for mesh in [
-        IndexedMesh::default(),
-        point,
-        flat,
-        hard_mesh(),
-        grid(3),
-        scaled(1e300),
-        scaled(f64::MAX),
-        scaled(1e-320),
-    ] {
-        for options in [
-            SvgOptions::default(),
-            SvgOptions::default()
-                .with_title("<&>")
-                .with_vertices(true)
-                .with_legend(false),
-        ] {
+    let point = IndexedMesh { points: vec![Point::new(3.0, 4.0)], ..IndexedMesh::default() };
+    let flat = IndexedMesh { triangles: vec![[0, 0, 0]], ..point.clone() };
+    for mesh in
+        [IndexedMesh::default(), point, flat, hard_mesh(), grid(3), scaled(1e300), scaled(f64::MAX), scaled(1e-320)]
+    {
+        for options in
+            [SvgOptions::default(), SvgOptions::default().with_title("<&>").with_vertices(true).with_legend(false)]
+        {
             picture(&mesh, &options);
         }
     }
@@ -84,18 +54,9 @@ fn every_mesh_has_a_picture() {
 
 #[test]
 fn every_drawing_has_a_picture() {
-    for pslg in [
-        Pslg::default(),
-        hard_pslg(),
-        read_poly(POLY.as_bytes(), "p").unwrap(),
-    ] {
+    for pslg in [Pslg::default(), hard_pslg(), read_poly(POLY.as_bytes(), "p").unwrap()] {
         let mut bytes = Vec::new();
-        draw_pslg(
-            &mut bytes,
-            &pslg,
-            &SvgOptions::default().with_title("drawing"),
-        )
-        .unwrap();
+        draw_pslg(&mut bytes, &pslg, &SvgOptions::default().with_title("drawing")).unwrap();
         check(&String::from_utf8(bytes).unwrap());
     }
 }
@@ -109,14 +70,8 @@ fn the_same_mesh_has_the_same_picture() {
 #[test]
 fn size_does_not_show_in_colours() {
     let mut large = grid(5);
-    large
-        .points
-        .iter_mut()
-        .for_each(|p| *p = Point::new(p.x * 2.0_f64.powi(900), p.y * 2.0_f64.powi(900)));
-    assert_eq!(
-        picture(&grid(5), &SvgOptions::default()),
-        picture(&large, &SvgOptions::default())
-    );
+    large.points.iter_mut().for_each(|p| *p = Point::new(p.x * 2.0_f64.powi(900), p.y * 2.0_f64.powi(900)));
+    assert_eq!(picture(&grid(5), &SvgOptions::default()), picture(&large, &SvgOptions::default()));
 }
 
 #[test]

@@ -7,8 +7,8 @@ use common::{bits, grid, hard_mesh, hard_pslg, scratch};
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 use trimalla_io::{
-    Format, VertexRange, WriteOptions, edge, neigh, read_mesh_numbered, read_pslg_numbered,
-    write_mesh, write_mesh_to, write_pslg, write_pslg_to,
+    Format, VertexRange, WriteOptions, edge, neigh, read_mesh_numbered, read_pslg_numbered, write_mesh, write_mesh_to,
+    write_pslg, write_pslg_to,
 };
 
 #[test]
@@ -28,13 +28,7 @@ fn drawings() {
 
         write_pslg(directory.join("dots.node"), &pslg, &options).unwrap();
         let dots = read_pslg_numbered(directory.join("dots")).unwrap().value;
-        let expected = Pslg {
-            segments: vec![],
-            segment_markers: vec![],
-            holes: vec![],
-            regions: vec![],
-            ..pslg
-        };
+        let expected = Pslg { segments: vec![], segment_markers: vec![], holes: vec![], regions: vec![], ..pslg };
         assert_eq!(dots, expected);
     }
 }
@@ -55,13 +49,8 @@ fn meshes() {
                 );
                 assert!(again.first_index == first_index || mesh.points.is_empty());
             }
-            let drawing = read_pslg_numbered(directory.join("mesh.1.poly"))
-                .unwrap()
-                .value;
-            assert_eq!(
-                (drawing.points, drawing.segments),
-                (mesh.points, mesh.segments)
-            );
+            let drawing = read_pslg_numbered(directory.join("mesh.1.poly")).unwrap().value;
+            assert_eq!((drawing.points, drawing.segments), (mesh.points, mesh.segments));
         }
     }
 }
@@ -80,22 +69,13 @@ fn edges_and_neighbours() {
     let mesh = grid(2);
     for first_index in [0, 1] {
         let options = WriteOptions::default().with_first_index(first_index);
-        let range = VertexRange {
-            first_index,
-            count: 9,
-        };
+        let range = VertexRange { first_index, count: 9 };
         let mut bytes = Vec::new();
         write_mesh_to(&mut bytes, Format::Edge, &mesh, &options).unwrap();
         let edges = edge::read(&bytes, "e", range).unwrap();
         assert_eq!(edges, edge::edges_of(&mesh).unwrap());
         // Euler: 9 vertices and 8 triangles have 16 edges, 8 of them on the boundary.
-        assert_eq!(
-            (
-                edges.edges.len(),
-                edges.markers.iter().filter(|&&m| m == 1).count()
-            ),
-            (16, 8)
-        );
+        assert_eq!((edges.edges.len(), edges.markers.iter().filter(|&&m| m == 1).count()), (16, 8));
 
         bytes.clear();
         write_mesh_to(&mut bytes, Format::Neigh, &mesh, &options).unwrap();
@@ -104,10 +84,7 @@ fn edges_and_neighbours() {
         assert_eq!(neighbours[0], [Some(3), Some(1), None]);
         for (t, sides) in neighbours.iter().enumerate() {
             for neighbour in sides.iter().flatten() {
-                assert!(
-                    neighbours[*neighbour as usize].contains(&Some(t as u32)),
-                    "neighbours know each other"
-                );
+                assert!(neighbours[*neighbour as usize].contains(&Some(t as u32)), "neighbours know each other");
             }
         }
     }
@@ -132,28 +109,18 @@ fn what_cannot_be_written_is_refused() {
         ("vertex markers", |m| m.point_markers = vec![1, 2]),
         ("vertex attributes", |m| m.attributes_per_point = usize::MAX),
         ("vertex 0 has the value NaN", |m| m.points[0].x = f64::NAN),
-        ("vertex attribute 1 has the value inf", |m| {
-            m.point_attributes[1] = f64::INFINITY
-        }),
+        ("vertex attribute 1 has the value inf", |m| m.point_attributes[1] = f64::INFINITY),
         ("triangle 1 names vertex 12", |m| m.triangles[1][2] = 12),
         ("triangle attributes", |m| m.triangle_attributes.clear()),
-        ("segment 0 names vertex 4294967295", |m| {
-            m.segments[0][0] = u32::MAX
-        }),
-        ("hole 0 has the value -inf", |m| {
-            m.holes[0].y = f64::NEG_INFINITY
-        }),
+        ("segment 0 names vertex 4294967295", |m| m.segments[0][0] = u32::MAX),
+        ("hole 0 has the value -inf", |m| m.holes[0].y = f64::NEG_INFINITY),
     ];
     let directory = scratch("refused");
     for (what, damage) in damages {
         let mut mesh = hard_mesh();
         damage(&mut mesh);
-        let error =
-            write_mesh(directory.join("m.ele"), &mesh, &WriteOptions::default()).unwrap_err();
-        assert!(
-            error.is_output() && error.to_string().contains(what),
-            "{error}"
-        );
+        let error = write_mesh(directory.join("m.ele"), &mesh, &WriteOptions::default()).unwrap_err();
+        assert!(error.is_output() && error.to_string().contains(what), "{error}");
         for format in Format::ALL {
             let _ = write_mesh_to(&mut Vec::new(), format, &mesh, &WriteOptions::default());
         }
@@ -168,8 +135,7 @@ fn what_cannot_be_written_is_refused() {
 fn text_is_short() {
     let mut bytes = Vec::new();
     let mut mesh = IndexedMesh::default();
-    mesh.points
-        .push(trimalla::geometry::Point::new(0.1, -1e300));
+    mesh.points.push(trimalla::geometry::Point::new(0.1, -1e300));
     write_mesh_to(&mut bytes, Format::Node, &mesh, &WriteOptions::default()).unwrap();
     assert_eq!(String::from_utf8(bytes).unwrap(), "1 2 0 0\n1 0.1 -1e300\n");
 }

@@ -8,9 +8,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use common::{bits, scratch, shared_data};
-use trimalla_io::{
-    WriteOptions, read_mesh_numbered, read_pslg, read_pslg_numbered, write_mesh, write_pslg,
-};
+use trimalla_io::{WriteOptions, read_mesh_numbered, read_pslg, read_pslg_numbered, write_mesh, write_pslg};
 
 /// The files of the family with one ending, or nothing (and a line that says so) without the shared data.
 fn family(ending: &str) -> Vec<PathBuf> {
@@ -18,12 +16,8 @@ fn family(ending: &str) -> Vec<PathBuf> {
         eprintln!("skipped: no shared data (set TRIMALLA_SHARED to its folder)");
         return Vec::new();
     };
-    let entries = fs::read_dir(data.join("triangle"))
-        .unwrap()
-        .map(|e| e.unwrap().path());
-    let mut files: Vec<_> = entries
-        .filter(|p| p.extension().is_some_and(|e| e == ending))
-        .collect();
+    let entries = fs::read_dir(data.join("triangle")).unwrap().map(|e| e.unwrap().path());
+    let mut files: Vec<_> = entries.filter(|p| p.extension().is_some_and(|e| e == ending)).collect();
     files.sort();
     assert!(!files.is_empty(), "no .{ending} file");
     files
@@ -39,10 +33,7 @@ fn every_drawing_is_read_and_written_back() {
         write_pslg(directory.join("again.poly"), &drawing.value, &options).unwrap();
         let again = read_pslg_numbered(directory.join("again.poly")).unwrap();
         assert_eq!(again, drawing, "{}", file.display());
-        assert_eq!(
-            bits(&again.value.points, &[]),
-            bits(&drawing.value.points, &[])
-        );
+        assert_eq!(bits(&again.value.points, &[]), bits(&drawing.value.points, &[]));
     }
 }
 
@@ -58,12 +49,7 @@ fn every_mesh_is_read_and_written_back() {
             &WriteOptions::default().with_first_index(mesh.first_index),
         )
         .unwrap();
-        assert_eq!(
-            read_mesh_numbered(directory.join("again.ele")).unwrap(),
-            mesh,
-            "{}",
-            file.display()
-        );
+        assert_eq!(read_mesh_numbered(directory.join("again.ele")).unwrap(), mesh, "{}", file.display());
     }
 }
 
@@ -81,10 +67,6 @@ fn counts_are_those_of_the_catalogue() {
         ("double_hex2.poly", 48, 48, 2),
     ] {
         let pslg = read_pslg(data.join("triangle").join(name)).unwrap();
-        assert_eq!(
-            (pslg.points.len(), pslg.segments.len(), pslg.holes.len()),
-            (points, segments, holes),
-            "{name}"
-        );
+        assert_eq!((pslg.points.len(), pslg.segments.len(), pslg.holes.len()), (points, segments, holes), "{name}");
     }
 }

@@ -14,159 +14,59 @@ fn message<T: std::fmt::Debug>(result: Result<T, IoError>) -> String {
 
 /// Bytes that are no `.node` file, and what is said about them.
 const FAULTY_NODES: &[(&[u8], &str)] = &[
-    (
-        b"",
-        "n:1:1: expected the number of vertices, found the end of the file",
-    ),
-    (
-        b"\xef\xbb\xbf",
-        "n:1:1: expected the number of vertices, found the end of the file",
-    ),
-    (
-        b"# only\n\n",
-        "n:3:1: expected the number of vertices, found the end of the file",
-    ),
+    (b"", "n:1:1: expected the number of vertices, found the end of the file"),
+    (b"\xef\xbb\xbf", "n:1:1: expected the number of vertices, found the end of the file"),
+    (b"# only\n\n", "n:3:1: expected the number of vertices, found the end of the file"),
     (b"\0\0\0\0", "n:1:1: expected text, found a NUL byte"),
     (b"\xff\xfe1\0", "n:1:1: expected text, found UTF-16"),
-    (
-        b"\xff\n",
-        r"n:1:1: expected the number of vertices, found '\xff'",
-    ),
-    (
-        b"-1 2\n",
-        "n:1:1: expected the number of vertices, found '-1'",
-    ),
-    (
-        b"3.0 2\n",
-        "n:1:1: expected the number of vertices, found '3.0'",
-    ),
-    (
-        b"1000000000000000000\n1 0 0\n",
-        "n:1:1: expected the number of vertices, found '1000000000000000000'",
-    ),
-    (
-        b"4294967295\n1 0 0\n",
-        "n:3:1: expected vertex 2 of 4294967295, found the end of the file",
-    ),
-    (
-        b"1 3 0 0\n1 0 0 0\n",
-        "n:1:3: expected the dimension 2, found '3'",
-    ),
-    (
-        b"1 2 -1\n",
-        "n:1:5: expected the number of attributes a vertex, found '-1'",
-    ),
-    (
-        b"1 2 0 2\n",
-        "n:1:7: expected 0 or 1 markers a vertex, found '2'",
-    ),
-    (
-        b"1 2 0 0 0\n",
-        "n:1:9: expected the end of the line, found '0'",
-    ),
-    (
-        b"1 2 1000000000\n1 0 0 1\n",
-        "n:2:8: expected an attribute, found the end of the line",
-    ),
-    (
-        b"2\n1 0 0\n",
-        "n:3:1: expected vertex 2 of 2, found the end of the file",
-    ),
-    (
-        b"1\n1 0\n",
-        "n:2:4: expected a y coordinate, found the end of the line",
-    ),
-    (
-        b"1\n1 0 0 0\n",
-        "n:2:7: expected the end of the line, found '0'",
-    ),
-    (
-        b"1\n5 0 0\n",
-        "n:2:1: expected 0 or 1 as the number of the first vertex, found '5'",
-    ),
-    (
-        b"1\n-1 0 0\n",
-        "n:2:1: expected 0 or 1 as the number of the first vertex, found '-1'",
-    ),
-    (
-        b"2\n0 0 0\n2 0 0\n",
-        "n:3:1: expected vertex number 1, found '2'",
-    ),
-    (
-        b"2\r\n1 0 0\r\n1 0 0\r\n",
-        "n:3:1: expected vertex number 2, found '1'",
-    ),
-    (
-        b"2\r1 0 0\r1.0 0 0",
-        "n:3:1: expected vertex number 2, found '1.0'",
-    ),
-    (
-        b"1\n1 0 0\n1 0 0\n",
-        "n:3:1: expected the end of the file, found '1'",
-    ),
-    (
-        b"1\n1 0 0 # end\nx",
-        "n:3:1: expected the end of the file, found 'x'",
-    ),
-    (
-        b"1 2 0 1\n1 0 0\n",
-        "n:2:6: expected a marker between -2147483648 and 2147483647, found the end of the line",
-    ),
-    (
-        b"1 2 0 1\n1 0 0 2147483648",
-        "n:2:7: expected a marker between -2147483648 and 2147483647, found '2147483648'",
-    ),
+    (b"\xff\n", r"n:1:1: expected the number of vertices, found '\xff'"),
+    (b"-1 2\n", "n:1:1: expected the number of vertices, found '-1'"),
+    (b"3.0 2\n", "n:1:1: expected the number of vertices, found '3.0'"),
+    (b"1000000000000000000\n1 0 0\n", "n:1:1: expected the number of vertices, found '1000000000000000000'"),
+    (b"4294967295\n1 0 0\n", "n:3:1: expected vertex 2 of 4294967295, found the end of the file"),
+    (b"1 3 0 0\n1 0 0 0\n", "n:1:3: expected the dimension 2, found '3'"),
+    (b"1 2 -1\n", "n:1:5: expected the number of attributes a vertex, found '-1'"),
+    (b"1 2 0 2\n", "n:1:7: expected 0 or 1 markers a vertex, found '2'"),
+    (b"1 2 0 0 0\n", "n:1:9: expected the end of the line, found '0'"),
+    (b"1 2 1000000000\n1 0 0 1\n", "n:2:8: expected an attribute, found the end of the line"),
+    (b"2\n1 0 0\n", "n:3:1: expected vertex 2 of 2, found the end of the file"),
+    (b"1\n1 0\n", "n:2:4: expected a y coordinate, found the end of the line"),
+    (b"1\n1 0 0 0\n", "n:2:7: expected the end of the line, found '0'"),
+    (b"1\n5 0 0\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found '5'"),
+    (b"1\n-1 0 0\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found '-1'"),
+    (b"2\n0 0 0\n2 0 0\n", "n:3:1: expected vertex number 1, found '2'"),
+    (b"2\r\n1 0 0\r\n1 0 0\r\n", "n:3:1: expected vertex number 2, found '1'"),
+    (b"2\r1 0 0\r1.0 0 0", "n:3:1: expected vertex number 2, found '1.0'"),
+    (b"1\n1 0 0\n1 0 0\n", "n:3:1: expected the end of the file, found '1'"),
+    (b"1\n1 0 0 # end\nx", "n:3:1: expected the end of the file, found 'x'"),
+    (b"1 2 0 1\n1 0 0\n", "n:2:6: expected a marker between -2147483648 and 2147483647, found the end of the line"),
+    (b"1 2 0 1\n1 0 0 2147483648", "n:2:7: expected a marker between -2147483648 and 2147483647, found '2147483648'"),
 ];
 
 #[test]
 fn faulty_node_files() {
     for (bytes, expected) in FAULTY_NODES {
-        assert_eq!(
-            message(node::read(bytes, "n")),
-            *expected,
-            "{:?}",
-            String::from_utf8_lossy(bytes)
-        );
+        assert_eq!(message(node::read(bytes, "n")), *expected, "{:?}", String::from_utf8_lossy(bytes));
     }
 }
 
 #[test]
 fn offending_text_is_shortened() {
     let text = format!("1\n1 0 {}x\n", "9".repeat(800));
-    let expected = format!(
-        "n:2:5: expected a y coordinate, found '{}'… (801 bytes)",
-        "9".repeat(40)
-    );
+    let expected = format!("n:2:5: expected a y coordinate, found '{}'… (801 bytes)", "9".repeat(40));
     assert_eq!(message(node::read(text.as_bytes(), "n")), expected);
 }
 
 #[test]
 fn faulty_numbers() {
-    for text in [
-        "1e400",
-        "-1e400",
-        "nan",
-        "NaN",
-        "inf",
-        "-Infinity",
-        "1e99999999999",
-    ] {
-        let expected = format!(
-            "n:2:3: expected an x coordinate, finite and within the range of a double, found '{text}'"
-        );
-        assert_eq!(
-            message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")),
-            expected
-        );
+    for text in ["1e400", "-1e400", "nan", "NaN", "inf", "-Infinity", "1e99999999999"] {
+        let expected =
+            format!("n:2:3: expected an x coordinate, finite and within the range of a double, found '{text}'");
+        assert_eq!(message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")), expected);
     }
-    for text in [
-        "0x1p3", "1.0D+03", "1,5", "--1", "1_000", "e5", ".", "+", "٣",
-    ] {
+    for text in ["0x1p3", "1.0D+03", "1,5", "--1", "1_000", "e5", ".", "+", "٣"] {
         let expected = format!("n:2:3: expected an x coordinate, found '{text}'");
-        assert_eq!(
-            message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")),
-            expected
-        );
+        assert_eq!(message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")), expected);
     }
 }
 
@@ -194,81 +94,29 @@ const TRIANGLE: &str = "3\n1 0 0\n2 1 0\n3 0 1\n";
 
 /// What does not go on after [`TRIANGLE`], and what is said about it.
 const FAULTY_SECTIONS: &[(&str, &str)] = &[
-    (
-        "",
-        "p:5:1: expected the number of segments, found the end of the file",
-    ),
-    (
-        "1 2\n",
-        "p:5:3: expected 0 or 1 markers a segment, found '2'",
-    ),
-    (
-        "2\n1 1 2\n",
-        "p:7:1: expected segment 2 of 2, found the end of the file",
-    ),
-    (
-        "1\n1 1 4\n",
-        "p:6:5: expected a vertex index between 1 and 3, found '4'",
-    ),
-    (
-        "1\n1 0 1\n",
-        "p:6:3: expected a vertex index between 1 and 3, found '0'",
-    ),
-    (
-        "1\n1 -1 1\n",
-        "p:6:3: expected a vertex index between 1 and 3, found '-1'",
-    ),
-    (
-        "1\n1 1 4294967297\n",
-        "p:6:5: expected a vertex index between 1 and 3, found '4294967297'",
-    ),
-    (
-        "1\n1 1 3.0\n",
-        "p:6:5: expected a vertex index between 1 and 3, found '3.0'",
-    ),
-    (
-        "1\n0 1 2\n0\n",
-        "p:6:1: expected segment number 1, found '0'",
-    ),
-    (
-        "1\n1 1 2 7\n",
-        "p:6:7: expected the end of the line, found '7'",
-    ),
-    (
-        "1\n1 1 2\n",
-        "p:7:1: expected the number of holes (0 where there are none), found the end of the file",
-    ),
+    ("", "p:5:1: expected the number of segments, found the end of the file"),
+    ("1 2\n", "p:5:3: expected 0 or 1 markers a segment, found '2'"),
+    ("2\n1 1 2\n", "p:7:1: expected segment 2 of 2, found the end of the file"),
+    ("1\n1 1 4\n", "p:6:5: expected a vertex index between 1 and 3, found '4'"),
+    ("1\n1 0 1\n", "p:6:3: expected a vertex index between 1 and 3, found '0'"),
+    ("1\n1 -1 1\n", "p:6:3: expected a vertex index between 1 and 3, found '-1'"),
+    ("1\n1 1 4294967297\n", "p:6:5: expected a vertex index between 1 and 3, found '4294967297'"),
+    ("1\n1 1 3.0\n", "p:6:5: expected a vertex index between 1 and 3, found '3.0'"),
+    ("1\n0 1 2\n0\n", "p:6:1: expected segment number 1, found '0'"),
+    ("1\n1 1 2 7\n", "p:6:7: expected the end of the line, found '7'"),
+    ("1\n1 1 2\n", "p:7:1: expected the number of holes (0 where there are none), found the end of the file"),
     ("0\n-1\n", "p:6:1: expected the number of holes, found '-1'"),
-    (
-        "0\n1\n1 nan 0\n",
-        "p:7:3: expected an x coordinate, finite and within the range of a double, found 'nan'",
-    ),
-    (
-        "0\n2\n1 0 0\n1 0 0\n",
-        "p:8:1: expected hole number 2, found '1'",
-    ),
-    (
-        "0\n0\n1\n1 0 0\n",
-        "p:8:6: expected the attribute of the region, found the end of the line",
-    ),
-    (
-        "0\n0\n1\n1 0 0 1 big\n",
-        "p:8:9: expected the largest area, found 'big'",
-    ),
-    (
-        "0\n0\n0\n0\n",
-        "p:8:1: expected the end of the file, found '0'",
-    ),
+    ("0\n1\n1 nan 0\n", "p:7:3: expected an x coordinate, finite and within the range of a double, found 'nan'"),
+    ("0\n2\n1 0 0\n1 0 0\n", "p:8:1: expected hole number 2, found '1'"),
+    ("0\n0\n1\n1 0 0\n", "p:8:6: expected the attribute of the region, found the end of the line"),
+    ("0\n0\n1\n1 0 0 1 big\n", "p:8:9: expected the largest area, found 'big'"),
+    ("0\n0\n0\n0\n", "p:8:1: expected the end of the file, found '0'"),
 ];
 
 #[test]
 fn faulty_poly_files() {
     for (rest, expected) in FAULTY_SECTIONS {
-        assert_eq!(
-            message(read_poly(format!("{TRIANGLE}{rest}").as_bytes(), "p")),
-            *expected,
-            "{rest:?}"
-        );
+        assert_eq!(message(read_poly(format!("{TRIANGLE}{rest}").as_bytes(), "p")), *expected, "{rest:?}");
     }
     assert_eq!(
         message(read_poly(format!("{POLY}{POLY}").as_bytes(), "p")),
@@ -282,103 +130,50 @@ fn faulty_poly_files() {
 
 #[test]
 fn poly_files_that_are_unusual_but_right() {
-    let pslg = read_poly(b"1\r\n0 0 0\r\n1 1 #\t\r\n0 0 0 -2147483648\r\n1\r\n1\t.5 .5\r\n2\r\n1 0 0 3 0\r\n2 0 0 3 -1", "p").unwrap();
-    assert_eq!(
-        (pslg.segments, pslg.segment_markers),
-        (vec![[0, 0]], vec![i32::MIN])
-    );
-    assert_eq!(
-        pslg.holes.len(),
-        1,
-        "holes may be numbered otherwise than vertices"
-    );
-    assert_eq!(
-        pslg.regions.iter().map(|r| r.max_area).collect::<Vec<_>>(),
-        [None, None]
-    );
+    let pslg =
+        read_poly(b"1\r\n0 0 0\r\n1 1 #\t\r\n0 0 0 -2147483648\r\n1\r\n1\t.5 .5\r\n2\r\n1 0 0 3 0\r\n2 0 0 3 -1", "p")
+            .unwrap();
+    assert_eq!((pslg.segments, pslg.segment_markers), (vec![[0, 0]], vec![i32::MIN]));
+    assert_eq!(pslg.holes.len(), 1, "holes may be numbered otherwise than vertices");
+    assert_eq!(pslg.regions.iter().map(|r| r.max_area).collect::<Vec<_>>(), [None, None]);
 }
 
 #[test]
 fn faulty_ele_files() {
     let range = sample_nodes().range();
     for (text, expected) in [
-        (
-            "1 4\n",
-            "e:1:3: expected 3 or 6 nodes a triangle, found '4'",
-        ),
-        (
-            "1 3 0\n1 0 1 2\n",
-            "e:2:3: expected a vertex index between 1 and 4, found '0'",
-        ),
-        (
-            "1 3 0\n0 1 2 3\n",
-            "e:2:1: expected triangle number 1, found '0'",
-        ),
-        (
-            "1 3 0\n1 1 2\n",
-            "e:2:6: expected a vertex index, found the end of the line",
-        ),
-        (
-            "1 6 0\n1 1 2 3 4 4 5\n",
-            "e:2:13: expected a vertex index between 1 and 4, found '5'",
-        ),
-        (
-            "1 3 0\n1 1 2 3 1\n",
-            "e:2:9: expected the end of the line, found '1'",
-        ),
-        (
-            "1 3 1\n1 1 2 3\n",
-            "e:2:8: expected an attribute, found the end of the line",
-        ),
-        (
-            "9 3 0\n1 1 2 3\n",
-            "e:3:1: expected triangle 2 of 9, found the end of the file",
-        ),
-        (
-            "0 3 0\nmore\n",
-            "e:2:1: expected the end of the file, found 'more'",
-        ),
+        ("1 4\n", "e:1:3: expected 3 or 6 nodes a triangle, found '4'"),
+        ("1 3 0\n1 0 1 2\n", "e:2:3: expected a vertex index between 1 and 4, found '0'"),
+        ("1 3 0\n0 1 2 3\n", "e:2:1: expected triangle number 1, found '0'"),
+        ("1 3 0\n1 1 2\n", "e:2:6: expected a vertex index, found the end of the line"),
+        ("1 6 0\n1 1 2 3 4 4 5\n", "e:2:13: expected a vertex index between 1 and 4, found '5'"),
+        ("1 3 0\n1 1 2 3 1\n", "e:2:9: expected the end of the line, found '1'"),
+        ("1 3 1\n1 1 2 3\n", "e:2:8: expected an attribute, found the end of the line"),
+        ("9 3 0\n1 1 2 3\n", "e:3:1: expected triangle 2 of 9, found the end of the file"),
+        ("0 3 0\nmore\n", "e:2:1: expected the end of the file, found 'more'"),
     ] {
         assert_eq!(message(ele::read(text.as_bytes(), "e", range)), expected);
     }
     let six = ele::read(b"1 6 0\n1 1 2 3 4 4 4\n", "e", range).unwrap();
     assert_eq!(six.triangles, [[0, 1, 2]]);
     // Orientation and repeated corners are for a check to judge.
-    assert_eq!(
-        ele::read(b"1\n1 3 2 2\n", "e", range).unwrap().triangles,
-        [[2, 1, 1]]
-    );
+    assert_eq!(ele::read(b"1\n1 3 2 2\n", "e", range).unwrap().triangles, [[2, 1, 1]]);
 }
 
 #[test]
 fn faulty_edge_and_neigh_files() {
     let range = sample_nodes().range();
     let edge = |text: &str| message(edge::read(text.as_bytes(), "e", range));
-    assert_eq!(
-        edge("1\n1 1 -1\n"),
-        "e:2:5: expected a vertex index between 1 and 4, found '-1'"
-    );
+    assert_eq!(edge("1\n1 1 -1\n"), "e:2:5: expected a vertex index between 1 and 4, found '-1'");
     assert_eq!(
         edge("1 1\n1 1 2\n").split(": ").nth(1),
         Some("expected a marker between -2147483648 and 2147483647, found the end of the line")
     );
     let neigh = |text: &str| message(neigh::read(text.as_bytes(), "g"));
-    assert_eq!(
-        neigh("1 3\n1 -1 -1 2\n"),
-        "g:2:9: expected the number of a triangle, or -1, found '2'"
-    );
-    assert_eq!(
-        neigh("1 3\n1 0 -1 -1\n"),
-        "g:2:3: expected the number of a triangle, or -1, found '0'"
-    );
-    assert_eq!(
-        neigh("1 3\n1 -2 -1 -1\n"),
-        "g:2:3: expected the number of a triangle, or -1, found '-2'"
-    );
-    assert_eq!(
-        neigh("1 2\n"),
-        "g:1:3: expected 3 neighbours a triangle, found '2'"
-    );
+    assert_eq!(neigh("1 3\n1 -1 -1 2\n"), "g:2:9: expected the number of a triangle, or -1, found '2'");
+    assert_eq!(neigh("1 3\n1 0 -1 -1\n"), "g:2:3: expected the number of a triangle, or -1, found '0'");
+    assert_eq!(neigh("1 3\n1 -2 -1 -1\n"), "g:2:3: expected the number of a triangle, or -1, found '-2'");
+    assert_eq!(neigh("1 2\n"), "g:1:3: expected 3 neighbours a triangle, found '2'");
 }
 
 #[test]
@@ -397,11 +192,7 @@ fn layout_does_not_matter() {
         assert_eq!(node::read(text.as_bytes(), "n").unwrap(), plain, "{what}");
     }
     let latin = [b"# Gr\xf6\xdfe\n", NODE.as_bytes()].concat();
-    assert_eq!(
-        node::read(&latin, "n").unwrap(),
-        plain,
-        "Latin-1 in a comment"
-    );
+    assert_eq!(node::read(&latin, "n").unwrap(), plain, "Latin-1 in a comment");
 }
 
 #[test]
@@ -414,10 +205,7 @@ fn long_lines_and_many_blank_lines_are_quick() {
     assert!(message(node::read(&token, "n")).len() < 200);
     let mut blank = vec![b'\n'; 10_000_000];
     blank.push(b'x');
-    assert_eq!(
-        message(node::read(&blank, "n")),
-        "n:10000001:1: expected the number of vertices, found 'x'"
-    );
+    assert_eq!(message(node::read(&blank, "n")), "n:10000001:1: expected the number of vertices, found 'x'");
 }
 
 #[test]

@@ -8,7 +8,8 @@ use trimalla::geometry::{Point, lexicographic};
 use trimalla::mesh::VertexId;
 
 fn main() -> Result<(), trimalla::delaunay::BuildError> {
-    let points = [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)].map(|(x, y)| Point::new(x, y));
+    let points =
+        [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)].map(|(x, y)| Point::new(x, y));
     let delaunay = Delaunay::with::<DivideAndConquer>(&points)?;
 
     for v in delaunay.used_vertices() {

@@ -10,7 +10,8 @@ use trimalla::refine::RefineOptions;
 use trimalla::{MeshOptions, mesh};
 
 fn main() -> Result<(), trimalla::Error> {
-    let points = [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)].map(|(x, y)| Point::new(x, y));
+    let points =
+        [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)].map(|(x, y)| Point::new(x, y));
     // Without segments the domain is the convex hull of the points.
     let pslg = Pslg { points: points.to_vec(), ..Pslg::default() };
     let options = MeshOptions { refine: RefineOptions::default().with_min_angle_deg(32.0), ..MeshOptions::default() };

@@ -60,35 +60,18 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let drawing = options.input.as_deref().map(read_drawing).transpose()?;
     let faults = faults(&mesh, drawing.as_ref(), options.min_angle);
     console::print(&text(&mesh, &faults))?;
-    Ok(if faults.is_empty() {
-        Status::Done
-    } else {
-        Status::Unmet
-    })
+    Ok(if faults.is_empty() { Status::Done } else { Status::Unmet })
 }
 
 /// Every fault, in words.
-fn faults(
-    mesh: &Input<IndexedMesh>,
-    drawing: Option<&Input<Pslg>>,
-    min_angle_deg: Option<f64>,
-) -> Vec<String> {
+fn faults(mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>, min_angle_deg: Option<f64>) -> Vec<String> {
     let numbered = |fault: MeshFault| fault.renumbered(mesh.first_index).to_string();
     let mut faults: Vec<String> = check_mesh(&mesh.value).into_iter().map(numbered).collect();
     let comparison = drawing.map(|drawing| (drawing, against_input(&mesh.value, &drawing.value)));
-    let covered = comparison
-        .as_ref()
-        .map_or(&[][..], |(_, found)| &found.covered);
-    faults.extend(
-        check_mesh_delaunay(&mesh.value, covered)
-            .into_iter()
-            .map(numbered),
-    );
+    let covered = comparison.as_ref().map_or(&[][..], |(_, found)| &found.covered);
+    faults.extend(check_mesh_delaunay(&mesh.value, covered).into_iter().map(numbered));
     if let Some((drawing, found)) = comparison {
-        let numbered = found
-            .faults
-            .into_iter()
-            .map(|fault| fault.renumbered(drawing.first_index));
+        let numbered = found.faults.into_iter().map(|fault| fault.renumbered(drawing.first_index));
         faults.extend(numbered.map(|fault| fault.to_string()));
     }
     if let Some(degrees) = min_angle_deg {
@@ -113,16 +96,9 @@ fn below_fault(mesh: &Input<IndexedMesh>, triangle: usize, bound_deg: f64) -> St
 /// The first faults, one a line, and how many there are.
 fn text(mesh: &Input<IndexedMesh>, faults: &[String]) -> String {
     let name = mesh.name();
-    let mut lines: Vec<String> = faults
-        .iter()
-        .take(MOST_FAULTS)
-        .map(|f| format!("{name}: {f}\n"))
-        .collect();
+    let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).map(|f| format!("{name}: {f}\n")).collect();
     if faults.len() > MOST_FAULTS {
-        lines.push(format!(
-            "{name}: {} more\n",
-            count(faults.len() - MOST_FAULTS, "fault")
-        ));
+        lines.push(format!("{name}: {} more\n", count(faults.len() - MOST_FAULTS, "fault")));
     }
     let vertices = count(mesh.value.points.len(), "vertex");
     let triangles = count(mesh.value.triangles.len(), "triangle");

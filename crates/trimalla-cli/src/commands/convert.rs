@@ -39,10 +39,7 @@ pub(crate) struct Options {
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
-    let output = OutputOptions {
-        output: vec![options.output.clone()],
-        format: options.format,
-    };
+    let output = OutputOptions { output: vec![options.output.clone()], format: options.format };
     if is_mesh(&options.input) {
         let mesh = read_mesh(&options.input)?;
         let outputs = Outputs::plan(&output, &mesh)?;
@@ -52,13 +49,11 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let drawing = read_drawing(&options.input)?;
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
-        let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| {
-            match output_format(options) {
-                Some(Format::Ele | Format::Edge | Format::Neigh) => {
-                    failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
-                }
-                _ => failure,
+        let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {
+            Some(Format::Ele | Format::Edge | Format::Neigh) => {
+                failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
             }
+            _ => failure,
         })?;
         prepared.commit()?;
     }

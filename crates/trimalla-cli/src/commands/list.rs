@@ -25,10 +25,7 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
 const STEPS: [(u8, &str); 6] = [
     (0, "algorithms: recipes by name (mesh --algorithm)"),
     (1, "step 1, prepare: what is done to segments first"),
-    (
-        2,
-        "step 2, select: which bad triangle is next (mesh --select)",
-    ),
+    (2, "step 2, select: which bad triangle is next (mesh --select)"),
     (3, "step 3, point: where the new vertex goes"),
     (4, "step 4, insert: how it goes in"),
     (5, "step 5, recover: what becomes of interior segments"),
@@ -38,11 +35,7 @@ fn text() -> String {
     let mut text = String::new();
     let rows = registry();
     for (step, title) in STEPS {
-        add(
-            &mut text,
-            title,
-            rows.iter().filter(|row| row.step == step).map(with_source),
-        );
+        add(&mut text, title, rows.iter().filter(|row| row.step == step).map(with_source));
         if step == 1 {
             add(
                 &mut text,
@@ -54,23 +47,13 @@ fn text() -> String {
     add(
         &mut text,
         "triangulators (triangulate --algorithm, mesh --triangulator)",
-        AlgorithmKey::ALL
-            .iter()
-            .map(|a| (a.key(), a.summary().to_owned())),
+        AlgorithmKey::ALL.iter().map(|a| (a.key(), a.summary().to_owned())),
     );
-    add(
-        &mut text,
-        "domain rules (--domain)",
-        DomainRule::ALL
-            .iter()
-            .map(|r| (r.key(), r.summary().to_owned())),
-    );
+    add(&mut text, "domain rules (--domain)", DomainRule::ALL.iter().map(|r| (r.key(), r.summary().to_owned())));
     add(
         &mut text,
         "file formats (by the ending of the name, or --format)",
-        Format::ALL
-            .iter()
-            .map(|f| (f.extension(), f.summary().to_owned())),
+        Format::ALL.iter().map(|f| (f.extension(), f.summary().to_owned())),
     );
     text.truncate(text.trim_end().len());
     text.push('\n');

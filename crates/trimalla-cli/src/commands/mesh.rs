@@ -6,9 +6,7 @@ use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::Pslg;
 use trimalla::geometry::Angle;
-use trimalla::refine::{
-    Criteria, Encroachment, Limits, Preset, Protect, RefineOptions, Report, Select,
-};
+use trimalla::refine::{Criteria, Encroachment, Limits, Preset, Protect, RefineOptions, Report, Select};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{Error, MeshOptions, Meshed};
 
@@ -61,12 +59,7 @@ pub(crate) struct Options {
     min_angle: f64,
 
     /// The largest area that a triangle may have, in squared units of the drawing [default: no limit]
-    #[arg(
-        long,
-        value_name = "AREA",
-        allow_negative_numbers = true,
-        help_heading = "Refinement"
-    )]
+    #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
     max_area: Option<f64>,
 
     /// The preset that says where new vertices go
@@ -94,12 +87,7 @@ pub(crate) struct Options {
     max_vertices: usize,
 
     /// Bring no two vertices closer together than this, in units of the drawing [default: 256 units in the last place of the largest coordinate]
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_negative_numbers = true,
-        help_heading = "Limits"
-    )]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = "Limits")]
     length_floor: Option<f64>,
 
     /// How the points are triangulated first; the result does not depend on it
@@ -131,15 +119,9 @@ impl Options {
             domain: self.drawing.domain_options(self.triangulator),
             refine: RefineOptions {
                 recipe,
-                criteria: Criteria {
-                    min_angle: Angle::from_degrees(self.min_angle),
-                    max_area: self.max_area,
-                },
+                criteria: Criteria { min_angle: Angle::from_degrees(self.min_angle), max_area: self.max_area },
                 protect: self.protect,
-                limits: Limits {
-                    max_vertices: self.max_vertices,
-                    length_floor: self.length_floor,
-                },
+                limits: Limits { max_vertices: self.max_vertices, length_floor: self.length_floor },
             },
         }
     }
@@ -152,16 +134,9 @@ impl Options {
         let meshed = trimalla::mesh_with(&drawing.value, &self.mesh_options(), &mut watch);
         let seconds = start.elapsed().as_secs_f64();
         match meshed {
-            Ok(Meshed {
-                mesh,
-                report,
-                warnings,
-            }) => Ok(Made {
-                mesh,
-                report,
-                seconds,
-                warnings: warnings.iter().map(|w| names.warning(w)).collect(),
-            }),
+            Ok(Meshed { mesh, report, warnings }) => {
+                Ok(Made { mesh, report, seconds, warnings: warnings.iter().map(|w| names.warning(w)).collect() })
+            }
             Err(Error::Domain(error)) => Err(names.failure(&error)),
             Err(Error::Option(error)) => Err(error.into()),
             Err(other) => Err(Failure::bad_input(other.to_string())),
@@ -200,12 +175,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.report.warn(&made.warnings);
     let prepared = outputs.prepare_mesh(&made.mesh)?;
     if options.report.json {
-        let Made {
-            mesh,
-            report,
-            seconds,
-            warnings,
-        } = &made;
+        let Made { mesh, report, seconds, warnings } = &made;
         let key = options.algorithm.key();
         json::print(&json::of_meshing(mesh, report, key, *seconds, warnings))?;
     } else {

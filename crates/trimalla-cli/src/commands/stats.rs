@@ -34,10 +34,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let mesh = read_mesh(&options.mesh)?;
     let mut statistics = Statistics::of(&mesh.value);
-    for at in [&mut statistics.min_angle, &mut statistics.max_angle]
-        .into_iter()
-        .flatten()
-    {
+    for at in [&mut statistics.min_angle, &mut statistics.max_angle].into_iter().flatten() {
         at.triangle += mesh.first_index as usize;
     }
     if options.json {

@@ -49,10 +49,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let stream = outputs.report_stream(&options.report)?;
     let names = Names::of(&drawing);
     let start = Instant::now();
-    let made = trimalla::triangulate(
-        &drawing.value,
-        &options.drawing.domain_options(options.algorithm),
-    );
+    let made = trimalla::triangulate(&drawing.value, &options.drawing.domain_options(options.algorithm));
     let (mesh, warnings) = made.map_err(|error| names.failure(&error))?;
     let seconds = start.elapsed().as_secs_f64();
     progress::begin_writing()?;
@@ -61,13 +58,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let prepared = outputs.prepare_mesh(&mesh)?;
     let angles_deg = text::extreme_angles_deg(&mesh);
     if options.report.json {
-        json::print(&json::of_triangulation(
-            &mesh,
-            angles_deg,
-            options.algorithm.key(),
-            seconds,
-            &warnings,
-        ))?;
+        json::print(&json::of_triangulation(&mesh, angles_deg, options.algorithm.key(), seconds, &warnings))?;
     } else {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(&drawing));

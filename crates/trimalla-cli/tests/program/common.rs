@@ -8,8 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// A square with a diagonal, numbered from 1.
-pub(crate) const SQUARE: &str =
-    "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n0\n";
+pub(crate) const SQUARE: &str = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n0\n";
 
 /// Two triangles of a unit square, as the files of a mesh.
 pub(crate) const NODE: &str = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
@@ -20,8 +19,7 @@ pub(crate) struct Scratch(PathBuf);
 
 impl Scratch {
     pub(crate) fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
-            .join(format!("cli-{name}-{}", std::process::id()));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}-{}", std::process::id()));
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).unwrap();
         Self(path)
@@ -72,17 +70,9 @@ impl Scratch {
     /// Runs the program with something on its standard input.
     pub(crate) fn run_with(&self, line: &str, input: &str) -> Run {
         let mut command = self.command(line.split_whitespace());
-        command
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
-        child
-            .stdin
-            .take()
-            .unwrap()
-            .write_all(input.as_bytes())
-            .unwrap();
+        child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
         Run::of(child.wait_with_output().unwrap())
     }
 }
@@ -105,11 +95,7 @@ pub(crate) struct Run {
 impl Run {
     pub(crate) fn of(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).unwrap();
-        Self {
-            status: output.status.code(),
-            stdout: text(output.stdout),
-            stderr: text(output.stderr),
-        }
+        Self { status: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
     }
 
     /// Fails the test unless the run ended like this, and whatever it says, without a panic.
@@ -123,10 +109,7 @@ impl Run {
     /// Fails the test unless standard error has this line.
     #[track_caller]
     pub(crate) fn says(self, line: &str) -> Self {
-        assert!(
-            self.stderr.lines().any(|l| l == line),
-            "no line {line:?} in {self:#?}"
-        );
+        assert!(self.stderr.lines().any(|l| l == line), "no line {line:?} in {self:#?}");
         self
     }
 

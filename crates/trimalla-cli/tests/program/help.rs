@@ -8,16 +8,10 @@ use crate::common::Scratch;
 fn help_names_every_subcommand_and_status() {
     let help = Scratch::new("help").run("--help").expect(0).stdout;
     for word in ["mesh", "triangulate", "check", "stats", "convert", "list"] {
-        assert!(
-            help.lines().any(|l| l.trim_start().starts_with(word)),
-            "{word}: {help}"
-        );
+        assert!(help.lines().any(|l| l.trim_start().starts_with(word)), "{word}: {help}");
     }
     for status in ["  0  ", "  1  ", "  2  ", "  3  ", "  4  ", "  130  "] {
-        assert!(
-            help.lines().any(|l| l.starts_with(status)),
-            "{status}: {help}"
-        );
+        assert!(help.lines().any(|l| l.starts_with(status)), "{status}: {help}");
     }
 }
 
@@ -25,25 +19,13 @@ fn help_names_every_subcommand_and_status() {
 fn help_of_each_subcommand_teaches() {
     let scratch = Scratch::new("help-each");
     for subcommand in ["mesh", "triangulate", "check", "stats", "convert"] {
-        let help = scratch
-            .run(&format!("{subcommand} --help"))
-            .expect(0)
-            .stdout;
+        let help = scratch.run(&format!("{subcommand} --help")).expect(0).stdout;
         let example = format!("  trimalla {subcommand} ");
-        assert!(
-            help.contains("Examples:") && help.contains(&example),
-            "{help}"
-        );
+        assert!(help.contains("Examples:") && help.contains(&example), "{help}");
         assert!(help.contains("Exit status:"), "{help}");
     }
     let mesh = scratch.run("mesh --help").expect(0).stdout;
-    for word in [
-        "[default: 30]",
-        "[default: 5000000]",
-        "[default: off-center]",
-        "degrees",
-        "squared units",
-    ] {
+    for word in ["[default: 30]", "[default: 5000000]", "[default: off-center]", "degrees", "squared units"] {
         assert!(mesh.contains(word), "{word}: {mesh}");
     }
 }
@@ -79,27 +61,17 @@ fn list_names_every_key() {
 fn every_key_of_the_registry_that_is_an_option_is_accepted() {
     let scratch = Scratch::with_square("keys");
     for preset in trimalla::refine::Preset::ALL {
-        scratch
-            .run(&format!("mesh square --algorithm {preset}"))
-            .expect(0);
+        scratch.run(&format!("mesh square --algorithm {preset}")).expect(0);
     }
     for select in trimalla::refine::Select::ALL {
-        scratch
-            .run(&format!("mesh square --select {select}"))
-            .expect(0);
+        scratch.run(&format!("mesh square --select {select}")).expect(0);
     }
     for encroachment in trimalla::refine::Encroachment::ALL {
-        scratch
-            .run(&format!("mesh square --encroachment {encroachment}"))
-            .expect(0);
+        scratch.run(&format!("mesh square --encroachment {encroachment}")).expect(0);
     }
     for algorithm in trimalla::delaunay::AlgorithmKey::ALL {
-        scratch
-            .run(&format!("mesh square --triangulator {algorithm}"))
-            .expect(0);
-        scratch
-            .run(&format!("triangulate square --algorithm {algorithm}"))
-            .expect(0);
+        scratch.run(&format!("mesh square --triangulator {algorithm}")).expect(0);
+        scratch.run(&format!("triangulate square --algorithm {algorithm}")).expect(0);
     }
 }
 
@@ -136,10 +108,7 @@ fn wrong_use_ends_with_two() {
     for line in lines {
         let run = scratch.run(line).expect(2);
         assert_eq!(run.stdout, "", "{line}");
-        assert!(
-            run.stderr.contains("error: ") || line.is_empty(),
-            "{line}: {run:#?}"
-        );
+        assert!(run.stderr.contains("error: ") || line.is_empty(), "{line}: {run:#?}");
     }
     assert_eq!(scratch.files(), before);
 }

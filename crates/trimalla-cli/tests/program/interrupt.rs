@@ -11,17 +11,12 @@ const PATIENCE: Duration = Duration::from_secs(20);
 
 fn start(scratch: &Scratch, line: &str, stdin: Stdio) -> Child {
     let mut command = scratch.command(line.split_whitespace());
-    command
-        .stdin(stdin)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
+    command.stdin(stdin).stdout(Stdio::piped()).stderr(Stdio::piped());
     command.spawn().unwrap()
 }
 
 fn interrupt(child: &Child) {
-    let status = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
+    let status = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(status.unwrap().success());
 }
 
@@ -44,9 +39,7 @@ fn while_reading_it_ends_at_once() {
     let child = start(&scratch, "mesh - -o out.ele", Stdio::piped()); // Nothing ever comes.
     sleep(Duration::from_millis(500));
     interrupt(&child);
-    end_of(child)
-        .expect(130)
-        .says("error: interrupted; no file was changed");
+    end_of(child).expect(130).says("error: interrupted; no file was changed");
     assert!(scratch.files().is_empty());
 }
 
@@ -56,8 +49,7 @@ fn while_refining_it_cancels_and_touches_no_file() {
     scratch.write("out.ele", "old triangles");
     scratch.write("out.svg", "old picture");
     let before = scratch.files();
-    let line =
-        "mesh square.poly --max-area 1e-9 --max-vertices 50000000 -o out.ele -o out.svg --json";
+    let line = "mesh square.poly --max-area 1e-9 --max-vertices 50000000 -o out.ele -o out.svg --json";
     let mut child = start(&scratch, line, Stdio::null());
     sleep(Duration::from_millis(700));
     if child.try_wait().unwrap().is_some() {
@@ -65,9 +57,7 @@ fn while_refining_it_cancels_and_touches_no_file() {
         return;
     }
     interrupt(&child);
-    let run = end_of(child)
-        .expect(130)
-        .says("error: interrupted; no file was changed");
+    let run = end_of(child).expect(130).says("error: interrupted; no file was changed");
     assert_eq!(run.stdout, "");
     assert_eq!(scratch.files(), before);
 }

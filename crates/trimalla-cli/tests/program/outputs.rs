@@ -9,27 +9,13 @@ use crate::common::{ELE, NODE, Run, SQUARE, Scratch};
 #[test]
 fn a_group_and_a_picture_at_once() {
     let scratch = Scratch::with_square("several");
-    let run = scratch
-        .run("mesh square.poly -o square.1.ele -o square.svg -o e.edge -o n.neigh")
-        .expect(0);
-    assert!(
-        run.stdout
-            .contains("square.1.node, square.1.ele, square.1.poly, square.svg"),
-        "{run:#?}"
-    );
+    let run = scratch.run("mesh square.poly -o square.1.ele -o square.svg -o e.edge -o n.neigh").expect(0);
+    assert!(run.stdout.contains("square.1.node, square.1.ele, square.1.poly, square.svg"), "{run:#?}");
     let files = scratch.files();
     let names: Vec<_> = files.keys().map(String::as_str).collect();
     assert_eq!(
         names,
-        [
-            "e.edge",
-            "n.neigh",
-            "square.1.ele",
-            "square.1.node",
-            "square.1.poly",
-            "square.poly",
-            "square.svg"
-        ]
+        ["e.edge", "n.neigh", "square.1.ele", "square.1.node", "square.1.poly", "square.poly", "square.svg"]
     );
     assert_eq!(scratch.read("square.poly"), SQUARE);
 }
@@ -40,15 +26,8 @@ fn numbering_follows_the_input() {
     scratch.write("nought.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
     scratch.write("one.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
     for (name, number) in [("nought", '0'), ("one", '1')] {
-        scratch
-            .run(&format!("triangulate {name} -o {name}.1.ele"))
-            .expect(0);
-        let first = scratch
-            .read(&format!("{name}.1.ele"))
-            .lines()
-            .nth(1)
-            .unwrap()
-            .to_owned();
+        scratch.run(&format!("triangulate {name} -o {name}.1.ele")).expect(0);
+        let first = scratch.read(&format!("{name}.1.ele")).lines().nth(1).unwrap().to_owned();
         assert!(first.starts_with(number), "{first}");
     }
 }
@@ -56,24 +35,11 @@ fn numbering_follows_the_input() {
 #[test]
 fn standard_streams() {
     let scratch = Scratch::with_square("streams");
-    let run = scratch
-        .run_with("mesh - -o - --format poly", SQUARE)
-        .expect(0);
-    assert!(
-        run.stdout.contains("\n1 0 0") && run.stderr.starts_with("-: 4 vertices, 5 segments\n"),
-        "{run:#?}"
-    );
-    let again = scratch
-        .run_with("triangulate - --json", &run.stdout)
-        .expect(0);
-    assert_eq!(
-        again.json()["vertices"].as_u64(),
-        run.stdout.split(' ').next().unwrap().parse().ok()
-    );
-    let svg = scratch
-        .run("convert square.poly - --format svg")
-        .expect(0)
-        .stdout;
+    let run = scratch.run_with("mesh - -o - --format poly", SQUARE).expect(0);
+    assert!(run.stdout.contains("\n1 0 0") && run.stderr.starts_with("-: 4 vertices, 5 segments\n"), "{run:#?}");
+    let again = scratch.run_with("triangulate - --json", &run.stdout).expect(0);
+    assert_eq!(again.json()["vertices"].as_u64(), run.stdout.split(' ').next().unwrap().parse().ok());
+    let svg = scratch.run("convert square.poly - --format svg").expect(0).stdout;
     assert!(svg.contains("<svg") && svg.ends_with("</svg>\n"), "{svg}");
 }
 
@@ -90,11 +56,7 @@ fn conversions() {
         "convert square p.svg",
     ] {
         let run = scratch.run(line).expect(0);
-        assert_eq!(
-            (run.stdout.as_str(), run.stderr.as_str()),
-            ("", ""),
-            "{line}"
-        );
+        assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("", ""), "{line}");
     }
     assert_eq!(scratch.read("n.ele").lines().nth(1), Some("1 1 2 3"));
     let run = scratch.run("convert square.poly square.neigh").expect(4);
@@ -123,10 +85,7 @@ fn the_input_is_never_overwritten() {
     ];
     for line in lines {
         let run = scratch.run(line).expect(2);
-        assert!(
-            run.stderr.contains("would overwrite the input"),
-            "{line}: {run:#?}"
-        );
+        assert!(run.stderr.contains("would overwrite the input"), "{line}: {run:#?}");
     }
     assert_eq!(scratch.files(), before);
 }
@@ -149,17 +108,8 @@ fn unwritable_outputs_end_with_four_and_leave_everything() {
     fs::set_permissions(&locked, permissions).unwrap();
     fs::create_dir(scratch.path().join("directory.svg")).unwrap();
     let before = scratch.files();
-    for bad in [
-        "nowhere/out.ele",
-        "directory.svg",
-        "locked.svg",
-        "out.xyz",
-        "out",
-        "square.poly/out.svg",
-    ] {
-        let run = scratch
-            .run(&format!("mesh square.poly -o old.svg -o new.ele -o {bad}"))
-            .expect(4);
+    for bad in ["nowhere/out.ele", "directory.svg", "locked.svg", "out.xyz", "out", "square.poly/out.svg"] {
+        let run = scratch.run(&format!("mesh square.poly -o old.svg -o new.ele -o {bad}")).expect(4);
         assert!(run.stderr.starts_with("error: cannot write "), "{run:#?}");
         assert_eq!(scratch.files(), before, "{bad}");
     }
@@ -174,9 +124,7 @@ fn a_full_disk_ends_with_four_and_leaves_everything() {
     let scratch = Scratch::with_square("full");
     scratch.write("old.svg", "old picture");
     let before = scratch.files();
-    scratch
-        .run("mesh square.poly -o old.svg -o /dev/full --format poly")
-        .expect(4);
+    scratch.run("mesh square.poly -o old.svg -o /dev/full --format poly").expect(4);
     for line in [
         "mesh square.poly -o old.svg",
         "mesh square.poly -o new.ele --json",
@@ -184,15 +132,8 @@ fn a_full_disk_ends_with_four_and_leaves_everything() {
         "check m",
         "mesh square.poly -o - --format svg",
     ] {
-        let full = fs::OpenOptions::new()
-            .write(true)
-            .open("/dev/full")
-            .unwrap();
-        let run = scratch
-            .command(line.split_whitespace())
-            .stdout(full)
-            .output()
-            .unwrap();
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let run = scratch.command(line.split_whitespace()).stdout(full).output().unwrap();
         Run::of(run).expect(if line == "check m" { 3 } else { 4 });
     }
     assert_eq!(scratch.files(), before);
@@ -208,12 +149,8 @@ fn a_reader_that_goes_away_is_no_failure() {
         "triangulate square.poly --json",
         &format!("mesh square.poly --max-area {area} -o - -o kept.svg --format svg"),
     ] {
-        let mut child = scratch
-            .command(line.split_whitespace())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut child =
+            scratch.command(line.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         let run = Run::of(child.wait_with_output().unwrap()).expect(0);
         assert!(!run.stderr.contains("error"), "{run:#?}");
@@ -224,23 +161,15 @@ fn a_reader_that_goes_away_is_no_failure() {
 #[test]
 fn old_outputs_survive_every_failure() {
     let scratch = Scratch::with_square("survive");
-    scratch
-        .run("mesh square.poly -o out.ele -o out.svg")
-        .expect(0);
+    scratch.run("mesh square.poly -o out.ele -o out.svg").expect(0);
     scratch.write("bad.poly", "4 2 0 0\n1 0 0\n");
     let before = scratch.files();
     scratch.run("mesh bad.poly -o out.ele -o out.svg").expect(3);
-    scratch
-        .run("mesh square.poly -o out.ele -o out.svg --min-angle 90")
-        .expect(2);
-    scratch
-        .run("mesh square.poly -o out.ele -o out.svg -o nowhere/x.svg")
-        .expect(4);
+    scratch.run("mesh square.poly -o out.ele -o out.svg --min-angle 90").expect(2);
+    scratch.run("mesh square.poly -o out.ele -o out.svg -o nowhere/x.svg").expect(4);
     scratch.run("mesh nowhere.poly -o out.ele").expect(3);
     assert_eq!(scratch.files(), before);
     // And with success they are replaced, without leftovers.
-    scratch
-        .run("mesh square.poly -o out.ele -o out.svg")
-        .expect(0);
+    scratch.run("mesh square.poly -o out.ele -o out.svg").expect(0);
     assert_eq!(scratch.files(), before);
 }

@@ -19,31 +19,18 @@ const EXTRA: [&str; 2] = ["stop", "warnings"];
 #[test]
 fn json_has_the_promised_keys_and_no_others() {
     let scratch = Scratch::with_square("json");
-    let run = scratch
-        .run("mesh square.poly --json --max-area 0.1 -o out.ele")
-        .expect(0);
+    let run = scratch.run("mesh square.poly --json --max-area 0.1 -o out.ele").expect(0);
     assert_eq!(run.stderr, "");
     let object = run.json();
     for key in REQUIRED {
         assert!(object.contains_key(key), "{key}: {object:?}");
     }
     for key in object.keys() {
-        assert!(
-            REQUIRED.contains(&key.as_str()) || EXTRA.contains(&key.as_str()),
-            "{key}"
-        );
+        assert!(REQUIRED.contains(&key.as_str()) || EXTRA.contains(&key.as_str()), "{key}");
     }
     assert_eq!(object["algorithm"], "off-center");
     assert_eq!(object["complete"], true);
-    let count = |file: &str| -> u64 {
-        scratch
-            .read(file)
-            .split(' ')
-            .next()
-            .unwrap()
-            .parse()
-            .unwrap()
-    };
+    let count = |file: &str| -> u64 { scratch.read(file).split(' ').next().unwrap().parse().unwrap() };
     assert_eq!(object["vertices"], count("out.node"));
     assert_eq!(object["triangles"], count("out.ele"));
     assert_eq!(object["steiner_points"], count("out.node") - 4);
@@ -55,11 +42,7 @@ fn json_has_the_promised_keys_and_no_others() {
 #[test]
 fn json_goes_with_quiet_and_says_the_warnings() {
     let scratch = Scratch::with_square("json-quiet");
-    let idle = scratch
-        .read("square.poly")
-        .trim_end_matches("0\n")
-        .to_owned()
-        + "1\n1 7 7\n";
+    let idle = scratch.read("square.poly").trim_end_matches("0\n").to_owned() + "1\n1 7 7\n";
     scratch.write("idle.poly", idle);
     let run = scratch.run("mesh idle --json --quiet").expect(0);
     assert_eq!(run.stderr, "");
@@ -72,12 +55,7 @@ fn the_report_for_people() {
     let run = scratch.run("mesh square.poly").expect(0);
     assert_eq!(run.stderr, "", "no progress line but on a terminal");
     for label in ["algorithm", "vertices", "triangles", "angles", "time"] {
-        assert!(
-            run.stdout
-                .lines()
-                .any(|l| l.trim_start().starts_with(label)),
-            "{label}: {run:#?}"
-        );
+        assert!(run.stdout.lines().any(|l| l.trim_start().starts_with(label)), "{label}: {run:#?}");
     }
     let quiet = scratch.run("mesh square.poly --quiet -o out.svg").expect(0);
     assert_eq!((quiet.stdout.as_str(), quiet.stderr.as_str()), ("", ""));
@@ -94,33 +72,18 @@ fn a_budget_that_is_met_ends_with_one_and_names_triangles() {
     }
     let run = run.expect(1);
     let object = run.json();
-    assert_eq!(
-        (&object["complete"], &object["stop"]),
-        (&false.into(), &"budget".into())
-    );
-    assert!(
-        run.stderr.starts_with("warning: ") && run.stderr.contains("  triangle "),
-        "{run:#?}"
-    );
-    assert!(
-        scratch.files().contains_key("out.ele"),
-        "the mesh is written all the same"
-    );
+    assert_eq!((&object["complete"], &object["stop"]), (&false.into(), &"budget".into()));
+    assert!(run.stderr.starts_with("warning: ") && run.stderr.contains("  triangle "), "{run:#?}");
+    assert!(scratch.files().contains_key("out.ele"), "the mesh is written all the same");
     scratch.run("check out --input square.poly").expect(0);
 }
 
 #[test]
 fn same_input_same_bytes() {
     let scratch = Scratch::with_square("same");
-    scratch
-        .run("mesh square.poly --max-area 0.01 -o a.ele")
-        .expect(0);
-    scratch
-        .run("mesh square.poly --max-area 0.01 -o b.ele --triangulator divide-and-conquer")
-        .expect(0);
-    scratch
-        .run("mesh square.poly --max-area 0.01 -o c.ele")
-        .expect(0);
+    scratch.run("mesh square.poly --max-area 0.01 -o a.ele").expect(0);
+    scratch.run("mesh square.poly --max-area 0.01 -o b.ele --triangulator divide-and-conquer").expect(0);
+    scratch.run("mesh square.poly --max-area 0.01 -o c.ele").expect(0);
     assert_eq!(scratch.read("a.node"), scratch.read("c.node"));
     assert_eq!(scratch.read("a.ele"), scratch.read("c.ele"));
     assert_eq!(scratch.read("a.node"), scratch.read("b.node"));

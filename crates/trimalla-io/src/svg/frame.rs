@@ -50,21 +50,9 @@ impl Frame {
         let span = dx.max(dy);
         let unit = |d: f64| if span > 0.0 { SIDE * (d / span) } else { 0.0 };
 
-        let heading = if options.title.is_empty() {
-            0.0
-        } else {
-            HEADING
-        };
-        let panel = if options.show_legend {
-            legend::WIDTH
-        } else {
-            0.0
-        };
-        let drawing = unit(dy).max(if options.show_legend {
-            legend::HEIGHT
-        } else {
-            0.0
-        });
+        let heading = if options.title.is_empty() { 0.0 } else { HEADING };
+        let panel = if options.show_legend { legend::WIDTH } else { 0.0 };
+        let drawing = unit(dy).max(if options.show_legend { legend::HEIGHT } else { 0.0 });
         Self {
             factor,
             low,
@@ -86,17 +74,10 @@ impl Frame {
     pub(super) fn place(&self, point: Point) -> Place {
         let p = self.scaled(point);
         let unit = |d: f64| {
-            if self.span > 0.0 {
-                SIDE * (d / self.span)
-            } else {
-                0.0
-            }
+            if self.span > 0.0 { SIDE * (d / self.span) } else { 0.0 }
         };
         let hundredths = |v: f64| (100.0 * v).round() as i64;
-        Place {
-            x: hundredths(self.left + unit(p.x - self.low.x)),
-            y: hundredths(self.bottom - unit(p.y - self.low.y)),
-        }
+        Place { x: hundredths(self.left + unit(p.x - self.low.x)), y: hundredths(self.bottom - unit(p.y - self.low.y)) }
     }
 
     /// The left side of the legend and its top.
@@ -114,10 +95,7 @@ impl Frame {
         if !title.is_empty() {
             writeln!(out, "<title>{}</title>", Escaped(title))?;
         }
-        writeln!(
-            out,
-            "<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>"
-        )?;
+        writeln!(out, "<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>")?;
         if !title.is_empty() {
             let y = MARGIN + 16.0;
             writeln!(
@@ -138,9 +116,7 @@ fn factor_for(points: &[Point]) -> f64 {
     const DOWN: f64 = 1.0 / 18_446_744_073_709_551_616.0;
     /// 2^512.
     const UP: f64 = 1.340_780_792_994_259_7e154;
-    let size = points
-        .iter()
-        .fold(0.0_f64, |size, p| size.max(p.x.abs()).max(p.y.abs()));
+    let size = points.iter().fold(0.0_f64, |size, p| size.max(p.x.abs()).max(p.y.abs()));
     if size > HUGE {
         DOWN
     } else if size < TINY {
@@ -176,11 +152,7 @@ impl fmt::Display for Hundredths {
                 if whole > 0 {
                     write!(f, "{whole}")?;
                 }
-                if part % 10 == 0 {
-                    write!(f, ".{}", part / 10)
-                } else {
-                    write!(f, ".{part:02}")
-                }
+                if part % 10 == 0 { write!(f, ".{}", part / 10) } else { write!(f, ".{part:02}") }
             }
         }
     }
@@ -227,15 +199,8 @@ mod tests {
                 &[Point::new(-size, -size), Point::new(size, size)],
                 &SvgOptions::default().with_legend(false),
             );
-            let (low, high) = (
-                frame.place(Point::new(-size, -size)),
-                frame.place(Point::new(size, size)),
-            );
-            assert_eq!(
-                (high.x - low.x, low.y - high.y),
-                (100_000, 100_000),
-                "{size:e}"
-            );
+            let (low, high) = (frame.place(Point::new(-size, -size)), frame.place(Point::new(size, size)));
+            assert_eq!((high.x - low.x, low.y - high.y), (100_000, 100_000), "{size:e}");
         }
     }
 }

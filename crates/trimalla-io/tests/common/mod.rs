@@ -11,8 +11,7 @@ use trimalla_io::node::{self, Nodes};
 use trimalla_io::{IoError, poly};
 
 /// A `.node` sample with attribute, marker and comment.
-pub(crate) const NODE: &str =
-    "# four\n4 2 1 1\n1 0 0 .5 1\n2 1 0 -1e3 2\n3 1 1 7 -3 # corner\n\n4 0 1 0 0\n";
+pub(crate) const NODE: &str = "# four\n4 2 1 1\n1 0 0 .5 1\n2 1 0 -1e3 2\n3 1 1 7 -3 # corner\n\n4 0 1 0 0\n";
 /// An `.ele` sample for [`NODE`].
 pub(crate) const ELE: &str = "2 3 1\n1 1 2 3 0.5\n2 1 3 4 -1\n";
 /// A `.poly` sample with every section.
@@ -34,8 +33,7 @@ pub(crate) fn sample_nodes() -> Nodes {
 
 /// An empty directory of this test's own.
 pub(crate) fn scratch(name: &str) -> PathBuf {
-    let path =
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("io-{name}-{}", std::process::id()));
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("io-{name}-{}", std::process::id()));
     let _ = fs::remove_dir_all(&path);
     fs::create_dir_all(&path).unwrap();
     path
@@ -44,9 +42,7 @@ pub(crate) fn scratch(name: &str) -> PathBuf {
 /// The names in a directory, sorted.
 pub(crate) fn names_in(directory: &Path) -> Vec<String> {
     let entries = fs::read_dir(directory).unwrap();
-    let mut names: Vec<_> = entries
-        .map(|e| e.unwrap().file_name().to_string_lossy().into_owned())
-        .collect();
+    let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }
@@ -54,14 +50,8 @@ pub(crate) fn names_in(directory: &Path) -> Vec<String> {
 /// The shared data folder, if this checkout has one.
 pub(crate) fn shared_data() -> Option<PathBuf> {
     let named = std::env::var_os("TRIMALLA_SHARED").map(PathBuf::from);
-    let above = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .ancestors()
-        .map(|up| up.join("shared"));
-    named
-        .into_iter()
-        .chain(above)
-        .flat_map(|dir| [dir.join("data"), dir])
-        .find(|dir| dir.join("triangle").is_dir())
+    let above = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|up| up.join("shared"));
+    named.into_iter().chain(above).flat_map(|dir| [dir.join("data"), dir]).find(|dir| dir.join("triangle").is_dir())
 }
 
 /// Numbers that are easily damaged on their way through text.
@@ -81,18 +71,11 @@ pub(crate) const HARD: [f64; 12] = [
 ];
 
 pub(crate) fn hard_points() -> Vec<Point> {
-    HARD.iter()
-        .zip(HARD.iter().rev())
-        .map(|(&x, &y)| Point::new(x, y))
-        .collect()
+    HARD.iter().zip(HARD.iter().rev()).map(|(&x, &y)| Point::new(x, y)).collect()
 }
 
 pub(crate) fn hard_pslg() -> Pslg {
-    let region = |max_area| Region {
-        seed: Point::new(1e-300, -0.0),
-        attribute: 1.0 / 3.0,
-        max_area,
-    };
+    let region = |max_area| Region { seed: Point::new(1e-300, -0.0), attribute: 1.0 / 3.0, max_area };
     Pslg {
         points: hard_points(),
         point_markers: (0..12).map(|i| i32::MIN + i).collect(),
@@ -129,23 +112,16 @@ pub(crate) fn grid(n: u32) -> IndexedMesh {
     for j in 0..=n {
         for i in 0..=n {
             let x = f64::from(i) + 0.3 * f64::from(i * j % 3);
-            mesh.points.push(Point::new(
-                x,
-                f64::from(j) * (1.0 + f64::from(j) / f64::from(n)),
-            ));
+            mesh.points.push(Point::new(x, f64::from(j) * (1.0 + f64::from(j) / f64::from(n))));
         }
     }
     for j in 0..n {
         for i in 0..n {
-            mesh.triangles
-                .push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-            mesh.triangles
-                .push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+            mesh.triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            mesh.triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
         }
-        mesh.segments
-            .extend([[at(j, 0), at(j + 1, 0)], [at(j, n), at(j + 1, n)]]);
-        mesh.segments
-            .extend([[at(0, j), at(0, j + 1)], [at(n, j), at(n, j + 1)]]);
+        mesh.segments.extend([[at(j, 0), at(j + 1, 0)], [at(j, n), at(j + 1, n)]]);
+        mesh.segments.extend([[at(0, j), at(0, j + 1)], [at(n, j), at(n, j + 1)]]);
     }
     mesh.input_points = mesh.points.len();
     mesh
@@ -153,10 +129,5 @@ pub(crate) fn grid(n: u32) -> IndexedMesh {
 
 /// Bits of all coordinates and attributes: equality that tells -0 from 0.
 pub(crate) fn bits<'a>(points: &'a [Point], numbers: &'a [f64]) -> Vec<u64> {
-    points
-        .iter()
-        .flat_map(|p| [p.x, p.y])
-        .chain(numbers.iter().copied())
-        .map(f64::to_bits)
-        .collect()
+    points.iter().flat_map(|p| [p.x, p.y]).chain(numbers.iter().copied()).map(f64::to_bits).collect()
 }

@@ -21,7 +21,14 @@ struct Bank {
 ///
 /// Returns the half-edge from `plan.from` to `plan.to`; `None`, and nothing changed, where the plan crosses
 /// constrained edges or is out of date.
-pub(super) fn apply<J: Journal>(t: &mut Triangulation, plan: &SegmentPlan, mark: u32, filling: Filling, lawson: &mut Lawson, j: &mut J) -> Option<HalfEdgeId> {
+pub(super) fn apply<J: Journal>(
+    t: &mut Triangulation,
+    plan: &SegmentPlan,
+    mark: u32,
+    filling: Filling,
+    lawson: &mut Lawson,
+    j: &mut J,
+) -> Option<HalfEdgeId> {
     if let Some(h) = plan.existing {
         t.mesh.set_mark(h, mark, j);
         return Some(h);
@@ -50,7 +57,14 @@ fn crossed_faces(t: &Triangulation, plan: &SegmentPlan) -> Vec<FaceId> {
     first.into_iter().chain(plan.crossed.iter().map(|&h| t.twin(h).face())).collect()
 }
 
-fn bank(t: &Triangulation, first: VertexId, chain: &[VertexId], last: VertexId, rim: Vec<HalfEdgeId>, filling: Filling) -> Option<Bank> {
+fn bank(
+    t: &Triangulation,
+    first: VertexId,
+    chain: &[VertexId],
+    last: VertexId,
+    rim: Vec<HalfEdgeId>,
+    filling: Filling,
+) -> Option<Bank> {
     let mut vertices = Vec::with_capacity(chain.len() + 2);
     vertices.push(first);
     vertices.extend_from_slice(chain);
@@ -61,10 +75,18 @@ fn bank(t: &Triangulation, first: VertexId, chain: &[VertexId], last: VertexId, 
 }
 
 /// Writes both fillings into the slots of the crossed faces; returns the half-edge along the base.
-fn replace_faces<J: Journal>(t: &mut Triangulation, faces: &[FaceId], left: &Bank, right: &Bank, j: &mut J) -> Option<HalfEdgeId> {
+fn replace_faces<J: Journal>(
+    t: &mut Triangulation,
+    faces: &[FaceId],
+    left: &Bank,
+    right: &Bank,
+    j: &mut J,
+) -> Option<HalfEdgeId> {
     let offset = [0, u32::try_from(left.filled.len()).ok()?];
     let banks = [left, right];
-    let base = banks.map(|b| b.filled.iter().enumerate().find_map(|(i, f)| f.across.iter().position(|&a| a == Across::Base).map(|k| (i, k))));
+    let base = banks.map(|b| {
+        b.filled.iter().enumerate().find_map(|(i, f)| f.across.iter().position(|&a| a == Across::Base).map(|k| (i, k)))
+    });
     let [Some(left_base), Some(right_base)] = base else { return None };
     let at = |bank: usize, (i, k): (usize, usize)| (offset[bank] + i as u32, k as u32);
     let doubled = doubled_rims(banks, offset);

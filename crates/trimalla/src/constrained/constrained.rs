@@ -85,7 +85,12 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// See [`new`](Self::new).
-    pub fn with_algorithm(points: &[Point], segments: &[[u32; 2]], crossings: Crossings, algorithm: AlgorithmKey) -> Result<Self, ConstraintError> {
+    pub fn with_algorithm(
+        points: &[Point],
+        segments: &[[u32; 2]],
+        crossings: Crossings,
+        algorithm: AlgorithmKey,
+    ) -> Result<Self, ConstraintError> {
         let t = algorithm.triangulate(points, None)?;
         let mut cdt = Self::from_triangulation(t);
         cdt.insert_segments(segments, crossings)?;
@@ -120,7 +125,11 @@ impl ConstrainedDelaunay {
     pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
         for (i, ends) in segments.iter().enumerate() {
             if let Some(&v) = ends.iter().find(|&&v| v as usize >= self.t.points.len()) {
-                return Err(ConstraintError::NoSuchVertex { segment: i, vertex: VertexId(v), points: self.t.points.len() });
+                return Err(ConstraintError::NoSuchVertex {
+                    segment: i,
+                    vertex: VertexId(v),
+                    points: self.t.points.len(),
+                });
             }
         }
         let first = self.segments.len();
@@ -131,7 +140,9 @@ impl ConstrainedDelaunay {
                     let all = crossing_pairs(&self.t.points, segments);
                     return Err(ConstraintError::Crossing(if all.is_empty() { pairs } else { all }));
                 }
-                Err(ConstraintError::UnusedVertex { vertex, .. }) => return Err(ConstraintError::UnusedVertex { segment: i, vertex }),
+                Err(ConstraintError::UnusedVertex { vertex, .. }) => {
+                    return Err(ConstraintError::UnusedVertex { segment: i, vertex });
+                }
                 Err(e) => return Err(e),
             }
         }
@@ -170,7 +181,9 @@ impl ConstrainedDelaunay {
     /// Number of used vertices that are not input.
     #[must_use]
     pub fn steiner_vertices(&self) -> usize {
-        self.t.points.len() - self.input_points - self.t.free_vertices().iter().filter(|v| v.index() >= self.input_points).count()
+        self.t.points.len()
+            - self.input_points
+            - self.t.free_vertices().iter().filter(|v| v.index() >= self.input_points).count()
     }
 
     /// Inserts a point; on a constrained edge it parts it.
@@ -242,7 +255,9 @@ impl ConstrainedDelaunay {
             match entry.column {
                 Column::Constraint => self.constraints.truncate(entry.index as usize),
                 Column::Segment => self.segments.truncate(entry.index as usize),
-                Column::ProvenanceAppended | Column::ProvenanceKind | Column::ProvenancePlace => self.provenance.undo(entry),
+                Column::ProvenanceAppended | Column::ProvenanceKind | Column::ProvenancePlace => {
+                    self.provenance.undo(entry)
+                }
                 _ => {
                     self.t.undo(entry);
                 }

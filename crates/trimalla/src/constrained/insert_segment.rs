@@ -50,7 +50,12 @@ impl ConstrainedDelaunay {
     ///
     /// # Complexity
     /// Expected linear in the edges crossed, and in the degrees of the vertices on the way.
-    pub fn insert_segment(&mut self, a: VertexId, b: VertexId, crossings: Crossings) -> Result<SegmentId, ConstraintError> {
+    pub fn insert_segment(
+        &mut self,
+        a: VertexId,
+        b: VertexId,
+        crossings: Crossings,
+    ) -> Result<SegmentId, ConstraintError> {
         self.insert_segment_with(a, b, crossings, &mut NoJournal)
     }
 
@@ -58,7 +63,13 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// See [`insert_segment`](Self::insert_segment).
-    pub fn insert_segment_with<J: Journal>(&mut self, a: VertexId, b: VertexId, crossings: Crossings, j: &mut J) -> Result<SegmentId, ConstraintError> {
+    pub fn insert_segment_with<J: Journal>(
+        &mut self,
+        a: VertexId,
+        b: VertexId,
+        crossings: Crossings,
+        j: &mut J,
+    ) -> Result<SegmentId, ConstraintError> {
         let [a, b] = [a, b].map(|v| self.t.representative(v));
         let segment = self.segments.len() as SegmentId;
         if let Some(vertex) = [a, b].into_iter().find(|&v| v.index() >= self.t.points().len() || !self.t.is_used(v)) {
@@ -161,7 +172,11 @@ impl ConstrainedDelaunay {
             if piece.from == piece.to {
                 continue;
             }
-            let leaves = ConstraintError::LeavesDomain { segment: segment as usize, from: self.t.point(piece.from), to: self.t.point(piece.to) };
+            let leaves = ConstraintError::LeavesDomain {
+                segment: segment as usize,
+                from: self.t.point(piece.from),
+                to: self.t.point(piece.to),
+            };
             let plan = self.t.plan_towards(piece.from, piece.to).map_err(|_| leaves)?;
             match plan.constrained.first() {
                 None => {

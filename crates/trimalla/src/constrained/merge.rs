@@ -19,8 +19,11 @@ impl ConstrainedDelaunay {
     /// [`RemoveError`] where other constraints end at `v`, where it is an input vertex, or where the neighbours
     /// leave no room for the straight edge; nothing has changed then.
     pub fn merge_subsegments(&mut self, v: VertexId, log: &mut UndoLog) -> Result<HalfEdgeId, RemoveError> {
-        let refused = RemoveError::Constrained { vertex: v, point: self.t.points().get(v.index()).copied().unwrap_or_default() };
-        let Some(&[h, g]) = self.subsegments_at(v).as_slice().first_chunk::<2>() else { return Err(RemoveError::Unused(v)) };
+        let refused =
+            RemoveError::Constrained { vertex: v, point: self.t.points().get(v.index()).copied().unwrap_or_default() };
+        let Some(&[h, g]) = self.subsegments_at(v).as_slice().first_chunk::<2>() else {
+            return Err(RemoveError::Unused(v));
+        };
         if v.index() < self.input_points || self.subsegments_at(v).len() != 2 || self.t.mark(h) != self.t.mark(g) {
             return Err(refused);
         }

@@ -85,7 +85,9 @@ impl Triangulation {
                 continue;
             }
             match orient2d(a, b, self.point(x)) {
-                Orientation::Collinear if lexicographic(a, self.point(x)) == lexicographic(a, b) => return Ok(FirstStep::Along(h)),
+                Orientation::Collinear if lexicographic(a, self.point(x)) == lexicographic(a, b) => {
+                    return Ok(FirstStep::Along(h));
+                }
                 Orientation::Clockwise => {
                     let y = self.apex(h);
                     if y.is_finite() && orient2d(a, b, self.point(y)) == Orientation::CounterClockwise {

@@ -27,7 +27,9 @@ impl ConstrainedDelaunay {
 
     /// The edge of a segment at a vertex that does not lead back.
     fn step_along(&self, segment: SegmentId, at: VertexId, before: Option<VertexId>) -> Option<HalfEdgeId> {
-        self.t.edges_around(at).find(|&h| Some(self.t.dest(h)) != before && self.segments_of(h).binary_search(&segment).is_ok())
+        self.t
+            .edges_around(at)
+            .find(|&h| Some(self.t.dest(h)) != before && self.segments_of(h).binary_search(&segment).is_ok())
     }
 
     /// Removes a segment: edges that only it constrained are free again, and legalised.

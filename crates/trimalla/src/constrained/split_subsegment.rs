@@ -70,7 +70,13 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// [`SplitError`]; nothing has changed then.
-    pub(crate) fn split_subsegment<J: Journal>(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance, j: &mut J) -> Result<VertexId, SplitError> {
+    pub(crate) fn split_subsegment<J: Journal>(
+        &mut self,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        j: &mut J,
+    ) -> Result<VertexId, SplitError> {
         self.can_split(h, p)?;
         let v = self.add_vertex(p, provenance, j);
         let n = self.t.mesh.split_edge(h, v, j);
@@ -94,7 +100,9 @@ impl ConstrainedDelaunay {
                 continue;
             }
             let c = self.t.point(apex);
-            if orient2d(from, p, c) != Orientation::CounterClockwise || orient2d(p, to, c) != Orientation::CounterClockwise {
+            if orient2d(from, p, c) != Orientation::CounterClockwise
+                || orient2d(p, to, c) != Orientation::CounterClockwise
+            {
                 return Err(SplitError::Crowded);
             }
         }

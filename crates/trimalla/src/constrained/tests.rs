@@ -100,7 +100,8 @@ fn overlaps_keep_every_name() {
 
 #[test]
 fn a_plan_lists_what_is_crossed() {
-    let points: Vec<Point> = [[0.0, 0.0], [10.0, 0.0], [3.0, 1.0], [6.0, 1.0], [3.0, -1.0], [6.0, -1.0]].map(Point::from).to_vec();
+    let points: Vec<Point> =
+        [[0.0, 0.0], [10.0, 0.0], [3.0, 1.0], [6.0, 1.0], [3.0, -1.0], [6.0, -1.0]].map(Point::from).to_vec();
     let cdt = ConstrainedDelaunay::new(&points, &[], Crossings::Refuse).unwrap();
     let plan = cdt.plan_segment(VertexId(0), VertexId(1)).unwrap();
     assert_eq!(plan.left, [VertexId(2), VertexId(3)]);

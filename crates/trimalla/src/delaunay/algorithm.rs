@@ -109,7 +109,10 @@ impl FromStr for AlgorithmKey {
     type Err = String;
 
     fn from_str(s: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|a| a.key() == s).ok_or_else(|| format!("no triangulation algorithm is called '{s}'"))
+        Self::ALL
+            .into_iter()
+            .find(|a| a.key() == s)
+            .ok_or_else(|| format!("no triangulation algorithm is called '{s}'"))
     }
 }
 

@@ -104,7 +104,6 @@ impl PartialEq for Delaunay {
     }
 }
 
-
 impl Delaunay {
     /// Triangulates points, by insertion in curve order.
     ///

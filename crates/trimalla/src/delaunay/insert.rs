@@ -16,7 +16,13 @@ use crate::triangulation::{Closure, Triangulation};
 /// # Complexity
 /// One split and one flip for each further edge at `v`: about three on average.
 #[inline]
-pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(t: &mut Triangulation, v: VertexId, locus: Locus, lawson: &mut Lawson, j: &mut J) -> bool {
+pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(
+    t: &mut Triangulation,
+    v: VertexId,
+    locus: Locus,
+    lawson: &mut Lawson,
+    j: &mut J,
+) -> bool {
     match locus {
         Locus::Face(f) => split_face::<OUTGOING, J>(t, f, v, lawson, j),
         Locus::Edge(h) => split_edge::<OUTGOING, J>(t, h, v, lawson, j),
@@ -35,14 +41,26 @@ pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(t: &mut Triangulation,
 }
 
 #[inline(always)]
-fn split_face<const OUTGOING: bool, J: Journal>(t: &mut Triangulation, f: FaceId, v: VertexId, lawson: &mut Lawson, j: &mut J) {
+fn split_face<const OUTGOING: bool, J: Journal>(
+    t: &mut Triangulation,
+    f: FaceId,
+    v: VertexId,
+    lawson: &mut Lawson,
+    j: &mut J,
+) {
     let faces = if OUTGOING { t.mesh.split_face(f, v, j) } else { t.mesh.rewire_split_face(f, v, j) };
     for f in faces {
         lawson.push(f.half_edge(0));
     }
 }
 
-fn split_edge<const OUTGOING: bool, J: Journal>(t: &mut Triangulation, h: HalfEdgeId, v: VertexId, lawson: &mut Lawson, j: &mut J) {
+fn split_edge<const OUTGOING: bool, J: Journal>(
+    t: &mut Triangulation,
+    h: HalfEdgeId,
+    v: VertexId,
+    lawson: &mut Lawson,
+    j: &mut J,
+) {
     let n = if OUTGOING { t.mesh.split_edge(h, v, j) } else { t.mesh.rewire_split_edge(h, v, j) };
     if t.dimension == 2 {
         for e in t.mesh.opposite_edges_after_split(h, n) {

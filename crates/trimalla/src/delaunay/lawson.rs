@@ -35,7 +35,12 @@ impl Lawson {
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
     #[inline(never)] // A loop on its own keeps its registers.
-    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(&mut self, t: &mut Triangulation, q: Point, j: &mut J) {
+    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(
+        &mut self,
+        t: &mut Triangulation,
+        q: Point,
+        j: &mut J,
+    ) {
         while let Some(e) = self.stack.pop() {
             let o = t.mesh.twin(e);
             if !t.mesh.is_marked(e) && conflicts(t, e, o, q) {

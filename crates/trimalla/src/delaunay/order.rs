@@ -92,7 +92,11 @@ impl Cells {
     }
 
     #[inline]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the cast saturates, and the cell is an order only")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the cast saturates, and the cell is an order only"
+    )]
     fn key(&self, p: Point) -> u32 {
         let cell = |c: f64, min: f64| ((c * 0.5 - min * 0.5) * self.scale) as u16;
         hilbert_key_16(cell(p.x, self.min.x), cell(p.y, self.min.y))
@@ -140,7 +144,8 @@ fn refine_crowded_cells(points: &[Point], keyed: &mut [u64]) {
             let run = keyed[i..end].iter().take_while(|&&k| k >> 32 == key).count();
             if run > CROWDED && run < end - start {
                 let cell = &mut keyed[i..i + run];
-                let finer = sort_by_key(keys(points, cell.iter().map(|&k| low(k) as usize).collect::<Vec<_>>().into_iter()));
+                let finer =
+                    sort_by_key(keys(points, cell.iter().map(|&k| low(k) as usize).collect::<Vec<_>>().into_iter()));
                 cell.copy_from_slice(&finer);
                 work.push((i, i + run));
             }

@@ -37,7 +37,12 @@ pub enum RemoveError {
 }
 
 /// Takes `v` out of the triangulation; it stays as an unused vertex.
-pub(crate) fn remove_vertex<J: Journal>(t: &mut Triangulation, v: VertexId, lawson: &mut Lawson, j: &mut J) -> Result<(), RemoveError> {
+pub(crate) fn remove_vertex<J: Journal>(
+    t: &mut Triangulation,
+    v: VertexId,
+    lawson: &mut Lawson,
+    j: &mut J,
+) -> Result<(), RemoveError> {
     if v.index() >= t.points.len() || !t.is_used(v) {
         return Err(RemoveError::Unused(v));
     }
@@ -60,7 +65,13 @@ pub(crate) fn remove_vertex<J: Journal>(t: &mut Triangulation, v: VertexId, laws
 
 /// Looks at every edge of the hole: those beside its rim, kept as half-edges outside it, which flips and unsplits leave
 /// where they are, and those that flips made.
-pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, rim: &[HalfEdgeId], flipped: &[[VertexId; 2]], lawson: &mut Lawson, j: &mut J) {
+pub(crate) fn legalise_hole<J: Journal>(
+    t: &mut Triangulation,
+    rim: &[HalfEdgeId],
+    flipped: &[[VertexId; 2]],
+    lawson: &mut Lawson,
+    j: &mut J,
+) {
     if t.dimension < 2 {
         return;
     }

@@ -54,7 +54,11 @@ impl DomainRule {
 ///
 /// # Errors
 /// [`DomainError`], before anything is built where the fault can be seen then.
-pub fn triangulate(pslg: &Pslg, crossings: Crossings, algorithm: AlgorithmKey) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+pub fn triangulate(
+    pslg: &Pslg,
+    crossings: Crossings,
+    algorithm: AlgorithmKey,
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     pslg.validate()?;
     let cdt = ConstrainedDelaunay::with_algorithm(&pslg.points, &pslg.segments, crossings, algorithm)?;
     let warnings = warnings_of(&cdt);
@@ -71,7 +75,12 @@ pub fn triangulate(pslg: &Pslg, crossings: Crossings, algorithm: AlgorithmKey) -
 ///
 /// # Complexity
 /// That of the triangulation, and linear.
-pub fn build(pslg: &Pslg, rule: DomainRule, crossings: Crossings, algorithm: AlgorithmKey) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+pub fn build(
+    pslg: &Pslg,
+    rule: DomainRule,
+    crossings: Crossings,
+    algorithm: AlgorithmKey,
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     let (mut cdt, mut warnings) = triangulate(pslg, crossings, algorithm)?;
     if cdt.dimension() < 2 {
         return Err(DomainError::Flat { points: pslg.points.len() });
@@ -105,7 +114,12 @@ fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, Dom
 }
 
 /// Adds what hole seeds reach to what is outside.
-fn remove_holes(cdt: &ConstrainedDelaunay, holes: &[Point], outside: Vec<bool>, warnings: &mut Vec<Warning>) -> Result<Vec<bool>, DomainError> {
+fn remove_holes(
+    cdt: &ConstrainedDelaunay,
+    holes: &[Point],
+    outside: Vec<bool>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<bool>, DomainError> {
     let mut removed = outside.clone();
     for (seed, &at) in holes.iter().enumerate() {
         match seed_face(cdt, at) {

@@ -30,7 +30,8 @@ impl ConstrainedDelaunay {
 
     /// Marks border edges that no segment runs along.
     fn constrain_border<J: Journal>(&mut self, j: &mut J) {
-        let bare: Vec<_> = self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g)).collect();
+        let bare: Vec<_> =
+            self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g)).collect();
         if bare.is_empty() {
             return;
         }

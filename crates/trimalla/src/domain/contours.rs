@@ -38,7 +38,9 @@ impl Contours {
         self.validate(points)?;
         let mut cdt = match algorithm {
             AlgorithmKey::Incremental => self.contours_first(points)?,
-            AlgorithmKey::DivideAndConquer => ConstrainedDelaunay::with_algorithm(points, &self.segments(), Crossings::Refuse, algorithm)?,
+            AlgorithmKey::DivideAndConquer => {
+                ConstrainedDelaunay::with_algorithm(points, &self.segments(), Crossings::Refuse, algorithm)?
+            }
         };
         if cdt.dimension() < 2 {
             return Err(DomainError::Flat { points: points.len() });
@@ -65,13 +67,22 @@ impl Contours {
                 return Err(ConstraintError::NoSuchVertex { segment: contour, vertex, points: points.len() }.into());
             }
             let corners: Vec<Point> = ring.iter().map(|v| points[v.index()]).collect();
-            let (role, wanted) = if contour < count { ("outer", Orientation::CounterClockwise) } else { ("hole", Orientation::Clockwise) };
+            let (role, wanted) = if contour < count {
+                ("outer", Orientation::CounterClockwise)
+            } else {
+                ("hole", Orientation::Clockwise)
+            };
             let found = Ring::new(&corners).orientation();
             if found == Orientation::Collinear {
                 return Err(DomainError::FlatContour { contour });
             }
             if found != wanted {
-                return Err(DomainError::ContourOrientation { contour, role, expected: words(wanted), found: words(found) });
+                return Err(DomainError::ContourOrientation {
+                    contour,
+                    role,
+                    expected: words(wanted),
+                    found: words(found),
+                });
             }
         }
         Ok(())
@@ -80,7 +91,8 @@ impl Contours {
     /// Contour vertices, contour edges, then all other points along a curve.
     fn contours_first(&self, points: &[Point]) -> Result<ConstrainedDelaunay, DomainError> {
         let lowest = LowestAt::of(points, self.rings().flatten().copied());
-        let mut on_contour: Vec<VertexId> = self.rings().flatten().map(|&v| lowest.name(points[v.index()], v)).collect();
+        let mut on_contour: Vec<VertexId> =
+            self.rings().flatten().map(|&v| lowest.name(points[v.index()], v)).collect();
         on_contour.sort_unstable();
         on_contour.dedup();
         let segments: Vec<[u32; 2]> =

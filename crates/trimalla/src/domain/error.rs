@@ -17,7 +17,9 @@ pub enum DomainError {
         points: usize,
     },
     /// Nothing is left inside.
-    #[error("the domain is empty: every triangle can be reached from outside without crossing a segment; close the outline, or keep the convex hull")]
+    #[error(
+        "the domain is empty: every triangle can be reached from outside without crossing a segment; close the outline, or keep the convex hull"
+    )]
     OpenOutline,
     /// Nothing is left inside under the nesting rule.
     #[error("the domain is empty: no triangle lies behind an odd number of segments")]
@@ -138,10 +140,18 @@ impl std::fmt::Display for Warning {
             Self::Duplicates { count, first: [a, b] } => {
                 write!(f, "{count} points lie exactly on others and stay unused; the first is {a}, on {b}")
             }
-            Self::ZeroLength { count, first } => write!(f, "{count} segments have no length and were dropped; the first is {first}"),
-            Self::IdleHole { seed, at } => write!(f, "hole seed {seed} at {at} has no effect: it lies outside, or in another hole"),
-            Self::IdleRegion { seed, at } => write!(f, "region seed {seed} at {at} has no effect: it lies outside the domain"),
-            Self::RegionTwice { seeds: [a, b] } => write!(f, "region seeds {a} and {b} lie in one region; the first counts"),
+            Self::ZeroLength { count, first } => {
+                write!(f, "{count} segments have no length and were dropped; the first is {first}")
+            }
+            Self::IdleHole { seed, at } => {
+                write!(f, "hole seed {seed} at {at} has no effect: it lies outside, or in another hole")
+            }
+            Self::IdleRegion { seed, at } => {
+                write!(f, "region seed {seed} at {at} has no effect: it lies outside the domain")
+            }
+            Self::RegionTwice { seeds: [a, b] } => {
+                write!(f, "region seeds {a} and {b} lie in one region; the first counts")
+            }
             Self::Crossings { vertices } => write!(f, "crossing segments were split at {vertices} new vertices"),
         }
     }

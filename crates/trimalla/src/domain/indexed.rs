@@ -21,7 +21,8 @@ impl ConstrainedDelaunay {
     #[must_use]
     pub fn to_indexed(&self, pslg: &Pslg) -> IndexedMesh {
         let ids = self.output_ids();
-        let kept: Vec<VertexId> = (0..self.points().len()).map(VertexId::from_index).filter(|v| ids[v.index()] != u32::MAX).collect();
+        let kept: Vec<VertexId> =
+            (0..self.points().len()).map(VertexId::from_index).filter(|v| ids[v.index()] != u32::MAX).collect();
         let id = |v: VertexId| ids[v.index()];
         let segments: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_marked(h)).collect();
         let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
@@ -58,7 +59,8 @@ impl ConstrainedDelaunay {
     /// The marker of a subsegment: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
     fn edge_marker(&self, h: HalfEdgeId, pslg: &Pslg) -> i32 {
         let on_border = self.is_boundary(h) || self.is_boundary(self.twin(h));
-        let given = self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
+        let given =
+            self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
         given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 })
     }
 
@@ -97,7 +99,8 @@ impl ConstrainedDelaunay {
 
     /// Attribute `k` of a vertex: given, interpolated along its segment, or that of an input vertex near by.
     fn attribute(&self, v: VertexId, k: usize, pslg: &Pslg) -> f64 {
-        let given = |v: VertexId| pslg.point_attributes.get(v.index() * pslg.attributes_per_point + k).copied().unwrap_or(0.0);
+        let given =
+            |v: VertexId| pslg.point_attributes.get(v.index() * pslg.attributes_per_point + k).copied().unwrap_or(0.0);
         if v.index() < self.input_points {
             return given(v);
         }

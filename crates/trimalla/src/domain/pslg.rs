@@ -44,7 +44,12 @@ impl Pslg {
     pub(super) fn validate(&self) -> Result<(), DomainError> {
         let columns = [
             ("the column of point markers", self.point_markers.len(), self.points.len(), true),
-            ("the table of point attributes", self.point_attributes.len(), self.points.len() * self.attributes_per_point, false),
+            (
+                "the table of point attributes",
+                self.point_attributes.len(),
+                self.points.len() * self.attributes_per_point,
+                false,
+            ),
             ("the column of segment markers", self.segment_markers.len(), self.segments.len(), true),
         ];
         for (what, found, expected, may_be_empty) in columns {

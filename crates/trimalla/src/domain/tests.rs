@@ -20,7 +20,12 @@ fn squares(radii: &[f64]) -> Pslg {
 fn area_of(pslg: &Pslg, rule: DomainRule) -> f64 {
     let (cdt, _) = build(pslg, rule, Crossings::Refuse, AlgorithmKey::Incremental).unwrap();
     assert_eq!(cdt.check(), []);
-    cdt.real_faces().map(|f| { let [a, b, c] = cdt.face_points(f); (b - a).cross(c - a) / 2.0 }).sum()
+    cdt.real_faces()
+        .map(|f| {
+            let [a, b, c] = cdt.face_points(f);
+            (b - a).cross(c - a) / 2.0
+        })
+        .sum()
 }
 
 #[test]
@@ -68,13 +73,17 @@ fn contours_agree_with_nesting_whatever_the_algorithm() {
     let mut points = pslg.points.clone();
     points.extend((0..60).map(|i| Point::new(f64::from(i % 8) - 3.5, f64::from(i / 8) - 3.25)));
     points.push(points[2]);
-    let contours = Contours {
-        outer: Some((0..4).map(VertexId).collect()),
-        holes: vec![(4..8).rev().map(VertexId).collect()],
-    };
+    let contours =
+        Contours { outer: Some((0..4).map(VertexId).collect()), holes: vec![(4..8).rev().map(VertexId).collect()] };
     let a = contours.triangulate(&points, AlgorithmKey::Incremental).unwrap();
     let b = contours.triangulate(&points, AlgorithmKey::DivideAndConquer).unwrap();
-    let (c, _) = build(&Pslg { points: points.clone(), ..pslg }, DomainRule::Nesting, Crossings::Refuse, AlgorithmKey::Incremental).unwrap();
+    let (c, _) = build(
+        &Pslg { points: points.clone(), ..pslg },
+        DomainRule::Nesting,
+        Crossings::Refuse,
+        AlgorithmKey::Incremental,
+    )
+    .unwrap();
     assert_eq!(a.check(), []);
     assert_eq!(a.canonical(), b.canonical());
     assert_eq!(a.canonical(), c.canonical());
@@ -82,7 +91,10 @@ fn contours_agree_with_nesting_whatever_the_algorithm() {
     let holes_only = Contours { outer: None, ..contours.clone() };
     assert_eq!(holes_only.triangulate(&points, AlgorithmKey::Incremental).unwrap().canonical(), a.canonical());
     let wrong = Contours { outer: Some((0..4).rev().map(VertexId).collect()), holes: Vec::new() };
-    assert!(matches!(wrong.triangulate(&points, AlgorithmKey::Incremental), Err(DomainError::ContourOrientation { contour: 0, .. })));
+    assert!(matches!(
+        wrong.triangulate(&points, AlgorithmKey::Incremental),
+        Err(DomainError::ContourOrientation { contour: 0, .. })
+    ));
 }
 
 #[test]
@@ -102,7 +114,15 @@ fn carving_rolls_back_exactly() {
 fn holes_that_touch_leave_pinched_vertices() {
     let mut pslg = squares(&[4.0]);
     let at = |x: f64, y: f64| Point::new(x, y);
-    pslg.points.extend([at(-2.0, 0.0), at(-1.0, -1.0), at(0.0, 0.0), at(-1.0, 1.0), at(1.0, -1.0), at(2.0, 0.0), at(1.0, 1.0)]);
+    pslg.points.extend([
+        at(-2.0, 0.0),
+        at(-1.0, -1.0),
+        at(0.0, 0.0),
+        at(-1.0, 1.0),
+        at(1.0, -1.0),
+        at(2.0, 0.0),
+        at(1.0, 1.0),
+    ]);
     pslg.segments.extend([[4, 5], [5, 6], [6, 7], [7, 4], [6, 8], [8, 9], [9, 10], [10, 6]]);
     pslg.holes.extend([at(-1.0, 0.0), at(1.0, 0.0)]);
     assert_eq!(area_of(&pslg, DomainRule::Seeds), 60.0);

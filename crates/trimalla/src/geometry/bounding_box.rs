@@ -19,10 +19,7 @@ impl BoundingBox {
     #[must_use]
     #[inline]
     pub const fn around(point: Point) -> Self {
-        Self {
-            min: point,
-            max: point,
-        }
+        Self { min: point, max: point }
     }
 
     /// The smallest box around some points; `None` for no points.
@@ -103,20 +100,14 @@ impl BoundingBox {
     #[must_use]
     #[inline]
     pub const fn meets(self, other: Self) -> bool {
-        self.min.x <= other.max.x
-            && other.min.x <= self.max.x
-            && self.min.y <= other.max.y
-            && other.min.y <= self.max.y
+        self.min.x <= other.max.x && other.min.x <= self.max.x && self.min.y <= other.max.y && other.min.y <= self.max.y
     }
 
     /// The point of the box nearest to a point.
     #[must_use]
     #[inline]
     pub const fn clamp(self, p: Point) -> Point {
-        Point::new(
-            p.x.max(self.min.x).min(self.max.x),
-            p.y.max(self.min.y).min(self.max.y),
-        )
+        Point::new(p.x.max(self.min.x).min(self.max.x), p.y.max(self.min.y).min(self.max.y))
     }
 
     /// The position of a point relative to the box: `[0, 0]` at its smallest corner, `[1, 1]` at its largest.
@@ -127,10 +118,7 @@ impl BoundingBox {
     #[must_use]
     #[inline]
     pub fn normalise(self, p: Point) -> [f64; 2] {
-        [
-            fraction(p.x, self.min.x, self.max.x),
-            fraction(p.y, self.min.y, self.max.y),
-        ]
+        [fraction(p.x, self.min.x, self.max.x), fraction(p.y, self.min.y, self.max.y)]
     }
 }
 
@@ -138,11 +126,8 @@ impl BoundingBox {
 #[inline]
 fn fraction(value: f64, low: f64, high: f64) -> f64 {
     let extent = high - low;
-    let fraction = if extent < f64::MAX {
-        (value - low) / extent
-    } else {
-        (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)
-    };
+    let fraction =
+        if extent < f64::MAX { (value - low) / extent } else { (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0) };
     // `max` first, because it turns the undefined 0 / 0 into 0.
     fraction.max(0.0).clamp(0.0, 1.0)
 }

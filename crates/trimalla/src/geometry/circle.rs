@@ -31,10 +31,7 @@ impl Circle {
     #[must_use]
     #[inline]
     pub fn bounding_box(self) -> BoundingBox {
-        let Self {
-            center: Point { x, y },
-            radius: r,
-        } = self;
+        let Self { center: Point { x, y }, radius: r } = self;
         BoundingBox::around(Point::new(x - r, y - r)).including(Point::new(x + r, y + r))
     }
 }

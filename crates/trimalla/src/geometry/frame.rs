@@ -24,16 +24,10 @@ impl Frame {
     /// The frame with the given origin in which the given points have coordinates of magnitude below four.
     #[inline]
     pub(super) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {
-        let largest = points
-            .iter()
-            .chain(core::iter::once(&origin))
-            .fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
+        let largest =
+            points.iter().chain(core::iter::once(&origin)).fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
         let shrink = if largest > LARGE { SHRINK } else { 1.0 };
-        let mut frame = Self {
-            origin: Vector::new(origin.x * shrink, origin.y * shrink),
-            shrink,
-            scale: 1.0,
-        };
+        let mut frame = Self { origin: Vector::new(origin.x * shrink, origin.y * shrink), shrink, scale: 1.0 };
         let reach = points.iter().fold(0.0_f64, |m, p| {
             let Vector { x, y } = frame.local(*p);
             m.max(x.abs()).max(y.abs())

@@ -86,10 +86,7 @@ mod tests {
         let cells: Vec<_> = cells.into_iter().flatten().collect();
         assert_eq!(cells.len(), 1 << 16);
         for pair in cells.windows(2) {
-            assert_eq!(
-                pair[0].0.abs_diff(pair[1].0) + pair[0].1.abs_diff(pair[1].1),
-                1
-            );
+            assert_eq!(pair[0].0.abs_diff(pair[1].0) + pair[0].1.abs_diff(pair[1].1), 1);
         }
     }
 

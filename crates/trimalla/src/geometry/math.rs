@@ -108,15 +108,7 @@ mod tests {
 
     #[test]
     fn scales_are_powers_of_two_that_bring_numbers_near_one() {
-        for value in [
-            5e-324,
-            1e-310,
-            f64::MIN_POSITIVE,
-            0.3,
-            1.0,
-            7.5e200,
-            f64::MAX,
-        ] {
+        for value in [5e-324, 1e-310, f64::MIN_POSITIVE, 0.3, 1.0, 7.5e200, f64::MAX] {
             let scale = power_of_two_scale(value);
             assert!(scale.is_normal() && scale.to_bits() << 12 == 0);
             assert_eq!(value * scale / scale, value);

@@ -79,11 +79,7 @@ fn lerp(a: f64, b: f64, t: f64) -> f64 {
     } else {
         a * (1.0 - t) + b * t
     };
-    if (0.0..=1.0).contains(&t) {
-        value.max(a.min(b)).min(a.max(b))
-    } else {
-        value
-    }
+    if (0.0..=1.0).contains(&t) { value.max(a.min(b)).min(a.max(b)) } else { value }
 }
 
 impl Vector {
@@ -187,10 +183,7 @@ mod tests {
         for (a, b) in pairs {
             let (ab, ba) = (Point::midpoint(a, b), Point::midpoint(b, a));
             assert!(ab.is_finite());
-            assert_eq!(
-                [ab.x.to_bits(), ab.y.to_bits()],
-                [ba.x.to_bits(), ba.y.to_bits()]
-            );
+            assert_eq!([ab.x.to_bits(), ab.y.to_bits()], [ba.x.to_bits(), ba.y.to_bits()]);
         }
         assert_eq!(Point::midpoint(HUGE, HUGE), HUGE);
     }

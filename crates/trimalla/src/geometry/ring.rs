@@ -22,9 +22,7 @@ impl<'a> Ring<'a> {
     }
 
     /// The sides: pairs of successive points, the last point with the first.
-    pub fn sides(
-        self,
-    ) -> impl ExactSizeIterator<Item = (Point, Point)> + DoubleEndedIterator + Clone {
+    pub fn sides(self) -> impl ExactSizeIterator<Item = (Point, Point)> + DoubleEndedIterator + Clone {
         let points = self.points;
         let next = move |i: usize| points[if i + 1 == points.len() { 0 } else { i + 1 }];
         points.iter().enumerate().map(move |(i, &p)| (p, next(i)))
@@ -73,10 +71,7 @@ impl<'a> Ring<'a> {
             return 0.0;
         };
         let frame = Frame::new(bounds.min, [bounds.max]);
-        let twice: f64 = self
-            .sides()
-            .map(|(p, q)| frame.local(p).cross(frame.local(q)))
-            .sum();
+        let twice: f64 = self.sides().map(|(p, q)| frame.local(p).cross(frame.local(q))).sum();
         frame.area(0.5 * twice)
     }
 
@@ -141,24 +136,12 @@ mod tests {
     fn squares_of_any_size_run_as_they_are_drawn() {
         for s in [5e-324, 1e-300, 0.1, 1.0, 1e300, f64::MAX] {
             let mut square = points(&[(-s, -s), (s, -s), (s, s), (-s, s)]);
-            assert_eq!(
-                Ring::new(&square).orientation(),
-                Orientation::CounterClockwise
-            );
-            assert_eq!(
-                Ring::new(&square).locate(Point::default()),
-                Containment::Inside
-            );
-            assert_eq!(
-                Ring::new(&square).locate(Point::new(s, 0.0)),
-                Containment::On
-            );
+            assert_eq!(Ring::new(&square).orientation(), Orientation::CounterClockwise);
+            assert_eq!(Ring::new(&square).locate(Point::default()), Containment::Inside);
+            assert_eq!(Ring::new(&square).locate(Point::new(s, 0.0)), Containment::On);
             square.reverse();
             assert_eq!(Ring::new(&square).orientation(), Orientation::Clockwise);
-            assert_eq!(
-                Ring::new(&square).winding_number(Point::default()),
-                Some(-1)
-            );
+            assert_eq!(Ring::new(&square).winding_number(Point::default()), Some(-1));
         }
         let square = points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
         assert_eq!(Ring::new(&square).signed_area(), 4.0);
@@ -177,22 +160,10 @@ mod tests {
             (0.0, 2.0),
             (0.0, 1.0),
         ]);
-        assert_eq!(
-            Ring::new(&ring).orientation(),
-            Orientation::CounterClockwise
-        );
-        assert_eq!(
-            Ring::new(&ring).locate(Point::new(-0.5, 0.0)),
-            Containment::On
-        );
-        assert_eq!(
-            Ring::new(&ring).locate(Point::new(-2.0, 0.0)),
-            Containment::Outside
-        );
-        assert_eq!(
-            Ring::new(&ring).locate(Point::new(1.0, 2.0)),
-            Containment::On
-        );
+        assert_eq!(Ring::new(&ring).orientation(), Orientation::CounterClockwise);
+        assert_eq!(Ring::new(&ring).locate(Point::new(-0.5, 0.0)), Containment::On);
+        assert_eq!(Ring::new(&ring).locate(Point::new(-2.0, 0.0)), Containment::Outside);
+        assert_eq!(Ring::new(&ring).locate(Point::new(1.0, 2.0)), Containment::On);
         for flat in [&ring[..0], &ring[..1], &ring[..6]] {
             assert_eq!(Ring::new(flat).orientation(), Orientation::Collinear);
             assert_eq!(Ring::new(flat).signed_area(), 0.0);
@@ -201,22 +172,8 @@ mod tests {
 
     #[test]
     fn a_ray_through_corners_counts_once() {
-        let ring = points(&[
-            (0.0, 0.0),
-            (4.0, 0.0),
-            (3.0, 1.0),
-            (4.0, 2.0),
-            (5.0, 1.0),
-            (6.0, 3.0),
-            (0.0, 3.0),
-        ]);
-        let expected = [
-            (1.0, 1.0, true),
-            (3.5, 1.0, false),
-            (-1.0, 1.0, false),
-            (-1.0, 3.0, false),
-            (4.5, 2.0, true),
-        ];
+        let ring = points(&[(0.0, 0.0), (4.0, 0.0), (3.0, 1.0), (4.0, 2.0), (5.0, 1.0), (6.0, 3.0), (0.0, 3.0)]);
+        let expected = [(1.0, 1.0, true), (3.5, 1.0, false), (-1.0, 1.0, false), (-1.0, 3.0, false), (4.5, 2.0, true)];
         for (x, y, inside) in expected {
             let found = Ring::new(&ring).locate(Point::new(x, y));
             assert_eq!(found == Containment::Inside, inside, "({x}, {y})");

@@ -94,11 +94,7 @@ impl Segment {
     /// The crossing of two segments that cross in a point inside both.
     fn proper_crossing(self, other: Self) -> Point {
         let (one, two) = (self.sorted(), other.sorted());
-        let (one, two) = if lexicographically_less(two.start, one.start) {
-            (two, one)
-        } else {
-            (one, two)
-        };
+        let (one, two) = if lexicographically_less(two.start, one.start) { (two, one) } else { (one, two) };
         let frame = Frame::new(two.start, [two.end, one.start, one.end]);
         let direction = frame.local(two.end);
         let distance = |p: Point| direction.cross(frame.local(p)).abs();
@@ -110,24 +106,13 @@ impl Segment {
 
     /// The end that lies on the other segment, of two segments that touch.
     fn shared_end(self, other: Self) -> Option<Point> {
-        let of_other = other
-            .ends()
-            .into_iter()
-            .find(|p| on_segment(self.start, self.end, *p));
-        of_other.or_else(|| {
-            self.ends()
-                .into_iter()
-                .find(|p| on_segment(other.start, other.end, *p))
-        })
+        let of_other = other.ends().into_iter().find(|p| on_segment(self.start, self.end, *p));
+        of_other.or_else(|| self.ends().into_iter().find(|p| on_segment(other.start, other.end, *p)))
     }
 
     /// The segment directed from its lexicographically smaller end.
     fn sorted(self) -> Self {
-        if lexicographically_less(self.end, self.start) {
-            self.reversed()
-        } else {
-            self
-        }
+        if lexicographically_less(self.end, self.start) { self.reversed() } else { self }
     }
 
     /// The displacement from start to end, which overflows for ends too far apart.
@@ -159,11 +144,7 @@ mod tests {
         let (one, two) = (segment(0.1, 0.2, 7.3, 5.9), segment(0.3, 6.1, 6.7, 0.4));
         let expected = one.crossing_point(two);
         assert!(expected.is_some());
-        for (a, b) in [
-            (one, two.reversed()),
-            (two, one),
-            (two.reversed(), one.reversed()),
-        ] {
+        for (a, b) in [(one, two.reversed()), (two, one), (two.reversed(), one.reversed())] {
             assert_eq!(a.crossing_point(b), expected);
         }
     }
@@ -183,10 +164,7 @@ mod tests {
         assert_eq!(segment(0.0, 0.0, 3.0 * big, 4.0 * big).length(), 5.0 * big);
         let s = 5e-324;
         assert_eq!(segment(0.0, 0.0, 3.0 * s, 4.0 * s).length(), 5.0 * s);
-        assert_eq!(
-            segment(-f64::MAX, 0.0, f64::MAX, 0.0).length(),
-            f64::INFINITY
-        );
+        assert_eq!(segment(-f64::MAX, 0.0, f64::MAX, 0.0).length(), f64::INFINITY);
         assert_eq!(segment(2.0, 2.0, 2.0, 2.0).length(), 0.0);
     }
 }

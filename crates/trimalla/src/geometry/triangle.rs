@@ -84,20 +84,14 @@ impl Triangle {
     #[must_use]
     pub fn longest_edge(&self) -> usize {
         let lengths = self.local_lengths_sq();
-        (1..3).fold(
-            0,
-            |best, i| if lengths[i] > lengths[best] { i } else { best },
-        )
+        (1..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best })
     }
 
     /// The index of the shortest edge by rounded lengths, the first of equal ones.
     #[must_use]
     pub fn shortest_edge(&self) -> usize {
         let lengths = self.local_lengths_sq();
-        (1..3).fold(
-            0,
-            |best, i| if lengths[i] < lengths[best] { i } else { best },
-        )
+        (1..3).fold(0, |best, i| if lengths[i] < lengths[best] { i } else { best })
     }
 
     /// The centroid of the corners, rounded.
@@ -108,8 +102,7 @@ impl Triangle {
     pub fn centroid(&self) -> Point {
         let view = View::of(self);
         let (u, v) = (view.u, view.v);
-        view.frame
-            .point(Vector::new((u.x + v.x) / 3.0, (u.y + v.y) / 3.0))
+        view.frame.point(Vector::new((u.x + v.x) / 3.0, (u.y + v.y) / 3.0))
     }
 
     /// The center of the circle through the corners, rounded.
@@ -146,9 +139,7 @@ impl Triangle {
     #[must_use]
     pub fn inradius(&self) -> f64 {
         let view = View::of(self);
-        let perimeter = view.u.length_sq().sqrt()
-            + view.v.length_sq().sqrt()
-            + view.opposite().length_sq().sqrt();
+        let perimeter = view.u.length_sq().sqrt() + view.v.length_sq().sqrt() + view.opposite().length_sq().sqrt();
         if perimeter == 0.0 {
             return 0.0;
         }
@@ -162,11 +153,7 @@ impl Triangle {
         let sides = [0, 1, 2].map(|i| orient2d(self.edge(i).start, self.edge(i).end, p));
         if orientation == Orientation::Collinear {
             let on = |i| on_segment(self.edge(i).start, self.edge(i).end, p);
-            return if (0..3).any(on) {
-                Containment::On
-            } else {
-                Containment::Outside
-            };
+            return if (0..3).any(on) { Containment::On } else { Containment::Outside };
         }
         if sides.contains(&orientation.reversed()) {
             Containment::Outside
@@ -198,10 +185,7 @@ impl Triangle {
         }
         let (u, v) = (view.u, view.v);
         let (u_sq, v_sq, twice) = (u.length_sq(), v.length_sq(), 2.0 * view.cross());
-        let center = Vector::new(
-            (v.y * u_sq - u.y * v_sq) / twice,
-            (u.x * v_sq - v.x * u_sq) / twice,
-        );
+        let center = Vector::new((v.y * u_sq - u.y * v_sq) / twice, (u.x * v_sq - v.x * u_sq) / twice);
         (center.x.is_finite() && center.y.is_finite()).then_some(center)
     }
 }
@@ -228,17 +212,12 @@ impl View {
         let lengths = triangle.local_lengths_sq();
         let corners = triangle.corners;
         let better = |i: usize, j: usize| {
-            lengths[i] > lengths[j]
-                || (lengths[i] == lengths[j] && lexicographically_less(corners[i], corners[j]))
+            lengths[i] > lengths[j] || (lengths[i] == lengths[j] && lexicographically_less(corners[i], corners[j]))
         };
         let origin = (1..3).fold(0, |best, i| if better(i, best) { i } else { best });
         let Segment { start, end } = triangle.edge(origin);
         let frame = Frame::new(corners[origin], [start, end]);
-        Self {
-            u: frame.local(start),
-            v: frame.local(end),
-            frame,
-        }
+        Self { u: frame.local(start), v: frame.local(end), frame }
     }
 
     /// Twice the signed area in the frame.
@@ -257,11 +236,7 @@ mod tests {
     use super::*;
 
     fn right_triangle(s: f64) -> Triangle {
-        Triangle::new(
-            Point::new(0.0, 0.0),
-            Point::new(4.0 * s, 0.0),
-            Point::new(0.0, 3.0 * s),
-        )
+        Triangle::new(Point::new(0.0, 0.0), Point::new(4.0 * s, 0.0), Point::new(0.0, 3.0 * s))
     }
 
     #[test]
@@ -317,10 +292,7 @@ mod tests {
             assert_eq!(t.locate(Point::new(1.0, 1.0)), Containment::Inside);
             assert_eq!(t.locate(Point::new(2.0, 1.5)), Containment::On);
             assert_eq!(t.locate(Point::new(4.0, 0.0)), Containment::On);
-            assert_eq!(
-                t.locate(Point::new(2.0, 1.5 + f64::EPSILON)),
-                Containment::Outside
-            );
+            assert_eq!(t.locate(Point::new(2.0, 1.5 + f64::EPSILON)), Containment::Outside);
         }
         let flat = Triangle::new(t.corners[0], t.corners[1], Point::new(2.0, 0.0));
         assert!(flat.contains(Point::new(3.0, 0.0)) && !flat.contains(Point::new(5.0, 0.0)));

@@ -77,7 +77,9 @@ impl Triangulation {
         let source = Triangle::new(a, b, c).centroid();
         let mut entered = HalfEdgeId::NONE;
         for _ in 0..CALM_STEPS + self.face_slots() {
-            let Some(h) = self.exit_towards(face, entered, source, p) else { return Walk::Arrived(self.locus_at(face, p)) };
+            let Some(h) = self.exit_towards(face, entered, source, p) else {
+                return Walk::Arrived(self.locus_at(face, p));
+            };
             if self.is_marked(h) || self.is_ghost(self.twin(h).face()) {
                 return Walk::Blocked(h);
             }

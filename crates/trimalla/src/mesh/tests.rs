@@ -158,7 +158,8 @@ fn carving_a_fan_leaves_a_pinched_vertex_with_one_star() {
     let keep: Vec<bool> = (0..m.face_slots())
         .map(|f| {
             let t = m.face_vertices(FaceId::from_index(f));
-            m.is_real(FaceId::from_index(f)) && (t.contains(&v(1)) && t.contains(&v(2)) || t.contains(&v(3)) && t.contains(&v(4)))
+            m.is_real(FaceId::from_index(f))
+                && (t.contains(&v(1)) && t.contains(&v(2)) || t.contains(&v(3)) && t.contains(&v(4)))
         })
         .collect();
     let mut log = UndoLog::new();

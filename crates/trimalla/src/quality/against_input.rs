@@ -84,10 +84,7 @@ pub struct Comparison {
 /// Linear in the mesh, and in the vertices along each segment with their degrees.
 #[must_use]
 pub fn against_input(mesh: &IndexedMesh, input: &Pslg) -> Comparison {
-    let mut found = Comparison {
-        faults: vertex_faults(mesh, input),
-        covered: Vec::new(),
-    };
+    let mut found = Comparison { faults: vertex_faults(mesh, input), covered: Vec::new() };
     if !found.faults.is_empty() {
         return found;
     }
@@ -97,21 +94,13 @@ pub fn against_input(mesh: &IndexedMesh, input: &Pslg) -> Comparison {
     for (segment, &named) in input.segments.iter().enumerate() {
         let vertices = input.points.len();
         if let Some(vertex) = named.into_iter().find(|&v| v as usize >= vertices) {
-            found.faults.push(InputFault::SegmentOutOfRange {
-                segment,
-                vertex,
-                vertices,
-            });
+            found.faults.push(InputFault::SegmentOutOfRange { segment, vertex, vertices });
             continue;
         }
         let [a, b] = named.map(|v| stand_ins[v as usize]);
         let ends = [mesh_vertex(mesh, a), mesh_vertex(mesh, b)];
         if let Some(stop) = cover(mesh, &sides, a, b, &mut covered) {
-            found.faults.push(InputFault::SegmentNotCovered {
-                segment,
-                ends,
-                stop: mesh_vertex(mesh, stop),
-            });
+            found.faults.push(InputFault::SegmentNotCovered { segment, ends, stop: mesh_vertex(mesh, stop) });
         }
     }
     found.covered = covered.into_iter().collect();
@@ -127,9 +116,7 @@ fn vertex_faults(mesh: &IndexedMesh, input: &Pslg) -> Vec<InputFault> {
     let bits = |p: Point| [p.x.to_bits(), p.y.to_bits()];
     let pairs = input.points.iter().zip(&mesh.points).enumerate();
     let changed = pairs.filter(|(_, (was, is))| bits(**was) != bits(**is));
-    changed
-        .map(|(vertex, (&was, &is))| InputFault::VertexChanged { vertex, was, is })
-        .collect()
+    changed.map(|(vertex, (&was, &is))| InputFault::VertexChanged { vertex, was, is }).collect()
 }
 
 /// For each input vertex the first used one on the same place, or else the first one there.
@@ -147,13 +134,7 @@ fn stand_ins(input: &Pslg, sides: &Sides) -> Vec<u32> {
 }
 
 /// Parts 2 and 3: collects the edges that cover a segment; returns where it runs into a triangle.
-fn cover(
-    mesh: &IndexedMesh,
-    sides: &Sides,
-    a: u32,
-    b: u32,
-    covered: &mut BTreeSet<[u32; 2]>,
-) -> Option<u32> {
+fn cover(mesh: &IndexedMesh, sides: &Sides, a: u32, b: u32, covered: &mut BTreeSet<[u32; 2]>) -> Option<u32> {
     if a == b || !sides.is_used(a) || !sides.is_used(b) {
         return None;
     }
@@ -165,20 +146,14 @@ fn cover(
     let back = Line::new(mesh, b, a).chain(sides);
     back.collect_into(covered);
     let enters = |from: u32, to: u32| enters_a_triangle(mesh, sides, from, to);
-    [(forth.stop(), b), (back.stop(), a)]
-        .into_iter()
-        .find(|&(from, to)| enters(from, to))
-        .map(|(from, _)| from)
+    [(forth.stop(), b), (back.stop(), a)].into_iter().find(|&(from, to)| enters(from, to)).map(|(from, _)| from)
 }
 
 /// Whether the ray from one vertex to another begins inside a triangle of the first or along a side of it.
 fn enters_a_triangle(mesh: &IndexedMesh, sides: &Sides, from: u32, to: u32) -> bool {
     let [v, target] = [from, to].map(|v| mesh.points[v as usize]);
     let left_on = |p: Point, q: Point| {
-        v.is_finite()
-            && p.is_finite()
-            && q.is_finite()
-            && orient2d(v, p, q) != Orientation::Clockwise
+        v.is_finite() && p.is_finite() && q.is_finite() && orient2d(v, p, q) != Orientation::Clockwise
     };
     sides.from(from).iter().any(|s: &Side| {
         let [p, q] = [s.dest, s.apex].map(|w| mesh.points[w as usize]);
@@ -200,25 +175,15 @@ struct Line<'a> {
 impl<'a> Line<'a> {
     fn new(mesh: &'a IndexedMesh, from: u32, to: u32) -> Self {
         let [a, b] = [from, to].map(|v| mesh.points[v as usize]);
-        let largest = [a.x, a.y, b.x, b.y]
-            .into_iter()
-            .fold(0.0_f64, |m, c| m.max(c.abs()));
+        let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         // Differences of larger numbers could overflow.
         let shrink = if largest > 1e300 { 0.125 } else { 1.0 };
-        let mut line = Self {
-            mesh,
-            ends: [from, to],
-            shrink,
-            scale: 1.0,
-            along: Vector::default(),
-            tolerance: 0.0,
-        };
+        let mut line = Self { mesh, ends: [from, to], shrink, scale: 1.0, along: Vector::default(), tolerance: 0.0 };
         let reach = line.local(to);
         line.scale = power_of_two_scale(reach.x.abs().max(reach.y.abs()));
         line.along = line.local(to);
         let length = line.along.length_sq().sqrt();
-        line.tolerance =
-            (OFF_BY_LENGTH * length + OFF_BY_COORDINATE * largest * shrink * line.scale) * length;
+        line.tolerance = (OFF_BY_LENGTH * length + OFF_BY_COORDINATE * largest * shrink * line.scale) * length;
         line
     }
 
@@ -242,11 +207,7 @@ impl<'a> Line<'a> {
 
     /// Follows edges along the segment, always forward, as far as they lead; other ways where one ends.
     fn chain(&self, sides: &Sides) -> Chain {
-        let mut links: Vec<Link> = vec![Link {
-            vertex: self.ends[0],
-            t: 0.0,
-            before: None,
-        }];
+        let mut links: Vec<Link> = vec![Link { vertex: self.ends[0], t: 0.0, before: None }];
         let mut met = BTreeSet::from([self.ends[0]]);
         let mut open = vec![0];
         let mut best = 0;
@@ -266,11 +227,7 @@ impl<'a> Line<'a> {
             ahead.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));
             for (t, vertex) in ahead {
                 open.push(links.len());
-                links.push(Link {
-                    vertex,
-                    t,
-                    before: Some(at),
-                });
+                links.push(Link { vertex, t, before: Some(at) });
             }
         }
         Chain::ending_at(best, &links)

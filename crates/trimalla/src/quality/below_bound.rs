@@ -13,9 +13,7 @@ use crate::triangulation::{IndexedMesh, is_sound};
 #[must_use]
 pub fn below_bound(mesh: &IndexedMesh, min_angle: Angle) -> Vec<usize> {
     let bound = Certificate::of(min_angle);
-    let below = |t: &[u32; 3]| {
-        !is_sound(t, mesh.points.len()) || !bound.holds(t.map(|v| mesh.points[v as usize]))
-    };
+    let below = |t: &[u32; 3]| !is_sound(t, mesh.points.len()) || !bound.holds(t.map(|v| mesh.points[v as usize]));
     let listed = mesh.triangles.iter().enumerate().filter(|(_, t)| below(t));
     listed.map(|(i, _)| i).collect()
 }
@@ -47,8 +45,7 @@ impl Certificate {
         let [a, b, c] = corners;
         match self {
             Self::CosSq(cos_sq) => {
-                corners.into_iter().all(Point::is_finite)
-                    && triangle_angles_at_least(a, b, c, cos_sq)
+                corners.into_iter().all(Point::is_finite) && triangle_angles_at_least(a, b, c, cos_sq)
             }
             Self::Never => false,
         }

@@ -18,10 +18,7 @@ impl Histogram {
     #[must_use]
     pub fn new(bins: usize, end_deg: f64) -> Self {
         let bins = bins.max(1);
-        Self {
-            width_deg: end_deg / bins as f64,
-            counts: vec![0; bins],
-        }
+        Self { width_deg: end_deg / bins as f64, counts: vec![0; bins] }
     }
 
     /// Counts a value.
@@ -41,10 +38,7 @@ impl Histogram {
     /// The range of a bin, in degrees.
     #[must_use]
     pub fn range_deg(&self, bin: usize) -> [f64; 2] {
-        [
-            bin as f64 * self.width_deg,
-            (bin + 1) as f64 * self.width_deg,
-        ]
+        [bin as f64 * self.width_deg, (bin + 1) as f64 * self.width_deg]
     }
 
     /// How many values were counted.

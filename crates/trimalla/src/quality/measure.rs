@@ -11,9 +11,7 @@ use crate::geometry::{Angle, Triangle};
 /// Computed as `1 / (8 sin(A/2) sin(B/2) sin(C/2))`, which equals the ratio of the radii.
 #[must_use]
 pub fn aspect_ratio(triangle: &Triangle) -> f64 {
-    let half_sines = triangle
-        .angles()
-        .map(|a| Angle::from_radians(0.5 * a.radians()).sin());
+    let half_sines = triangle.angles().map(|a| Angle::from_radians(0.5 * a.radians()).sin());
     1.0 / (8.0 * half_sines[0] * half_sines[1] * half_sines[2])
 }
 
@@ -37,11 +35,7 @@ impl Spread {
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut values = values.into_iter();
         let first = values.next()?;
-        let start = Self {
-            min: first,
-            mean: first,
-            max: first,
-        };
+        let start = Self { min: first, mean: first, max: first };
         Some(values.zip(2_u64..).fold(start, |s, (v, n)| Self {
             min: s.min.min(v),
             mean: s.mean + (v / n as f64 - s.mean / n as f64),

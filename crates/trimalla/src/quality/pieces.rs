@@ -10,10 +10,7 @@ pub(super) fn component_count(sides: &Sides, vertices: usize) -> usize {
         // The smaller id becomes the root, whatever the order of the triangles.
         up[a.max(b) as usize] = a.min(b);
     }
-    (0..)
-        .take(vertices)
-        .filter(|&v| sides.is_used(v) && up[v as usize] == v)
-        .count()
+    (0..).take(vertices).filter(|&v| sides.is_used(v) && up[v as usize] == v).count()
 }
 
 /// The root of a vertex; halves the path on the way.
@@ -32,11 +29,8 @@ fn root(up: &mut [u32], mut v: u32) -> u32 {
 /// triangles, so that a loop never crosses another.
 pub(super) fn boundary_loop_count(sides: &Sides) -> usize {
     let boundary: Vec<Side> = sides.boundary().copied().collect();
-    let place = |s: &Side| {
-        boundary.binary_search_by_key(&(s.origin, s.dest, s.triangle), |b| {
-            (b.origin, b.dest, b.triangle)
-        })
-    };
+    let place =
+        |s: &Side| boundary.binary_search_by_key(&(s.origin, s.dest, s.triangle), |b| (b.origin, b.dest, b.triangle));
     let mut seen = vec![false; boundary.len()];
     let mut loops = 0;
     for start in 0..boundary.len() {

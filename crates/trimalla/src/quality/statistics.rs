@@ -27,10 +27,7 @@ pub struct Bins {
 impl Default for Bins {
     /// Steps of five and of ten degrees.
     fn default() -> Self {
-        Self {
-            smallest: 12,
-            all: 18,
-        }
+        Self { smallest: 12, all: 18 }
     }
 }
 
@@ -126,11 +123,7 @@ impl Statistics {
             ..Self::default()
         };
         statistics.measure_triangles(&measured);
-        statistics.count_edges(
-            mesh,
-            &Sides::of_triangles(mesh, |t| is_measurable(mesh, t)),
-            measured.len(),
-        );
+        statistics.count_edges(mesh, &Sides::of_triangles(mesh, |t| is_measurable(mesh, t)), measured.len());
         statistics
     }
 
@@ -139,21 +132,10 @@ impl Statistics {
             let angles = triangle.angles();
             angles.iter().for_each(|a| self.all_angles.add(a.degrees()));
             self.smallest_angles.add(triangle.min_angle().degrees());
-            let at = |angle| AngleAt {
-                angle,
-                triangle: *index,
-            };
+            let at = |angle| AngleAt { angle, triangle: *index };
             let (low, high) = (at(triangle.min_angle()), at(triangle.max_angle()));
-            self.min_angle = Some(
-                self.min_angle
-                    .filter(|m| m.angle <= low.angle)
-                    .unwrap_or(low),
-            );
-            self.max_angle = Some(
-                self.max_angle
-                    .filter(|m| m.angle >= high.angle)
-                    .unwrap_or(high),
-            );
+            self.min_angle = Some(self.min_angle.filter(|m| m.angle <= low.angle).unwrap_or(low));
+            self.max_angle = Some(self.max_angle.filter(|m| m.angle >= high.angle).unwrap_or(high));
         }
         let triangles = || measured.iter().map(|(_, t)| t);
         // An empty `sum` would be −0.
@@ -164,9 +146,7 @@ impl Statistics {
 
     fn count_edges(&mut self, mesh: &IndexedMesh, sides: &Sides, triangles: usize) {
         let vertices = mesh.points.len();
-        let length = |a: u32, b: u32| {
-            Segment::new(mesh.points[a as usize], mesh.points[b as usize]).length()
-        };
+        let length = |a: u32, b: u32| Segment::new(mesh.points[a as usize], mesh.points[b as usize]).length();
         let mut degree = vec![0_usize; vertices];
         for s in sides.edges() {
             degree[s.origin as usize] += 1;
@@ -179,17 +159,8 @@ impl Statistics {
         self.components = component_count(sides, vertices);
         self.used_vertices = degree.iter().filter(|&&d| d > 0).count();
         self.holes = (self.components + self.edges).saturating_sub(self.used_vertices + triangles);
-        self.degrees = vec![
-            0;
-            degree
-                .iter()
-                .max()
-                .map_or(0, |&d| if d > 0 { d + 1 } else { 0 })
-        ];
-        degree
-            .iter()
-            .filter(|&&d| d > 0)
-            .for_each(|&d| self.degrees[d] += 1);
+        self.degrees = vec![0; degree.iter().max().map_or(0, |&d| if d > 0 { d + 1 } else { 0 })];
+        degree.iter().filter(|&&d| d > 0).for_each(|&d| self.degrees[d] += 1);
     }
 }
 
@@ -200,11 +171,7 @@ fn is_measurable(mesh: &IndexedMesh, t: &[u32; 3]) -> bool {
 
 /// The triangles that can be measured, with their indices.
 fn measurable(mesh: &IndexedMesh) -> Vec<(usize, Triangle)> {
-    let fine = mesh
-        .triangles
-        .iter()
-        .enumerate()
-        .filter(|(_, t)| is_measurable(mesh, t));
+    let fine = mesh.triangles.iter().enumerate().filter(|(_, t)| is_measurable(mesh, t));
     fine.map(|(i, t)| {
         let [a, b, c]: [Point; 3] = t.map(|v| mesh.points[v as usize]);
         (i, Triangle::new(a, b, c))

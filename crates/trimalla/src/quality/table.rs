@@ -16,30 +16,11 @@ impl fmt::Display for Statistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_counts(f)?;
         self.write_measures(f)?;
-        let bins = |h: &Histogram| {
-            (0..h.counts.len())
-                .map(|i| range_label(h.range_deg(i)))
-                .collect::<Vec<_>>()
-        };
-        write_bars(
-            f,
-            "smallest angle of each triangle",
-            &bins(&self.smallest_angles),
-            &self.smallest_angles.counts,
-        )?;
-        write_bars(
-            f,
-            "all angles",
-            &bins(&self.all_angles),
-            &self.all_angles.counts,
-        )?;
-        let (degrees, counts): (Vec<String>, Vec<usize>) = self
-            .degrees
-            .iter()
-            .enumerate()
-            .filter(|(_, n)| **n > 0)
-            .map(|(d, &n)| (format!("{d:>12}"), n))
-            .unzip();
+        let bins = |h: &Histogram| (0..h.counts.len()).map(|i| range_label(h.range_deg(i))).collect::<Vec<_>>();
+        write_bars(f, "smallest angle of each triangle", &bins(&self.smallest_angles), &self.smallest_angles.counts)?;
+        write_bars(f, "all angles", &bins(&self.all_angles), &self.all_angles.counts)?;
+        let (degrees, counts): (Vec<String>, Vec<usize>) =
+            self.degrees.iter().enumerate().filter(|(_, n)| **n > 0).map(|(d, &n)| (format!("{d:>12}"), n)).unzip();
         write_bars(f, "edges at a vertex", &degrees, &counts)
     }
 }
@@ -58,8 +39,7 @@ impl Statistics {
             ("components", self.components),
             ("holes", self.holes),
         ];
-        rows.iter()
-            .try_for_each(|(name, count)| writeln!(f, "{name:<18}{count:>14}"))?;
+        rows.iter().try_for_each(|(name, count)| writeln!(f, "{name:<18}{count:>14}"))?;
         if self.unmeasured > 0 {
             writeln!(f, "{:<18}{:>14}", "not measurable", self.unmeasured)?;
         }
@@ -88,23 +68,12 @@ fn write_angle(f: &mut fmt::Formatter<'_>, name: &str, angle: Option<AngleAt>) -
 }
 
 fn write_spread(f: &mut fmt::Formatter<'_>, name: &str, spread: Option<Spread>) -> fmt::Result {
-    let columns = spread.map_or(["-".into(), "-".into(), "-".into()], |s| {
-        [s.min, s.mean, s.max].map(number)
-    });
-    writeln!(
-        f,
-        "{name:<18}{:>14}{:>14}{:>14}",
-        columns[0], columns[1], columns[2]
-    )
+    let columns = spread.map_or(["-".into(), "-".into(), "-".into()], |s| [s.min, s.mean, s.max].map(number));
+    writeln!(f, "{name:<18}{:>14}{:>14}{:>14}", columns[0], columns[1], columns[2])
 }
 
 /// A title and one line a bin; nothing where there are no bins.
-fn write_bars(
-    f: &mut fmt::Formatter<'_>,
-    title: &str,
-    labels: &[String],
-    counts: &[usize],
-) -> fmt::Result {
+fn write_bars(f: &mut fmt::Formatter<'_>, title: &str, labels: &[String], counts: &[usize]) -> fmt::Result {
     let most = counts.iter().copied().max().unwrap_or(0);
     if most == 0 {
         return Ok(());
@@ -132,18 +101,12 @@ fn range_label([from, to]: [f64; 2]) -> String {
 /// A number with six significant digits, in plain or exponent form, whichever is easier to read.
 fn number(value: f64) -> String {
     let exponent_form = format!("{value:.*e}", DIGITS - 1);
-    let exponent = exponent_form
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok());
+    let exponent = exponent_form.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok());
     match exponent {
         Some(e @ -4..=8) if value != 0.0 => {
             let decimals = usize::try_from(5 - e).unwrap_or(0);
             let plain = format!("{value:.decimals$}");
-            if plain.contains('.') {
-                plain.trim_end_matches('0').trim_end_matches('.').to_owned()
-            } else {
-                plain
-            }
+            if plain.contains('.') { plain.trim_end_matches('0').trim_end_matches('.').to_owned() } else { plain }
         }
         _ if value == 0.0 || !value.is_finite() => format!("{value}"),
         _ => exponent_form,

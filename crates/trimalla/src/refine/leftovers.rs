@@ -84,7 +84,11 @@ impl Refinement {
     fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
         let key = |h: HalfEdgeId| {
             let [a, b] = self.cdt.edge_points(h);
-            (self.ruler.length_sq(a, b), self.cdt.origin(h).min(self.cdt.dest(h)), self.cdt.origin(h).max(self.cdt.dest(h)))
+            (
+                self.ruler.length_sq(a, b),
+                self.cdt.origin(h).min(self.cdt.dest(h)),
+                self.cdt.origin(h).max(self.cdt.dest(h)),
+            )
         };
         let less = |h: HalfEdgeId, g: HalfEdgeId| {
             let ((l, a, b), (m, c, d)) = (key(h), key(g));

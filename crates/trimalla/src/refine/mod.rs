@@ -43,7 +43,9 @@ pub mod steps;
 mod tests;
 
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
-pub use recipe::{Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, UnknownKey, registry};
+pub use recipe::{
+    Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, UnknownKey, registry,
+};
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
 pub use ruler::Ruler;

@@ -56,7 +56,10 @@ pub struct Refinement {
 
 impl fmt::Debug for Refinement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Refinement").field("options", &self.options).field("vertices", &self.vertices).finish_non_exhaustive()
+        f.debug_struct("Refinement")
+            .field("options", &self.options)
+            .field("vertices", &self.vertices)
+            .finish_non_exhaustive()
     }
 }
 
@@ -205,7 +208,9 @@ impl Refinement {
             self.ruler.length_sq(a, b)
         };
         let mut longest_first = subsegments.to_vec();
-        longest_first.sort_by(|&h, &g| length(g).total_cmp(&length(h)).then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g))));
+        longest_first.sort_by(|&h, &g| {
+            length(g).total_cmp(&length(h)).then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g)))
+        });
         let mut refused = Reason::PrecisionFloor;
         for h in longest_first {
             match self.queue_subsegment(h, true) {
@@ -238,13 +243,20 @@ impl Refinement {
         let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
         self.cdt.rollback(&mut self.log, here);
         self.report.points_rejected += 1;
-        let subsegments: Vec<HalfEdgeId> = ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
+        let subsegments: Vec<HalfEdgeId> =
+            ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
         self.split_instead(face, &subsegments)
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
     fn nearest_sq(&self, p: Point, locus: Locus) -> f64 {
-        let corners = |f: FaceId| self.cdt.face_vertices(f).into_iter().filter(|v| v.is_finite()).map(|v| self.ruler.length_sq(p, self.cdt.point(v)));
+        let corners = |f: FaceId| {
+            self.cdt
+                .face_vertices(f)
+                .into_iter()
+                .filter(|v| v.is_finite())
+                .map(|v| self.ruler.length_sq(p, self.cdt.point(v)))
+        };
         let least = |f: FaceId| corners(f).fold(f64::INFINITY, f64::min);
         match locus {
             Locus::Face(f) => least(f),
@@ -313,7 +325,8 @@ fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2] {
 
 /// The length floor in the ruler's units, and the reason it is given as.
 fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let largest = cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
+    let largest =
+        cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
     let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;
     match options.limits.length_floor {
         Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),

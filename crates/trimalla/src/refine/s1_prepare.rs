@@ -28,7 +28,10 @@ impl PrepareStep for SplitEncroached {
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
         let cdt = view.cdt;
         let [a, b] = cdt.edge_points(h);
-        [h, cdt.twin(h)].into_iter().map(|s| cdt.apex(s)).any(|apex| apex.is_finite() && self.0.holds(a, b, cdt.point(apex), view.ruler))
+        [h, cdt.twin(h)]
+            .into_iter()
+            .map(|s| cdt.apex(s))
+            .any(|apex| apex.is_finite() && self.0.holds(a, b, cdt.point(apex), view.ruler))
     }
 }
 

@@ -61,7 +61,8 @@ impl PointStep for OffCenter {
         let height_sq = view.ruler.length_sq(middle, center);
         let reach_sq = self.reach * self.reach * view.ruler.length_sq(p, q);
         // Towards the circumcenter, but no farther than it: a quotient of lengths, free of units.
-        let point = if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center };
+        let point =
+            if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center };
         Some(Proposal::Free { point, from: face })
     }
 }

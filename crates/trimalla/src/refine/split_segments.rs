@@ -129,7 +129,8 @@ impl Refinement {
     /// Whether at the origin, and at the dest, of `h` another constrained edge bounds one of its two triangles.
     fn acute_ends(&self, h: HalfEdgeId) -> [bool; 2] {
         let t = self.cdt.twin(h);
-        let marked = |h: HalfEdgeId| self.cdt.dest(h).is_finite() && self.cdt.origin(h).is_finite() && self.cdt.is_marked(h);
+        let marked =
+            |h: HalfEdgeId| self.cdt.dest(h).is_finite() && self.cdt.origin(h).is_finite() && self.cdt.is_marked(h);
         [marked(h.prev()) || marked(t.next()), marked(h.next()) || marked(t.prev())]
     }
 
@@ -145,7 +146,8 @@ impl Refinement {
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
                     && self.cdt.provenance(apex).is_free()
-                    && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex)) == CircleSide::Inside;
+                    && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
+                        == CircleSide::Inside;
                 if !inside || !self.delete(apex) {
                     break;
                 }
@@ -163,7 +165,9 @@ impl Refinement {
         self.report.vertices_deleted += 1;
         let mut faces: Vec<FaceId> = Vec::new();
         for &w in &link {
-            faces.extend(self.cdt.faces_around(w).filter(|&f| self.cdt.face_vertices(f).iter().all(|u| link.contains(u))));
+            faces.extend(
+                self.cdt.faces_around(w).filter(|&f| self.cdt.face_vertices(f).iter().all(|u| link.contains(u))),
+            );
         }
         faces.sort_unstable();
         faces.dedup();

@@ -86,7 +86,11 @@ fn the_budget_and_the_observer_stop_it() {
     let (_, report) = refined(&polygon(&L_SHAPE), options);
     assert_eq!(report.stop, StopReason::Budget);
     assert!(report.vertices <= 500 && report.reasons().iter().any(|r| r.0 == Reason::Budget));
-    let mut r = Refinement::new(carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental), RefineOptions::default().with_max_area(1e-4)).unwrap();
+    let mut r = Refinement::new(
+        carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental),
+        RefineOptions::default().with_max_area(1e-4),
+    )
+    .unwrap();
     let mut calls = 0;
     let stop = r.run(&mut |_: Progress| {
         calls += 1;

@@ -23,7 +23,11 @@ impl Triangulation {
     /// Linear.
     pub fn compact(&mut self) -> CompactMap {
         let map = CompactMap {
-            vertices: number(self.points.len(), self.mesh.free_vertices().iter().map(|v| v.index()), VertexId::from_index),
+            vertices: number(
+                self.points.len(),
+                self.mesh.free_vertices().iter().map(|v| v.index()),
+                VertexId::from_index,
+            ),
             faces: number(self.mesh.face_slots(), self.mesh.free_faces().iter().map(|f| f.index()), FaceId::from_index),
         };
         let vertex = |v: VertexId| map.vertices.get(v.index()).copied().flatten().unwrap_or(v);
@@ -31,11 +35,17 @@ impl Triangulation {
             let face = map.faces[h.face().index()].unwrap_or(h.face());
             face.half_edge(h.0 % 3)
         };
-        let alive = || (0..self.mesh.face_slots()).map(FaceId::from_index).filter(|&f| self.mesh.is_alive(f)).flat_map(FaceId::half_edges);
+        let alive = || {
+            (0..self.mesh.face_slots())
+                .map(FaceId::from_index)
+                .filter(|&f| self.mesh.is_alive(f))
+                .flat_map(FaceId::half_edges)
+        };
         let origin = alive().map(|h| vertex(self.origin(h))).collect();
         let twin = alive().map(|h| half_edge(self.twin(h))).collect();
         let marks: Vec<u32> = if self.has_marks() { alive().map(|h| self.mark(h)).collect() } else { Vec::new() };
-        let points: Vec<_> = self.points.iter().zip(&map.vertices).filter(|(_, new)| new.is_some()).map(|(&p, _)| p).collect();
+        let points: Vec<_> =
+            self.points.iter().zip(&map.vertices).filter(|(_, new)| new.is_some()).map(|(&p, _)| p).collect();
         let mut mesh = HalfEdgeMesh::from_arrays(origin, twin, points.len());
         for (h, &m) in marks.iter().enumerate() {
             if m != 0 {

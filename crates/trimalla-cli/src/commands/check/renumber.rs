@@ -44,9 +44,7 @@ impl Renumber for MeshFault {
     fn renumber(&mut self, first: u32) {
         match self {
             Self::NotFinite(vertex) => vertex.renumber(first),
-            Self::IndexOutOfRange {
-                triangle, vertex, ..
-            } => {
+            Self::IndexOutOfRange { triangle, vertex, .. } => {
                 triangle.renumber(first);
                 vertex.renumber(first);
             }
@@ -54,9 +52,7 @@ impl Renumber for MeshFault {
                 triangle.renumber(first);
                 vertex.renumber(first);
             }
-            Self::NotCounterClockwise {
-                triangle, corners, ..
-            } => {
+            Self::NotCounterClockwise { triangle, corners, .. } => {
                 triangle.renumber(first);
                 corners.renumber(first);
             }
@@ -69,9 +65,7 @@ impl Renumber for MeshFault {
                 triangles.renumber(first);
             }
             Self::DuplicateVertices(vertices) => vertices.renumber(first),
-            Self::SegmentOutOfRange {
-                segment, vertex, ..
-            } => {
+            Self::SegmentOutOfRange { segment, vertex, .. } => {
                 segment.renumber(first);
                 vertex.renumber(first);
             }
@@ -79,9 +73,7 @@ impl Renumber for MeshFault {
                 segment.renumber(first);
                 ends.renumber(first);
             }
-            Self::BoundaryContact {
-                edges, triangles, ..
-            } => {
+            Self::BoundaryContact { edges, triangles, .. } => {
                 edges.renumber(first);
                 triangles.renumber(first);
             }
@@ -89,11 +81,7 @@ impl Renumber for MeshFault {
                 triangle.renumber(first);
                 edge.renumber(first);
             }
-            Self::NotDelaunay {
-                edge,
-                triangles,
-                inside,
-            } => {
+            Self::NotDelaunay { edge, triangles, inside } => {
                 edge.renumber(first);
                 triangles.renumber(first);
                 inside.renumber(first);
@@ -107,17 +95,11 @@ impl Renumber for InputFault {
     fn renumber(&mut self, first: u32) {
         match self {
             Self::VertexChanged { vertex, .. } => vertex.renumber(first),
-            Self::SegmentOutOfRange {
-                segment, vertex, ..
-            } => {
+            Self::SegmentOutOfRange { segment, vertex, .. } => {
                 segment.renumber(first);
                 vertex.renumber(first);
             }
-            Self::SegmentNotCovered {
-                segment,
-                ends,
-                stop,
-            } => {
+            Self::SegmentNotCovered { segment, ends, stop } => {
                 segment.renumber(first);
                 ends.renumber(first);
                 stop.renumber(first);

@@ -69,7 +69,9 @@ impl Border {
             }
             if self.is_valley(order[pick], &height) {
                 // The farthest vertex is never a valley.
-                pick = (0..=i).max_by(|&a, &b| height[order[a] as usize].total_cmp(&height[order[b] as usize])).unwrap_or(i);
+                pick = (0..=i)
+                    .max_by(|&a, &b| height[order[a] as usize].total_cmp(&height[order[b] as usize]))
+                    .unwrap_or(i);
             }
             order.swap(i, pick);
             let v = order[i] as usize;
@@ -139,7 +141,15 @@ impl<'a> Filler<'a> {
         let mut inside = vec![NONE; points.len()];
         inside[apex as usize] = 1; // last → apex
         inside[0] = 2; // apex → 0
-        Some(Self { points, vertex: first.to_vec(), twin: vec![NONE; 3], free: Vec::new(), inside, base: 0, pending: Vec::new() })
+        Some(Self {
+            points,
+            vertex: first.to_vec(),
+            twin: vec![NONE; 3],
+            free: Vec::new(),
+            inside,
+            base: 0,
+            pending: Vec::new(),
+        })
     }
 
     /// Puts `u` back between `p` and `n`.

@@ -21,7 +21,11 @@ fn sound(filled: &[Filled], n: u32) -> Vec<[u32; 3]> {
                 }
                 Across::Triangle(o, s) => {
                     let other = filled[o as usize];
-                    assert_eq!((other.vertices[s as usize], other.vertices[(s as usize + 1) % 3]), (b, a), "neighbours agree");
+                    assert_eq!(
+                        (other.vertices[s as usize], other.vertices[(s as usize + 1) % 3]),
+                        (b, a),
+                        "neighbours agree"
+                    );
                     assert_eq!(other.across[s as usize], Across::Triangle(i as u32, k as u32), "neighbours agree");
                 }
             }

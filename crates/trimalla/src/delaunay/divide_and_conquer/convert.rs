@@ -77,15 +77,8 @@ impl<'a> Conversion<'a> {
     fn new(records: &'a EdgeRecords) -> Self {
         // A half-edge for each directed edge, and two more for each ghost.
         let room = records.len() + 2 * records.outer_face().count();
-        let half_edges = HalfEdges {
-            origin: Vec::with_capacity(room),
-            twin: Vec::new(),
-        };
-        Self {
-            records,
-            half_edge_of: vec![UNNUMBERED; records.slots()],
-            half_edges,
-        }
+        let half_edges = HalfEdges { origin: Vec::with_capacity(room), twin: Vec::new() };
+        Self { records, half_edge_of: vec![UNNUMBERED; records.slots()], half_edges }
     }
 
     /// Step 1.

@@ -50,19 +50,11 @@ struct Record {
 
 impl Record {
     /// The value of every record that is not in use.
-    const DEAD: Self = Self {
-        origin: u32::MAX,
-        ccw: Edge(u32::MAX),
-        cw: Edge(u32::MAX),
-    };
+    const DEAD: Self = Self { origin: u32::MAX, ccw: Edge(u32::MAX), cw: Edge(u32::MAX) };
 
     /// The record of an edge `e` that is alone around its origin.
     const fn alone(origin: u32, e: Edge) -> Self {
-        Self {
-            origin,
-            ccw: e,
-            cw: e,
-        }
+        Self { origin, ccw: e, cw: e }
     }
 }
 
@@ -122,11 +114,7 @@ impl EdgeRecords {
 
     /// The directed edges, in the order of their records.
     pub(crate) fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
-        (0..)
-            .map(Edge)
-            .zip(&self.records)
-            .filter(|(_, record)| **record != Record::DEAD)
-            .map(|(e, _)| e)
+        (0..).map(Edge).zip(&self.records).filter(|(_, record)| **record != Record::DEAD).map(|(e, _)| e)
     }
 
     /// The edges of the face on the left of `start`, from `start` on; counter-clockwise round a triangle.
@@ -137,18 +125,14 @@ impl EdgeRecords {
 
     /// The edges with the outer face on their left: clockwise round the hull, there and back along a collinear chain.
     pub(crate) fn outer_face(&self) -> impl Iterator<Item = Edge> + '_ {
-        self.outer
-            .into_iter()
-            .flat_map(|start| self.left_face(start))
+        self.outer.into_iter().flat_map(|start| self.left_face(start))
     }
 
     #[cfg(test)]
     /// The vertices of each triangle, counter-clockwise; triangles in the order of the first record of each.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
         let triangle = |ab| self.triangle_begun_by(ab);
-        self.edges()
-            .filter_map(triangle)
-            .map(|face| face.map(|e| self.origin(e)))
+        self.edges().filter_map(triangle).map(|face| face.map(|e| self.origin(e)))
     }
 
     #[cfg(test)]
@@ -171,11 +155,7 @@ impl EdgeRecords {
 impl EdgeRecords {
     /// No edges yet, and room for all that `vertices` vertices can have at once.
     pub(super) fn with_capacity(vertices: usize) -> Self {
-        Self {
-            records: Vec::with_capacity(6 * vertices),
-            free: Vec::new(),
-            outer: None,
-        }
+        Self { records: Vec::with_capacity(6 * vertices), free: Vec::new(), outer: None }
     }
 
     /// Makes known an edge that has the outer face on its left.
@@ -185,11 +165,7 @@ impl EdgeRecords {
 
     /// Gives the vertices other names.
     pub(super) fn rename(&mut self, name: impl Fn(u32) -> u32) {
-        for record in self
-            .records
-            .iter_mut()
-            .filter(|record| **record != Record::DEAD)
-        {
+        for record in self.records.iter_mut().filter(|record| **record != Record::DEAD) {
             record.origin = name(record.origin);
         }
     }

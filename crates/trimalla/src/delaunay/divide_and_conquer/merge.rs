@@ -89,23 +89,11 @@ impl<'a> Seam<'a> {
     ///     down           up                 down  base   up
     /// ```
     /// `down` leaves `l` clockwise round the first hull, `up` leaves `r` counter-clockwise round the last.
-    fn begin(
-        sites: &'a [Site],
-        records: &'a mut EdgeRecords,
-        first: Hull,
-        last: Hull,
-    ) -> (Self, Hull) {
+    fn begin(sites: &'a [Site], records: &'a mut EdgeRecords, first: Hull, last: Hull) -> (Self, Hull) {
         let (down, up) = lower_tangent(sites, records, first, last);
         let base = records.connect(up.twin(), down).twin();
         let hull = lower_hull(records, base, first, last);
-        (
-            Self {
-                sites,
-                records,
-                base,
-            },
-            hull,
-        )
+        (Self { sites, records, base }, hull)
     }
 
     /// Steps 3 to 5: closes one triangle above the base.
@@ -201,8 +189,7 @@ impl<'a> Seam<'a> {
 
     /// Whether the circle through the base and the end of `e`, which is above the base, holds the end of `other`.
     fn circle_holds(&self, e: Edge, other: Edge) -> bool {
-        let [l, r, x, y] =
-            [self.base, self.base.twin(), e.twin(), other.twin()].map(|e| self.origin(e));
+        let [l, r, x, y] = [self.base, self.base.twin(), e.twin(), other.twin()].map(|e| self.origin(e));
         in_circle_perturbed(l, r, x, y) == CircleSide::Inside
     }
 
@@ -218,8 +205,7 @@ impl<'a> Seam<'a> {
 fn lower_tangent(sites: &[Site], records: &EdgeRecords, first: Hull, last: Hull) -> (Edge, Edge) {
     let (mut down, mut up) = (first.cw_from_last, last.ccw_from_first);
     for _ in 0..2 * sites.len() {
-        let [l, below_l, r, below_r] =
-            [down, down.twin(), up, up.twin()].map(|e| point(sites, records, e));
+        let [l, below_l, r, below_r] = [down, down.twin(), up, up.twin()].map(|e| point(sites, records, e));
         if orient2d(l, below_l, r) == Orientation::CounterClockwise {
             down = records.next(down);
         } else if orient2d(r, below_r, l) == Orientation::Clockwise {
@@ -236,16 +222,8 @@ fn lower_hull(records: &EdgeRecords, base: Edge, first: Hull, last: Hull) -> Hul
     let starts_hull = records.origin(base) == records.origin(first.ccw_from_first);
     let ends_hull = records.dest(base) == records.origin(last.cw_from_last);
     Hull {
-        ccw_from_first: if starts_hull {
-            base
-        } else {
-            first.ccw_from_first
-        },
-        cw_from_last: if ends_hull {
-            base.twin()
-        } else {
-            last.cw_from_last
-        },
+        ccw_from_first: if starts_hull { base } else { first.ccw_from_first },
+        cw_from_last: if ends_hull { base.twin() } else { last.cw_from_last },
     }
 }
 

@@ -87,10 +87,7 @@ pub(crate) const MAX_POINTS: usize = (u32::MAX as usize - 1) / 6;
 /// # Source
 /// `[GuibasStolfi85]`, section 9; `[Dwyer87]`.
 pub(crate) fn triangulate(points: &[Point], order: &[u32]) -> EdgeRecords {
-    debug_assert!(
-        order.len() <= MAX_POINTS,
-        "more points than 32-bit edges can join"
-    );
+    debug_assert!(order.len() <= MAX_POINTS, "more points than 32-bit edges can join");
     let mut division = Division::new(points, order);
     if order.len() >= 2 {
         let hull = division.divide_into_strips(0..order.len());
@@ -134,24 +131,11 @@ struct Division {
 impl Division {
     /// Step 1: gathers the sites.
     fn new(points: &[Point], order: &[u32]) -> Self {
-        let sites: Vec<Site> = order
-            .iter()
-            .map(|&index| Site {
-                point: points[index as usize],
-                index,
-            })
-            .collect();
-        debug_assert!(
-            sites.is_sorted_by(|a, b| by_x(a, b) == Ordering::Less),
-            "points equal or out of order"
-        );
+        let sites: Vec<Site> = order.iter().map(|&index| Site { point: points[index as usize], index }).collect();
+        debug_assert!(sites.is_sorted_by(|a, b| by_x(a, b) == Ordering::Less), "points equal or out of order");
         let records = EdgeRecords::with_capacity(sites.len());
         let strip_len = strip_len(sites.len());
-        Self {
-            sites,
-            records,
-            strip_len,
-        }
+        Self { sites, records, strip_len }
     }
 
     /// Steps 2 and 6: triangulates a run of sites in lexicographic order, halving it by vertical cuts down to strips.
@@ -188,10 +172,7 @@ impl Division {
     /// Step 4: joins the sites `a` and `a + 1`.
     fn two_sites(&mut self, a: u32) -> Hull {
         let ab = self.records.add(a, a + 1);
-        Hull {
-            ccw_from_first: ab,
-            cw_from_last: ab.twin(),
-        }
+        Hull { ccw_from_first: ab, cw_from_last: ab.twin() }
     }
 
     /// Step 4: joins the sites `a`, `b = a + 1` and `c = a + 2`, sorted along a direction.
@@ -209,10 +190,7 @@ impl Division {
         let (b, c) = (a + 1, a + 2);
         let ab = self.records.add(a, b);
         let bc = self.records.add_from(ab.twin(), c);
-        let along = Hull {
-            ccw_from_first: ab,
-            cw_from_last: bc.twin(),
-        };
+        let along = Hull { ccw_from_first: ab, cw_from_last: bc.twin() };
         match orient2d(self.point(a), self.point(b), self.point(c)) {
             Orientation::Collinear => along,
             Orientation::CounterClockwise => {
@@ -221,10 +199,7 @@ impl Division {
             }
             Orientation::Clockwise => {
                 let ca = self.records.connect(bc, ab);
-                Hull {
-                    ccw_from_first: ca.twin(),
-                    cw_from_last: ca,
-                }
+                Hull { ccw_from_first: ca.twin(), cw_from_last: ca }
             }
         }
     }
@@ -241,10 +216,7 @@ impl Division {
                 rightmost = e;
             }
         }
-        Hull {
-            ccw_from_first: self.records.ccw(leftmost),
-            cw_from_last: rightmost,
-        }
+        Hull { ccw_from_first: self.records.ccw(leftmost), cw_from_last: rightmost }
     }
 
     /// Step 7: renames the sites to the caller's indices.

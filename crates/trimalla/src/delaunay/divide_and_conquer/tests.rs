@@ -66,9 +66,7 @@ fn brute_force(points: &[Point], order: &[u32]) -> BTreeSet<[u32; 3]> {
     let at = |i: u32| points[i as usize];
     let is_empty = |[a, b, c]: [u32; 3]| {
         let others = order.iter().filter(|d| ![a, b, c].contains(d));
-        others
-            .into_iter()
-            .all(|&d| in_circle_perturbed(at(a), at(b), at(c), at(d)) == CircleSide::Outside)
+        others.into_iter().all(|&d| in_circle_perturbed(at(a), at(b), at(c), at(d)) == CircleSide::Outside)
     };
     let mut all = BTreeSet::new();
     for &a in order {
@@ -87,20 +85,10 @@ fn brute_force(points: &[Point], order: &[u32]) -> BTreeSet<[u32; 3]> {
 /// The directed edges on whose left no triangle lies; of a chain if there are no triangles at all.
 fn brute_force_outer(triangles: &BTreeSet<[u32; 3]>, order: &[u32]) -> BTreeSet<(u32, u32)> {
     if triangles.is_empty() {
-        return order
-            .windows(2)
-            .flat_map(|e| [(e[0], e[1]), (e[1], e[0])])
-            .collect();
+        return order.windows(2).flat_map(|e| [(e[0], e[1]), (e[1], e[0])]).collect();
     }
-    let sides: BTreeSet<(u32, u32)> = triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)])
-        .collect();
-    sides
-        .iter()
-        .map(|&(a, b)| (b, a))
-        .filter(|e| !sides.contains(e))
-        .collect()
+    let sides: BTreeSet<(u32, u32)> = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+    sides.iter().map(|&(a, b)| (b, a)).filter(|e| !sides.contains(e)).collect()
 }
 
 /// Rings, faces and the outer face are consistent.
@@ -132,18 +120,11 @@ fn check_half_edges(mesh: &HalfEdges, vertices: usize) {
 }
 
 fn real_faces(mesh: &HalfEdges) -> impl Iterator<Item = [u32; 3]> + '_ {
-    mesh.origin
-        .chunks_exact(3)
-        .map(|f| [f[0], f[1], f[2]])
-        .filter(|f| f[2] != INFINITY)
+    mesh.origin.chunks_exact(3).map(|f| [f[0], f[1], f[2]]).filter(|f| f[2] != INFINITY)
 }
 
 fn ghosts(mesh: &HalfEdges) -> BTreeSet<(u32, u32)> {
-    mesh.origin
-        .chunks_exact(3)
-        .filter(|f| f[2] == INFINITY)
-        .map(|f| (f[0], f[1]))
-        .collect()
+    mesh.origin.chunks_exact(3).filter(|f| f[2] == INFINITY).map(|f| (f[0], f[1])).collect()
 }
 
 /// Compares everything with brute force.
@@ -155,10 +136,7 @@ fn check_small(points: &[Point]) {
     assert_eq!(canonical(records.triangles()), expected, "{points:?}");
 
     let outer = brute_force_outer(&expected, &order);
-    let walked: BTreeSet<_> = records
-        .outer_face()
-        .map(|e: Edge| (records.origin(e), records.dest(e)))
-        .collect();
+    let walked: BTreeSet<_> = records.outer_face().map(|e: Edge| (records.origin(e), records.dest(e))).collect();
     assert_eq!(records.outer_face().count(), outer.len(), "{points:?}");
     assert_eq!(walked, outer, "{points:?}");
 
@@ -189,9 +167,7 @@ fn check_large(points: &[Point]) {
             continue;
         }
         assert_eq!(orient2d(at(a), at(b), at(c)), Orientation::CounterClockwise);
-        assert!(
-            d == INFINITY || in_circle_perturbed(at(a), at(b), at(c), at(d)) == CircleSide::Outside
-        );
+        assert!(d == INFINITY || in_circle_perturbed(at(a), at(b), at(c), at(d)) == CircleSide::Outside);
     }
 }
 
@@ -219,9 +195,7 @@ fn crowded_grids_agree_with_brute_force() {
     let mut random = Random(0xc0c1);
     for round in 0..1500 {
         let (width, height) = (1 + random.below(7), 1 + random.below(7));
-        let points: Vec<Point> = (0..2 + round % 29)
-            .map(|_| random.grid_point(width, height))
-            .collect();
+        let points: Vec<Point> = (0..2 + round % 29).map(|_| random.grid_point(width, height)).collect();
         check_small(&points);
     }
 }
@@ -230,13 +204,9 @@ fn crowded_grids_agree_with_brute_force() {
 fn full_grids_agree_with_brute_force() {
     for width in 1..=6u32 {
         for height in 1..=5u32 {
-            let cells =
-                (0..width).flat_map(|x| (0..height).map(move |y| (f64::from(x), f64::from(y))));
+            let cells = (0..width).flat_map(|x| (0..height).map(move |y| (f64::from(x), f64::from(y))));
             let upright: Vec<Point> = cells.map(|(x, y)| Point::new(x, y)).collect();
-            let tilted: Vec<Point> = upright
-                .iter()
-                .map(|p| Point::new(3.0 * p.x - p.y, p.x + 2.0 * p.y))
-                .collect();
+            let tilted: Vec<Point> = upright.iter().map(|p| Point::new(3.0 * p.x - p.y, p.x + 2.0 * p.y)).collect();
             check_small(&upright);
             check_small(&tilted);
         }
@@ -248,10 +218,8 @@ fn cocircular_points_agree_with_brute_force() {
     // The integer points on the circle of radius 65, and some points inside.
     let on_circle = |x: i32, y: i32| x * x + y * y == 65 * 65;
     let square = (-65..=65).flat_map(|x| (-65..=65).map(move |y| (x, y)));
-    let ring: Vec<Point> = square
-        .filter(|&(x, y)| on_circle(x, y))
-        .map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
-        .collect();
+    let ring: Vec<Point> =
+        square.filter(|&(x, y)| on_circle(x, y)).map(|(x, y)| Point::new(f64::from(x), f64::from(y))).collect();
     assert_eq!(ring.len(), 36);
     let mut random = Random(65);
     for size in 3..30 {
@@ -267,14 +235,9 @@ fn collinear_points_make_a_chain_of_ghosts() {
     let directions = [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (-2.0, 3.0), (4.0, -1.0)];
     for (dx, dy) in directions {
         for count in 2..20 {
-            let points: Vec<Point> = (0..count)
-                .map(|i| Point::new(dx * f64::from(i), dy * f64::from(i)))
-                .collect();
+            let points: Vec<Point> = (0..count).map(|i| Point::new(dx * f64::from(i), dy * f64::from(i))).collect();
             check_small(&points);
-            assert_eq!(
-                triangulate(&points, &sorted(&points)).len(),
-                2 * (points.len() - 1)
-            );
+            assert_eq!(triangulate(&points, &sorted(&points)).len(), 2 * (points.len() - 1));
         }
     }
 }
@@ -298,12 +261,7 @@ fn neighbours_a_few_ulps_apart_agree_with_brute_force() {
     for round in 0..300 {
         let nudge = |random: &mut Random| 0.5 + random.below(4) as f64 * f64::EPSILON;
         let points: Vec<Point> = (0..3 + round % 20)
-            .map(|i| {
-                Point::new(
-                    f64::from(i % 4) + nudge(&mut random),
-                    f64::from(i % 4) + nudge(&mut random),
-                )
-            })
+            .map(|i| Point::new(f64::from(i % 4) + nudge(&mut random), f64::from(i % 4) + nudge(&mut random)))
             .collect();
         check_small(&points);
     }
@@ -314,23 +272,13 @@ fn larger_sets_are_locally_delaunay() {
     let mut random = Random(0x1a12e);
     let uniform: Vec<Point> = (0..20_000).map(|_| random.unit_point()).collect();
     check_large(&uniform);
-    let grid: Vec<Point> = (0..120)
-        .flat_map(|x| (0..110).map(move |y| Point::new(x.into(), y.into())))
-        .collect();
+    let grid: Vec<Point> = (0..120).flat_map(|x| (0..110).map(move |y| Point::new(x.into(), y.into()))).collect();
     check_large(&grid);
-    let flat: Vec<Point> = uniform
-        .iter()
-        .map(|p| Point::new(p.x, p.y * 1e-9))
-        .collect();
+    let flat: Vec<Point> = uniform.iter().map(|p| Point::new(p.x, p.y * 1e-9)).collect();
     check_large(&flat);
-    let tall: Vec<Point> = uniform
-        .iter()
-        .map(|p| Point::new(p.x * 1e-9, p.y))
-        .collect();
+    let tall: Vec<Point> = uniform.iter().map(|p| Point::new(p.x * 1e-9, p.y)).collect();
     check_large(&tall);
-    let parabola: Vec<Point> = (-3000..3000)
-        .map(|x| Point::new(x.into(), f64::from(x) * f64::from(x)))
-        .collect();
+    let parabola: Vec<Point> = (-3000..3000).map(|x| Point::new(x.into(), f64::from(x) * f64::from(x))).collect();
     check_large(&parabola);
 }
 

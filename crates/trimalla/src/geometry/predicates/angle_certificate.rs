@@ -16,8 +16,7 @@ use core::cmp::Ordering;
 /// room for the terms of second order and for the rounding of the bound itself.
 const ANGLE_BOUND: f64 = 32.0 * ROUNDING;
 /// Squared lengths between these bounds keep every product of the filter a normal number (2^-400, 2^400).
-const SQUARES: core::ops::RangeInclusive<f64> =
-    f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
+const SQUARES: core::ops::RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
 
 /// Tells whether the angle at `apex` between the rays to `u` and `v` is at least the one whose squared cosine is `cos_sq`.
 ///
@@ -54,9 +53,7 @@ pub fn angle_at_least(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
 #[must_use]
 #[inline]
 pub fn triangle_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
-    angle_at_least(a, b, c, cos_sq)
-        && angle_at_least(b, c, a, cos_sq)
-        && angle_at_least(c, a, b, cos_sq)
+    angle_at_least(a, b, c, cos_sq) && angle_at_least(b, c, a, cos_sq) && angle_at_least(c, a, b, cos_sq)
 }
 
 /// Decides what the filter left open.
@@ -66,8 +63,7 @@ fn angle_at_least_exact(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
     if u == apex || v == apex {
         return false;
     }
-    disk::summed_sign(u, v, apex) != Ordering::Greater
-        || excess_sign(apex, u, v, cos_sq) != Ordering::Greater
+    disk::summed_sign(u, v, apex) != Ordering::Greater || excess_sign(apex, u, v, cos_sq) != Ordering::Greater
 }
 
 /// The sign of `(u.v)² - c |u|² |v|²`.

@@ -106,9 +106,7 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     let (ca, ac) = (c.x * a.y, a.x * c.y);
     let (ab, ba) = (a.x * b.y, b.x * a.y);
     let determinant = a_lift * (bc - cb) + b_lift * (ca - ac) + c_lift * (ab - ba);
-    let magnitude = a_lift * (bc.abs() + cb.abs())
-        + b_lift * (ca.abs() + ac.abs())
-        + c_lift * (ab.abs() + ba.abs());
+    let magnitude = a_lift * (bc.abs() + cb.abs()) + b_lift * (ca.abs() + ac.abs()) + c_lift * (ab.abs() + ba.abs());
     let bound = CIRCLE_BOUND * magnitude + CIRCLE_GUARD;
     // The first branch is nearly always taken; the second, which cannot be predicted, then waits for the sign alone.
     if (determinant.abs() > bound) & (a_lift + b_lift + c_lift < CIRCLE_LIFTS) {
@@ -169,12 +167,9 @@ fn small_sign(a: Point, b: Point, c: Point, d: Point) -> Option<Ordering> {
 
 /// The sign in integers.
 fn integer_sign(a: Point, b: Point, c: Point, d: Point) -> Option<Ordering> {
-    let [ax, ay, bx, by, cx, cy, dx, dy] =
-        common_integers([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y])?;
+    let [ax, ay, bx, by, cx, cy, dx, dy] = common_integers([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y])?;
     let differences = [ax - dx, ay - dy, bx - dx, by - dy, cx - dx, cy - dy];
-    let digits = differences
-        .iter()
-        .fold(0, |digits, d| digits | d.unsigned_abs());
+    let digits = differences.iter().fold(0, |digits, d| digits | d.unsigned_abs());
     if digits == 0 {
         return Some(Ordering::Equal);
     }
@@ -237,17 +232,7 @@ mod tests {
 
     #[test]
     fn the_corners_of_a_square_are_cocircular_at_every_size() {
-        for s in [
-            5e-324,
-            1e-308,
-            1e-300,
-            1e-100,
-            0.1,
-            1.0,
-            1e100,
-            1e300,
-            f64::MAX,
-        ] {
+        for s in [5e-324, 1e-308, 1e-300, 1e-100, 0.1, 1.0, 1e100, 1e300, f64::MAX] {
             let [a, b, c, d] = square(s);
             assert_eq!(in_circle(a, b, c, d), CircleSide::On);
             let origin = Point::new(0.0, 0.0);

@@ -24,11 +24,7 @@ pub fn in_diametral_disk(a: Point, b: Point, p: Point) -> CircleSide {
     let dot = along_x + along_y;
     let bound = TWO_PRODUCTS_BOUND * (along_x.abs() + along_y.abs()) + UNDERFLOW_GUARD;
     if dot.abs() > bound {
-        if dot > 0.0 {
-            CircleSide::Outside
-        } else {
-            CircleSide::Inside
-        }
+        if dot > 0.0 { CircleSide::Outside } else { CircleSide::Inside }
     } else {
         in_diametral_disk_exact(a, b, p)
     }
@@ -67,14 +63,8 @@ mod tests {
         for s in [5e-324, 1e-300, 1.0, 0.1, 1e300, f64::MAX / 4.0] {
             let (a, b) = (Point::new(-s, 0.0), Point::new(s, 0.0));
             assert_eq!(in_diametral_disk(a, b, Point::new(0.0, s)), CircleSide::On);
-            assert_eq!(
-                in_diametral_disk(a, b, Point::new(0.0, 2.0 * s)),
-                CircleSide::Outside
-            );
-            assert_eq!(
-                in_diametral_disk(a, b, Point::new(0.0, 0.0)),
-                CircleSide::Inside
-            );
+            assert_eq!(in_diametral_disk(a, b, Point::new(0.0, 2.0 * s)), CircleSide::Outside);
+            assert_eq!(in_diametral_disk(a, b, Point::new(0.0, 0.0)), CircleSide::Inside);
             assert_eq!(in_diametral_disk(a, b, a), CircleSide::On);
             assert_eq!(in_diametral_disk(a, a, b), CircleSide::Outside);
         }

@@ -36,19 +36,13 @@ impl Difference {
         let head = a - b;
         let b_seen = a - head;
         let a_seen = head + b_seen;
-        Self {
-            head,
-            tail: (a - a_seen) + (b_seen - b),
-        }
+        Self { head, tail: (a - a_seen) + (b_seen - b) }
     }
 
     /// A single number as a difference.
     #[inline]
     pub(in crate::geometry) const fn number(value: f64) -> Self {
-        Self {
-            head: value,
-            tail: 0.0,
-        }
+        Self { head: value, tail: 0.0 }
     }
 }
 
@@ -62,10 +56,7 @@ pub(in crate::geometry) struct ExactSum {
 impl ExactSum {
     /// The empty sum.
     pub(in crate::geometry) const fn new() -> Self {
-        Self {
-            positive: [0; LIMBS],
-            negative: [0; LIMBS],
-        }
+        Self { positive: [0; LIMBS], negative: [0; LIMBS] }
     }
 
     /// Adds the product of the given differences, multiplied out.
@@ -103,11 +94,7 @@ impl ExactSum {
         for term in terms {
             product.multiply(term);
         }
-        let side = if product.negative {
-            &mut self.negative
-        } else {
-            &mut self.positive
-        };
+        let side = if product.negative { &mut self.negative } else { &mut self.positive };
         product.add_to(side);
     }
 }
@@ -121,11 +108,7 @@ struct Product {
 
 impl Product {
     const fn one(negative: bool) -> Self {
-        Self {
-            negative,
-            exponent: 0,
-            significand: [1, 0, 0, 0, 0],
-        }
+        Self { negative, exponent: 0, significand: [1, 0, 0, 0, 0] }
     }
 
     /// Multiplies by a finite number that is not zero.
@@ -198,10 +181,7 @@ mod tests {
         let minus_tiny = [-5e-324, 5e-324, 5e-324, 5e-324, 5e-324];
         assert_eq!(sign(&[huge, minus_huge]), Ordering::Equal);
         assert_eq!(sign(&[huge, tiny, minus_huge]), Ordering::Greater);
-        assert_eq!(
-            sign(&[huge, tiny, minus_huge, minus_tiny, minus_tiny]),
-            Ordering::Less
-        );
+        assert_eq!(sign(&[huge, tiny, minus_huge, minus_tiny, minus_tiny]), Ordering::Less);
         assert_eq!(sign(&[huge; 1000]), Ordering::Greater);
     }
 

@@ -45,9 +45,7 @@ const SCALABLE: core::ops::RangeInclusive<u64> = 1023 - 900..=1023 + 900;
 #[inline]
 pub(super) fn small_differences<const N: usize>(pairs: [(f64, f64); N]) -> Option<[f64; N]> {
     let differences = pairs.map(|(a, b)| a - b);
-    let largest = differences
-        .iter()
-        .fold(0, |m, d| biased_exponent(*d).max(m));
+    let largest = differences.iter().fold(0, |m, d| biased_exponent(*d).max(m));
     if !SCALABLE.contains(&largest) {
         return None;
     }
@@ -96,10 +94,7 @@ mod tests {
         assert_eq!(found, Some([3072.0, -512.0, 0.0]));
         assert_eq!(small_differences([(0.3, 0.1)]), None);
         assert_eq!(small_differences([(1.0, 0.0), (1e-4, 0.0)]), None);
-        assert_eq!(
-            small_differences([(2.0_f64.powi(890), 0.0), (5e-324, 0.0)]),
-            None
-        );
+        assert_eq!(small_differences([(2.0_f64.powi(890), 0.0), (5e-324, 0.0)]), None);
         assert_eq!(small_differences([(1.0, 1.0)]), None);
         assert_eq!(small_differences([(f64::MAX, -f64::MAX)]), None);
         assert_eq!(small_differences([(f64::NAN, 1.0)]), None);

@@ -26,9 +26,7 @@ pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
 pub(in crate::geometry) use exact::{Difference, ExactSum};
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
-pub use segments::{
-    SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between,
-};
+pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;

@@ -76,9 +76,7 @@ pub fn orient2d(a: Point, b: Point, c: Point) -> Orientation {
 #[inline(never)]
 fn orient2d_exact(a: Point, b: Point, c: Point) -> Orientation {
     Orientation::from_sign(
-        integer_sign(a, b, c)
-            .or_else(|| adaptive_sign(a, b, c))
-            .unwrap_or_else(|| summed_sign(a, b, c)),
+        integer_sign(a, b, c).or_else(|| adaptive_sign(a, b, c)).unwrap_or_else(|| summed_sign(a, b, c)),
     )
 }
 

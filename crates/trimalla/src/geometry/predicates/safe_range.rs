@@ -26,10 +26,7 @@ pub(super) fn all_within<const N: usize>(points: [Point; N], (least, most): (f64
 /// The form in which the `robust` crate takes a point.
 #[inline]
 pub(super) const fn coord(point: Point) -> robust::Coord<f64> {
-    robust::Coord {
-        x: point.x,
-        y: point.y,
-    }
+    robust::Coord { x: point.x, y: point.y }
 }
 
 const fn power_of_two(exponent: i64) -> f64 {

@@ -49,14 +49,10 @@ pub fn segment_contact(a: Point, b: Point, c: Point, d: Point) -> SegmentContact
     if segments_cross_properly(a, b, c, d) {
         return SegmentContact::Crossing;
     }
-    let mut shared = [
-        (c, on_segment(a, b, c)),
-        (d, on_segment(a, b, d)),
-        (a, on_segment(c, d, a)),
-        (b, on_segment(c, d, b)),
-    ]
-    .into_iter()
-    .filter_map(|(point, on)| on.then_some(point));
+    let mut shared =
+        [(c, on_segment(a, b, c)), (d, on_segment(a, b, d)), (a, on_segment(c, d, a)), (b, on_segment(c, d, b))]
+            .into_iter()
+            .filter_map(|(point, on)| on.then_some(point));
     match shared.next() {
         None => SegmentContact::Apart,
         Some(first) if shared.all(|other| other == first) => SegmentContact::Touching,
@@ -98,18 +94,9 @@ mod tests {
             ([(0.0, 0.0), (2.0, 2.0), (1.0, 1.0), (2.0, 0.0)], Touching),
             ([(0.0, 0.0), (2.0, 2.0), (2.0, 2.0), (2.0, 0.0)], Touching),
             ([(0.0, 0.0), (2.0, 2.0), (2.0, 2.0), (3.0, 3.0)], Touching),
-            (
-                [(0.0, 0.0), (2.0, 2.0), (1.0, 1.0), (3.0, 3.0)],
-                Overlapping,
-            ),
-            (
-                [(0.0, 0.0), (0.0, 3.0), (0.0, 1.0), (0.0, 2.0)],
-                Overlapping,
-            ),
-            (
-                [(0.0, 0.0), (0.0, 3.0), (0.0, 0.0), (0.0, 3.0)],
-                Overlapping,
-            ),
+            ([(0.0, 0.0), (2.0, 2.0), (1.0, 1.0), (3.0, 3.0)], Overlapping),
+            ([(0.0, 0.0), (0.0, 3.0), (0.0, 1.0), (0.0, 2.0)], Overlapping),
+            ([(0.0, 0.0), (0.0, 3.0), (0.0, 0.0), (0.0, 3.0)], Overlapping),
             ([(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)], Apart),
             ([(0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (2.0, -1.0)], Apart),
             ([(1.0, 1.0), (1.0, 1.0), (0.0, 0.0), (3.0, 3.0)], Touching),

@@ -14,25 +14,15 @@ impl Wide {
     #[inline]
     pub(super) fn product(a: i128, b: i128) -> Self {
         let (high, low) = unsigned_product(a.unsigned_abs(), b.unsigned_abs());
-        let magnitude = Self {
-            high: high as i128,
-            low,
-        };
-        if (a < 0) == (b < 0) {
-            magnitude
-        } else {
-            magnitude.negated()
-        }
+        let magnitude = Self { high: high as i128, low };
+        if (a < 0) == (b < 0) { magnitude } else { magnitude.negated() }
     }
 
     /// The sum, which must fit.
     #[inline]
     pub(super) const fn plus(self, other: Self) -> Self {
         let (low, carry) = self.low.overflowing_add(other.low);
-        let high = self
-            .high
-            .wrapping_add(other.high)
-            .wrapping_add(carry as i128);
+        let high = self.high.wrapping_add(other.high).wrapping_add(carry as i128);
         Self { high, low }
     }
 
@@ -44,10 +34,7 @@ impl Wide {
 
     const fn negated(self) -> Self {
         let (low, carry) = (!self.low).overflowing_add(1);
-        Self {
-            high: (!self.high).wrapping_add(carry as i128),
-            low,
-        }
+        Self { high: (!self.high).wrapping_add(carry as i128), low }
     }
 }
 
@@ -73,10 +60,7 @@ mod tests {
         let positive = Wide::product(a, b);
         assert_eq!(positive.sign(), Ordering::Greater);
         assert_eq!(Wide::product(-a, b).sign(), Ordering::Less);
-        assert_eq!(
-            Wide::product(-a, b).plus(Wide::product(-b, -a)).sign(),
-            Ordering::Equal
-        );
+        assert_eq!(Wide::product(-a, b).plus(Wide::product(-b, -a)).sign(), Ordering::Equal);
         // (a + 1)(b - 1) = ab - a + b - 1
         let shifted = Wide::product(a + 1, b - 1);
         let rest = Wide::product(b - a - 1, 1);

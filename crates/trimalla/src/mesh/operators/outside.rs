@@ -17,7 +17,13 @@ impl HalfEdgeMesh {
     /// With a whole side of a chain this raises the dimension from 1 to 2.
     ///
     /// Returns the half-edge from `p` to the origin of `first`.
-    pub(crate) fn attach_outside<J: Journal>(&mut self, first: HalfEdgeId, last: HalfEdgeId, p: VertexId, j: &mut J) -> HalfEdgeId {
+    pub(crate) fn attach_outside<J: Journal>(
+        &mut self,
+        first: HalfEdgeId,
+        last: HalfEdgeId,
+        p: VertexId,
+        j: &mut J,
+    ) -> HalfEdgeId {
         let (a, d) = (self.origin(first), self.dest(last));
         // Spokes that bound the run: ∞→a in the first ghost, d→∞ in the last.
         let (in_a, out_d) = (first.prev(), last.next());

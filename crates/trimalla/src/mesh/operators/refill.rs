@@ -27,7 +27,13 @@ impl HalfEdgeMesh {
     /// `sides[i][k]` says what lies across the edge from `vertices[i][k]` to `vertices[i][k + 1]`: another
     /// new face, or a half-edge of the rim with the mark of that edge. Both sides of an inner edge are
     /// listed. Inner edges are unmarked afterwards.
-    pub(crate) fn refill<J: Journal>(&mut self, faces: &[FaceId], vertices: &[[VertexId; 3]], sides: &[[Side; 3]], j: &mut J) {
+    pub(crate) fn refill<J: Journal>(
+        &mut self,
+        faces: &[FaceId],
+        vertices: &[[VertexId; 3]],
+        sides: &[[Side; 3]],
+        j: &mut J,
+    ) {
         debug_assert_eq!(faces.len(), vertices.len(), "a cavity keeps its number of faces");
         for (i, &f) in faces.iter().enumerate() {
             self.set_face(f, vertices[i], j);

@@ -73,24 +73,10 @@ pub fn check_mesh(mesh: &IndexedMesh) -> Vec<MeshFault> {
 #[must_use]
 pub fn check_mesh_delaunay(mesh: &IndexedMesh, constrained: &[[u32; 2]]) -> Vec<MeshFault> {
     let sides = Sides::of(mesh);
-    let mut locked: Vec<[u32; 2]> = mesh
-        .segments
-        .iter()
-        .chain(constrained)
-        .copied()
-        .map(undirected)
-        .collect();
+    let mut locked: Vec<[u32; 2]> = mesh.segments.iter().chain(constrained).copied().map(undirected).collect();
     locked.sort_unstable();
-    let free = |s: &&Side| {
-        locked
-            .binary_search(&undirected([s.origin, s.dest]))
-            .is_err()
-    };
-    sides
-        .edges()
-        .filter(free)
-        .filter_map(|s| circle_fault(mesh, &sides, s))
-        .collect()
+    let free = |s: &&Side| locked.binary_search(&undirected([s.origin, s.dest])).is_err();
+    sides.edges().filter(free).filter_map(|s| circle_fault(mesh, &sides, s)).collect()
 }
 
 /// An edge with its smaller end first.
@@ -100,10 +86,7 @@ fn undirected([a, b]: [u32; 2]) -> [u32; 2] {
 
 /// A vertex in range, with its place.
 pub(crate) fn vertex(mesh: &IndexedMesh, index: u32) -> MeshVertex {
-    MeshVertex {
-        index,
-        point: mesh.points[index as usize],
-    }
+    MeshVertex { index, point: mesh.points[index as usize] }
 }
 
 fn ends(mesh: &IndexedMesh, side: &Side) -> [MeshVertex; 2] {
@@ -114,37 +97,15 @@ fn column_faults(mesh: &IndexedMesh) -> Vec<MeshFault> {
     let (points, triangles) = (mesh.points.len(), mesh.triangles.len());
     let columns = [
         ("point_markers", mesh.point_markers.len(), points),
-        (
-            "point_attributes",
-            mesh.point_attributes.len(),
-            points.saturating_mul(mesh.attributes_per_point),
-        ),
-        (
-            "triangle_attributes",
-            mesh.triangle_attributes.len(),
-            triangles.saturating_mul(mesh.attributes_per_triangle),
-        ),
-        (
-            "segment_markers",
-            mesh.segment_markers.len(),
-            mesh.segments.len(),
-        ),
+        ("point_attributes", mesh.point_attributes.len(), points.saturating_mul(mesh.attributes_per_point)),
+        ("triangle_attributes", mesh.triangle_attributes.len(), triangles.saturating_mul(mesh.attributes_per_triangle)),
+        ("segment_markers", mesh.segment_markers.len(), mesh.segments.len()),
     ];
-    let wrong = columns
-        .into_iter()
-        .filter(|&(_, found, expected)| found != 0 && found != expected);
-    let mut faults: Vec<MeshFault> = wrong
-        .map(|(column, found, expected)| MeshFault::ColumnLength {
-            column,
-            found,
-            expected,
-        })
-        .collect();
+    let wrong = columns.into_iter().filter(|&(_, found, expected)| found != 0 && found != expected);
+    let mut faults: Vec<MeshFault> =
+        wrong.map(|(column, found, expected)| MeshFault::ColumnLength { column, found, expected }).collect();
     if mesh.input_points > points {
-        faults.push(MeshFault::InputCount {
-            claimed: mesh.input_points,
-            vertices: points,
-        });
+        faults.push(MeshFault::InputCount { claimed: mesh.input_points, vertices: points });
     }
     faults
 }
@@ -159,17 +120,10 @@ fn triangle_fault(mesh: &IndexedMesh, triangle: usize) -> Option<MeshFault> {
     let t = mesh.triangles[triangle];
     let vertices = mesh.points.len();
     if let Some(&vertex) = t.iter().find(|&&v| v as usize >= vertices) {
-        return Some(MeshFault::IndexOutOfRange {
-            triangle,
-            vertex,
-            vertices,
-        });
+        return Some(MeshFault::IndexOutOfRange { triangle, vertex, vertices });
     }
     if let Some(k) = (0..3).find(|&k| t[k] == t[(k + 1) % 3]) {
-        return Some(MeshFault::RepeatedVertex {
-            triangle,
-            vertex: vertex(mesh, t[k]),
-        });
+        return Some(MeshFault::RepeatedVertex { triangle, vertex: vertex(mesh, t[k]) });
     }
     let corners = t.map(|v| vertex(mesh, v));
     let [a, b, c] = corners.map(|v| v.point);
@@ -178,33 +132,20 @@ fn triangle_fault(mesh: &IndexedMesh, triangle: usize) -> Option<MeshFault> {
     }
     match orient2d(a, b, c) {
         Orientation::CounterClockwise => None,
-        orientation => Some(MeshFault::NotCounterClockwise {
-            triangle,
-            corners,
-            orientation,
-        }),
+        orientation => Some(MeshFault::NotCounterClockwise { triangle, corners, orientation }),
     }
 }
 
 /// Directed edges used twice; where there are none, stars that are not made of fans.
 fn edge_faults(mesh: &IndexedMesh, sides: &Sides) -> Vec<MeshFault> {
-    let twice = sides
-        .iter()
-        .zip(sides.iter().skip(1))
-        .filter(|(s, t)| (s.origin, s.dest) == (t.origin, t.dest));
+    let twice = sides.iter().zip(sides.iter().skip(1)).filter(|(s, t)| (s.origin, s.dest) == (t.origin, t.dest));
     let faults: Vec<MeshFault> = twice
-        .map(|(s, t)| MeshFault::EdgeUsedTwice {
-            edge: ends(mesh, s),
-            triangles: [s.triangle, t.triangle],
-        })
+        .map(|(s, t)| MeshFault::EdgeUsedTwice { edge: ends(mesh, s), triangles: [s.triangle, t.triangle] })
         .collect();
     if !faults.is_empty() {
         return faults; // Turning about a vertex needs one way to turn.
     }
-    (0..)
-        .take(mesh.points.len())
-        .filter_map(|v| star_fault(mesh, sides, v))
-        .collect()
+    (0..).take(mesh.points.len()).filter_map(|v| star_fault(mesh, sides, v)).collect()
 }
 
 /// A closed fan about `v` beside other triangles.
@@ -225,10 +166,7 @@ fn star_fault(mesh: &IndexedMesh, sides: &Sides, v: u32) -> Option<MeshFault> {
     while let Some(start) = seen.iter().position(|seen| !seen) {
         if let Some(other) = first {
             let triangles = [star[start].triangle, other];
-            return Some(MeshFault::Star {
-                vertex: vertex(mesh, v),
-                triangles,
-            });
+            return Some(MeshFault::Star { vertex: vertex(mesh, v), triangles });
         }
         first = Some(star[start].triangle);
         mark_fan(star, start, &mut seen);
@@ -252,20 +190,14 @@ fn duplicate_faults(mesh: &IndexedMesh, sides: &Sides) -> Vec<MeshFault> {
     let place = |v: &u32| mesh.points[*v as usize];
     order.sort_unstable_by(|a, b| lexicographic(place(a), place(b)).then(a.cmp(b)));
     let pairs = order.windows(2).filter(|w| place(&w[0]) == place(&w[1]));
-    pairs
-        .map(|w| MeshFault::DuplicateVertices([vertex(mesh, w[0]), vertex(mesh, w[1])]))
-        .collect()
+    pairs.map(|w| MeshFault::DuplicateVertices([vertex(mesh, w[0]), vertex(mesh, w[1])])).collect()
 }
 
 fn segment_fault(mesh: &IndexedMesh, sides: &Sides, segment: usize) -> Option<MeshFault> {
     let [a, b] = mesh.segments[segment];
     let vertices = mesh.points.len();
     if let Some(vertex) = [a, b].into_iter().find(|&v| v as usize >= vertices) {
-        return Some(MeshFault::SegmentOutOfRange {
-            segment,
-            vertex,
-            vertices,
-        });
+        return Some(MeshFault::SegmentOutOfRange { segment, vertex, vertices });
     }
     let ends = [vertex(mesh, a), vertex(mesh, b)];
     (!sides.joins(a, b)).then_some(MeshFault::SegmentNotAnEdge { segment, ends })
@@ -274,8 +206,7 @@ fn segment_fault(mesh: &IndexedMesh, sides: &Sides, segment: usize) -> Option<Me
 /// The circle test across the edge of a side.
 fn circle_fault(mesh: &IndexedMesh, sides: &Sides, side: &Side) -> Option<MeshFault> {
     let other = sides.find(side.dest, side.origin)?;
-    let [a, b, c, d] =
-        [side.origin, side.dest, side.apex, other.apex].map(|v| mesh.points[v as usize]);
+    let [a, b, c, d] = [side.origin, side.dest, side.apex, other.apex].map(|v| mesh.points[v as usize]);
     let sound = [a, b, c, d].into_iter().all(Point::is_finite)
         && orient2d(a, b, c) == Orientation::CounterClockwise
         && orient2d(b, a, d) == Orientation::CounterClockwise;

@@ -25,8 +25,7 @@ use std::collections::BTreeSet;
 
 use super::{IndexedMesh, MeshFault, Side, Sides, ends};
 use crate::geometry::{
-    Orientation, Point, SegmentContact, lexicographic, lexicographically_less, orient2d,
-    segment_contact,
+    Orientation, Point, SegmentContact, lexicographic, lexicographically_less, orient2d, segment_contact,
 };
 
 /// A boundary edge as the sweep sees it.
@@ -44,12 +43,7 @@ impl Edge {
         let [a, b] = [side.origin, side.dest].map(|v| mesh.points[v as usize]);
         let rightward = lexicographically_less(a, b);
         let (left, right) = if rightward { (a, b) } else { (b, a) };
-        Self {
-            left,
-            right,
-            rightward,
-            side,
-        }
+        Self { left, right, rightward, side }
     }
 
     fn shares_vertex(&self, other: &Self) -> bool {
@@ -62,11 +56,8 @@ impl Edge {
 impl Ord for Edge {
     fn cmp(&self, other: &Self) -> Ordering {
         let key = |e: &Self| (e.side.origin, e.side.dest);
-        let by_place = if lexicographically_less(other.left, self.left) {
-            rank(other, self).reverse()
-        } else {
-            rank(self, other)
-        };
+        let by_place =
+            if lexicographically_less(other.left, self.left) { rank(other, self).reverse() } else { rank(self, other) };
         by_place.then_with(|| key(self).cmp(&key(other)))
     }
 }
@@ -110,16 +101,11 @@ pub(super) fn overlap_fault(mesh: &IndexedMesh, sides: &Sides) -> Option<MeshFau
     let mut stops: Vec<usize> = (0..edges.len()).collect();
     stops.sort_unstable_by(|&a, &b| lexicographic(edges[a].right, edges[b].right).then(a.cmp(&b)));
     let (mut starts, mut stops) = (starts.into_iter().peekable(), stops.into_iter().peekable());
-    let mut sweep = Sweep {
-        mesh,
-        met: BTreeSet::new(),
-    };
+    let mut sweep = Sweep { mesh, met: BTreeSet::new() };
     // Every edge starts before it stops: when all have stopped, all have started.
     while let Some(&next) = stops.peek() {
         let stop = edges[next].right;
-        let here = starts
-            .peek()
-            .map_or(stop, |&s| earlier(edges[s].left, stop));
+        let here = starts.peek().map_or(stop, |&s| earlier(edges[s].left, stop));
         let mut stopped = None;
         while let Some(e) = stops.next_if(|&e| edges[e].right == here) {
             sweep.met.remove(&edges[e]);
@@ -157,10 +143,7 @@ struct Sweep<'a> {
 
 impl Sweep<'_> {
     fn below(&self, edge: &Edge) -> Option<Edge> {
-        self.met
-            .range((Unbounded, Excluded(edge)))
-            .next_back()
-            .copied()
+        self.met.range((Unbounded, Excluded(edge))).next_back().copied()
     }
 
     fn above(&self, edge: &Edge) -> Option<Edge> {
@@ -185,10 +168,7 @@ impl Sweep<'_> {
             return None;
         }
         let edge = below.or(above)?;
-        Some(MeshFault::Overlap {
-            triangle: edge.side.triangle,
-            edge: ends(self.mesh, &edge.side),
-        })
+        Some(MeshFault::Overlap { triangle: edge.side.triangle, edge: ends(self.mesh, &edge.side) })
     }
 
     /// Neighbours that have more in common than an end.

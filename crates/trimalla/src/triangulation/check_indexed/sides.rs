@@ -39,8 +39,7 @@ impl Sides {
     /// The sides of those sound triangles that are wanted.
     pub(crate) fn of_triangles(mesh: &IndexedMesh, wanted: impl Fn(&[u32; 3]) -> bool) -> Self {
         let vertices = mesh.points.len();
-        let every_side =
-            |mesh| every_side(mesh).filter(|s: &Side| wanted(&mesh.triangles[s.triangle]));
+        let every_side = |mesh| every_side(mesh).filter(|s: &Side| wanted(&mesh.triangles[s.triangle]));
         let mut begin = vec![0_usize; vertices + 1];
         for side in every_side(mesh) {
             begin[side.origin as usize + 1] += 1;
@@ -49,12 +48,7 @@ impl Sides {
             begin[v + 1] += begin[v];
         }
         let mut next = begin.clone();
-        let blank = Side {
-            origin: 0,
-            dest: 0,
-            apex: 0,
-            triangle: 0,
-        };
+        let blank = Side { origin: 0, dest: 0, apex: 0, triangle: 0 };
         let mut sides = vec![blank; begin[vertices]];
         for side in every_side(mesh) {
             let slot = &mut next[side.origin as usize];
@@ -75,18 +69,13 @@ impl Sides {
     /// The sides that start at a vertex, by destination; none for an index out of range.
     pub(crate) fn from(&self, v: u32) -> &[Side] {
         let v = v as usize;
-        if v + 1 < self.begin.len() {
-            &self.sides[self.begin[v]..self.begin[v + 1]]
-        } else {
-            &[]
-        }
+        if v + 1 < self.begin.len() { &self.sides[self.begin[v]..self.begin[v + 1]] } else { &[] }
     }
 
     /// The first side from one vertex to another.
     pub(crate) fn find(&self, origin: u32, dest: u32) -> Option<&Side> {
         let from = self.from(origin);
-        from.get(from.partition_point(|s| s.dest < dest))
-            .filter(|s| s.dest == dest)
+        from.get(from.partition_point(|s| s.dest < dest)).filter(|s| s.dest == dest)
     }
 
     /// Whether two vertices are joined by an edge.
@@ -101,16 +90,12 @@ impl Sides {
 
     /// The sides that no triangle adjoins on their right.
     pub(crate) fn boundary(&self) -> impl Iterator<Item = &Side> {
-        self.iter()
-            .filter(|s| self.find(s.dest, s.origin).is_none())
+        self.iter().filter(|s| self.find(s.dest, s.origin).is_none())
     }
 
     /// Each edge once, by one of its sides.
     pub(crate) fn edges(&self) -> impl Iterator<Item = &Side> {
-        let first = |s: &&Side| {
-            self.find(s.origin, s.dest)
-                .is_some_and(|f| f.triangle == s.triangle)
-        };
+        let first = |s: &&Side| self.find(s.origin, s.dest).is_some_and(|f| f.triangle == s.triangle);
         let lone = |s: &&Side| s.origin < s.dest || self.find(s.dest, s.origin).is_none();
         self.iter().filter(first).filter(lone)
     }
@@ -125,18 +110,9 @@ pub(crate) fn is_sound(&[a, b, c]: &[u32; 3], vertices: usize) -> bool {
 /// The sides of all sound triangles, in order.
 fn every_side(mesh: &IndexedMesh) -> impl Iterator<Item = Side> + '_ {
     let vertices = mesh.points.len();
-    let sound = mesh
-        .triangles
-        .iter()
-        .enumerate()
-        .filter(move |(_, t)| is_sound(t, vertices));
+    let sound = mesh.triangles.iter().enumerate().filter(move |(_, t)| is_sound(t, vertices));
     sound.flat_map(|(triangle, t)| {
         let side = move |k: usize| (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
-        [0, 1, 2].map(side).map(|(origin, dest, apex)| Side {
-            origin,
-            dest,
-            apex,
-            triangle,
-        })
+        [0, 1, 2].map(side).map(|(origin, dest, apex)| Side { origin, dest, apex, triangle })
     })
 }
