@@ -4,8 +4,8 @@ use super::plan::SegmentPlan;
 use super::pseudo_polygon::{Across, Filled, Filling, fill};
 use crate::delaunay::Lawson;
 use crate::geometry::Point;
-use crate::mesh::operators::Side;
-use crate::mesh::{FaceId, HalfEdgeId, Journal, VertexId};
+
+use crate::mesh::{FaceId, HalfEdgeId, Journal, Side, VertexId};
 use crate::triangulation::Triangulation;
 
 /// One side of the segment: a pseudo-polygon and its filling.

@@ -47,6 +47,7 @@ impl ConstrainedDelaunay {
         let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         let ab = b - a;
         let off = ab.cross(p - a).abs() / ab.length_sq().sqrt();
-        !(off > BEND_ULPS * f64::EPSILON * largest) // NaN from overflow is no proof of a fault.
+        // What overflows is no proof of a fault.
+        off.is_nan() || off <= BEND_ULPS * f64::EPSILON * largest
     }
 }

@@ -91,7 +91,7 @@ impl Provenance {
             Self::OnSegment { segment, t } => [2 | u64::from(segment) << 8, t.to_bits()],
             Self::Crossing { segments: [a, b] } => [3 | u64::from(a) << 8, u64::from(b)],
             Self::Shell { segment, t, around_end, shell } => {
-                let circle = u64::from(shell.cast_unsigned()) << 40;
+                let circle = u64::from(u16::from_ne_bytes(shell.to_ne_bytes())) << 40;
                 [(if around_end { 5 } else { 4 }) | u64::from(segment) << 8 | circle, t.to_bits()]
             }
         }
@@ -105,7 +105,7 @@ impl Provenance {
             2 => Self::OnSegment { segment, t: f64::from_bits(place) },
             3 => Self::Crossing { segments: [segment, place as u32] },
             k @ (4 | 5) => {
-                let shell = ((kind >> 40) as u16).cast_signed();
+                let shell = i16::from_ne_bytes(((kind >> 40) as u16).to_ne_bytes());
                 Self::Shell { segment, t: f64::from_bits(place), around_end: k == 5, shell }
             }
             _ => Self::Free,

@@ -2,7 +2,7 @@
 
 use super::constrained::ConstrainedDelaunay;
 use super::provenance::Provenance;
-use crate::geometry::{Orientation, Point, Segment, orient2d};
+use crate::geometry::{Point, Segment};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
 /// Why a subsegment cannot be split at a parameter.
@@ -94,19 +94,7 @@ impl ConstrainedDelaunay {
         if p == x || p == y {
             return Err(SplitError::TooShort);
         }
-        let t = self.t.twin(h);
-        for (apex, from, to) in [(self.t.apex(h), x, y), (self.t.apex(t), y, x)] {
-            if !apex.is_finite() {
-                continue;
-            }
-            let c = self.t.point(apex);
-            if orient2d(from, p, c) != Orientation::CounterClockwise
-                || orient2d(p, to, c) != Orientation::CounterClockwise
-            {
-                return Err(SplitError::Crowded);
-            }
-        }
-        Ok(())
+        if self.t.may_split_edge(h, p) { Ok(()) } else { Err(SplitError::Crowded) }
     }
 }
 

@@ -30,7 +30,7 @@ impl Contours {
     /// crosses few triangles. With divide and conquer they go in last. The result is the same.
     ///
     /// # Errors
-    /// [`DomainError`]: a contour that is flat or runs the wrong way, and what [`build`](super::build) refuses.
+    /// [`DomainError`]: a contour that is flat or runs the wrong way, and what [`build`](super::build()) refuses.
     ///
     /// # Complexity
     /// That of the triangulation, and linear.

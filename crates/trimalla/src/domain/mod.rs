@@ -1,6 +1,6 @@
 //! Domains: planar straight-line graphs, contours, holes, and what is kept of a triangulation.
 //!
-//! A [`Pslg`] is what a caller or a file says. [`build`] triangulates it and carves away what the
+//! A [`Pslg`] is what a caller or a file says. [`build()`] triangulates it and carves away what the
 //! [`DomainRule`] puts outside:
 //!
 //! | rule | kept |

@@ -305,9 +305,7 @@ impl HalfEdgeMesh {
     /// Points `v` to `to` where the half-edge it kept no longer starts at it.
     #[inline]
     pub(crate) fn rehome<J: Journal>(&mut self, v: VertexId, to: HalfEdgeId, j: &mut J) {
-        if let Some(h) = self.outgoing(v)
-            && self.origin(h) != v
-        {
+        if self.outgoing(v).is_some_and(|h| self.origin(h) != v) {
             self.set_outgoing(v, to, j);
         }
     }

@@ -13,7 +13,7 @@
 //! ```
 //!
 //! * [`HalfEdgeMesh`] holds two flat arrays, `origin` and `twin`, and one half-edge a vertex;
-//! * [`operators`] rewire it, each with its drawing;
+//! * `operators` rewire it, each with its drawing;
 //! * [`Journal`] notes what an operator overwrites, so that it can be taken back exactly;
 //! * circulators ([`HalfEdgeMesh::star`], …) walk a neighbourhood;
 //! * [`SideTable`] keeps user data beside elements.
@@ -24,7 +24,7 @@ mod circulators;
 mod half_edges;
 mod ids;
 mod journal;
-pub mod operators;
+mod operators;
 mod side_table;
 #[cfg(test)]
 mod tests;
@@ -33,4 +33,5 @@ pub use circulators::{BoundaryLoop, Star};
 pub use half_edges::HalfEdgeMesh;
 pub use ids::{FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
+pub(crate) use operators::Side;
 pub use side_table::SideTable;

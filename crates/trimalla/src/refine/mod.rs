@@ -22,7 +22,7 @@
 //! the input's own angles are reasons, for `circumcenter` by proof `[MillerPW03]`, for `off-center` by experience.
 //!
 //! # Source
-//! The five steps: MeshSuite. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
+//! The five steps: `[MeshSuite]`. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
 
 mod bad_triangles;
 mod encroachment;

@@ -53,9 +53,7 @@ impl Refinement {
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
         let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
-        if let Some(h) = there
-            && (forced || self.prepare.needs_split(self.view(), h))
-        {
+        if let Some(h) = there.filter(|&h| forced || self.prepare.needs_split(self.view(), h)) {
             self.split(h);
         }
         true

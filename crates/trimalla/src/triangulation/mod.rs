@@ -11,6 +11,7 @@ mod check;
 mod check_indexed;
 mod compact;
 mod indexed;
+mod operators;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
 mod triangulation;
 mod undo;

@@ -240,10 +240,8 @@ impl<'a> Filler<'a> {
         for &f in &self.free {
             number[f as usize] = NONE;
         }
-        let mut count = 0;
-        for slot in number.iter_mut().filter(|s| **s != NONE) {
+        for (count, slot) in (0..).zip(number.iter_mut().filter(|s| **s != NONE)) {
             *slot = count;
-            count += 1;
         }
         let mut rim = vec![NONE; self.vertex.len()];
         for i in 0..n - 1 {
