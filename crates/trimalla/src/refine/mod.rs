@@ -27,6 +27,7 @@
 mod bad_triangles;
 mod encroachment;
 mod leftovers;
+pub mod lepp;
 mod options;
 mod recipe;
 mod refinement;
@@ -35,6 +36,7 @@ mod ruler;
 mod s1_prepare;
 mod s2_select;
 mod s3_point;
+mod s3_point_lepp;
 mod s4_insert;
 mod s5_recover;
 mod split_segments;
@@ -43,8 +45,9 @@ pub mod steps;
 mod tests;
 
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
+pub use lepp::{Centroid, Lepp, LeppRule};
 pub use recipe::{
-    Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, UnknownKey, registry,
+    ConstrainedSecond, Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, Terminal, UnknownKey, registry,
 };
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::lepp::{Centroid, LeppRule};
+
 /// A row of the registry: what a key stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
@@ -90,6 +92,7 @@ step! {
     Select, 2, ShortestEdge, {
         ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
         SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
+        First = "first", "the bad triangle that has waited longest first", "MeshSuite";
     }
 }
 
@@ -98,6 +101,28 @@ step! {
     PlacePoint, 3, OffCenter, {
         OffCenter = "off-center", "the circumcenter, or nearer the shortest edge the point that makes its triangle just good", "Ungor09";
         Circumcenter = "circumcenter", "the center of the circumcircle", "Ruppert95";
+        LeppMidpoint = "lepp-midpoint", "the middle of the path's terminal edge", "Rivara97";
+        LeppCentroid = "lepp-centroid", "the centroid of the path's two terminal triangles", "RivaraCalderon10";
+        LeppCircumcenter = "lepp-circumcenter", "the circumcenter of the larger terminal triangle", "MeshSuite";
+        LeppOffCenter = "lepp-off-center", "the off-center of the larger terminal triangle", "MeshSuite";
+    }
+}
+
+step! {
+    /// When a constrained second-longest edge of a terminal triangle is split instead.
+    ConstrainedSecond, 3, S2, {
+        Always = "always", "whenever it is constrained", "Valenzuela09";
+        S1 = "s1", "where the terminal triangle has an angle below the bound", "RivaraCalderon10";
+        S2 = "s2", "as s1, or where the new point would make a bad triangle with it", "RivaraCalderon10";
+        S3 = "s3", "where the new point would make a bad triangle with it", "RivaraCalderon10";
+    }
+}
+
+step! {
+    /// Which terminal triangle gives the circumcenter or off-center.
+    Terminal, 3, Larger, {
+        Larger = "larger", "the one with the larger circumcircle", "MeshSuite";
+        Last = "last", "the last one of the path", "MeshSuite";
     }
 }
 
@@ -132,8 +157,18 @@ pub struct Recipe {
     pub encroachment: Encroachment,
     /// Step 2.
     pub select: Select,
+    /// Step 2: whether a triangle is treated again and again until it is gone.
+    pub until_destroyed: bool,
     /// Step 3.
     pub point: PlacePoint,
+    /// Step 3, LEPP: where paths end.
+    pub lepp_rule: LeppRule,
+    /// Step 3, `lepp-circumcenter` and `lepp-off-center`: of which triangle.
+    pub terminal: Terminal,
+    /// Step 3, `lepp-centroid`: which centroid.
+    pub centroid: Centroid,
+    /// Step 3, `lepp-midpoint` and `lepp-centroid`: what becomes of constrained second-longest edges.
+    pub constrained_second: ConstrainedSecond,
     /// Step 4.
     pub insert: Insert,
     /// Step 5.
@@ -145,32 +180,43 @@ step! {
     Preset, 0, OffCenter, {
         OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
         Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
+        LeppMidpoint = "lepp-midpoint", "middles of terminal edges, smallest angle first", "Rivara97";
+        LeppCentroid = "lepp-centroid", "centroids of terminal triangles, smallest angle first", "RivaraCalderon10";
+        LeppCircumcenter = "lepp-circumcenter", "circumcenters of terminal triangles, smallest angle first", "MeshSuite";
+        LeppOffCenter = "lepp-off-center", "off-centers of terminal triangles, smallest angle first", "MeshSuite";
     }
 }
 
 impl Preset {
     /// The recipe it stands for.
     #[must_use]
-    pub const fn recipe(self) -> Recipe {
-        let point = match self {
-            Self::OffCenter => PlacePoint::OffCenter,
-            Self::Circumcenter => PlacePoint::Circumcenter,
+    pub fn recipe(self) -> Recipe {
+        let lepp = Recipe {
+            prepare: Prepare::None,
+            select: Select::SmallestAngle,
+            until_destroyed: true,
+            ..Recipe::default()
         };
-        Recipe {
-            prepare: Prepare::SplitEncroached,
-            encroachment: Encroachment::Lens,
-            select: Select::ShortestEdge,
-            point,
-            insert: Insert::Flip,
-            recover: Recover::WholeEdge,
+        match self {
+            Self::OffCenter => Recipe::default(),
+            Self::Circumcenter => Recipe { point: PlacePoint::Circumcenter, ..Recipe::default() },
+            Self::LeppMidpoint => Recipe { point: PlacePoint::LeppMidpoint, ..lepp },
+            Self::LeppCentroid => Recipe { point: PlacePoint::LeppCentroid, ..lepp },
+            Self::LeppCircumcenter => {
+                Recipe { point: PlacePoint::LeppCircumcenter, prepare: Prepare::SplitEncroached, ..lepp }
+            }
+            Self::LeppOffCenter => {
+                Recipe { point: PlacePoint::LeppOffCenter, prepare: Prepare::SplitEncroached, ..lepp }
+            }
         }
     }
 }
 
 impl fmt::Display for Recipe {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { prepare, encroachment, select, point, insert, recover } = self;
-        write!(f, "{prepare} ({encroachment}), {select}, {point}, {insert}, {recover}")
+        let Self { prepare, encroachment, select, point, insert, recover, .. } = self;
+        let until = if self.until_destroyed { " until destroyed" } else { "" };
+        write!(f, "{prepare} ({encroachment}), {select}{until}, {point}, {insert}, {recover}")
     }
 }
 

@@ -32,7 +32,7 @@ pub struct Refinement {
     pub(super) options: RefineOptions,
     pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
     select: Arc<dyn SelectStep + Send + Sync>,
-    point: Arc<dyn PointStep + Send + Sync>,
+    pub(super) point: Arc<dyn PointStep + Send + Sync>,
     insert: Arc<dyn InsertStep + Send + Sync>,
     recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
@@ -47,6 +47,10 @@ pub struct Refinement {
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
     log: UndoLog,
+    /// How many triangles joined the queue.
+    joined: u64,
+    /// The triangle to be treated until it is gone.
+    current: Option<(FaceId, [VertexId; 3])>,
     /// Vertices that the mesh would have now.
     pub(super) vertices: usize,
     /// Vertices inserted in all, those deleted or taken back included.
@@ -103,6 +107,8 @@ impl Refinement {
             encroached: VecDeque::new(),
             given_up: Vec::new(),
             log: UndoLog::new(),
+            joined: 0,
+            current: None,
             vertices,
             insertions: 0,
             report: Report { recipe, ..Report::default() },
@@ -165,14 +171,29 @@ impl Refinement {
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;
         }
-        match self.queue.pop(&self.cdt) {
-            None => StepOutcome::Finished,
-            Some(face) => {
-                if let Err(reason) = self.treat(face) {
-                    self.given_up.push((sorted(self.cdt.face_vertices(face)), reason));
-                }
-                StepOutcome::Triangle
-            }
+        let Some(face) = self.next_face() else { return StepOutcome::Finished };
+        let name = sorted(self.cdt.face_vertices(face));
+        match self.treat(face) {
+            Ok(()) if self.options.recipe.until_destroyed => self.current = Some((face, name)),
+            Ok(()) => self.queue_if_there(face, name),
+            Err(reason) => self.given_up.push((name, reason)),
+        }
+        StepOutcome::Triangle
+    }
+
+    /// The treated triangle waits again if its own treatment left it as it was.
+    fn queue_if_there(&mut self, face: FaceId, name: [VertexId; 3]) {
+        if self.cdt.is_real(face) && sorted(self.cdt.face_vertices(face)) == name {
+            self.look_at_bad(face);
+        }
+    }
+
+    /// The triangle at work if it is still there, else the most urgent one.
+    fn next_face(&mut self) -> Option<FaceId> {
+        let there = |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
+        match self.current.take().filter(there) {
+            Some((face, _)) => Some(face),
+            None => self.queue.pop(&self.cdt),
         }
     }
 
@@ -189,11 +210,11 @@ impl Refinement {
         }
         let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;
         match proposal {
-            Proposal::Split(h) => self.split_instead(face, &[h]),
+            Proposal::Split(h) => self.split_instead(&[h]),
             Proposal::Free { point, from } => match self.cdt.walk_within(from, point) {
-                Walk::Blocked(h) => self.split_instead(face, &[h]),
-                Walk::Arrived(Locus::Edge(h)) if self.cdt.is_marked(h) => self.split_instead(face, &[h]),
-                Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => self.try_point(face, point, locus),
+                Walk::Blocked(h) => self.split_instead(&[h]),
+                Walk::Arrived(Locus::Edge(h)) if self.cdt.is_marked(h) => self.split_instead(&[h]),
+                Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => self.try_point(point, locus),
                 Walk::Arrived(_) => Err(Reason::PrecisionFloor),
             },
         }
@@ -202,7 +223,7 @@ impl Refinement {
     /// Subsegments are in the way: the longest that can be is split, and the triangle waits.
     ///
     /// One split often clears the way of the others too, so they are left until they are met again.
-    fn split_instead(&mut self, face: FaceId, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
+    fn split_instead(&mut self, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
         let length = |h: HalfEdgeId| {
             let [a, b] = self.cdt.edge_points(h);
             self.ruler.length_sq(a, b)
@@ -214,10 +235,7 @@ impl Refinement {
         let mut refused = Reason::PrecisionFloor;
         for h in longest_first {
             match self.queue_subsegment(h, true) {
-                Ok(()) => {
-                    self.look_at_bad(face);
-                    return Ok(());
-                }
+                Ok(()) => return Ok(()),
                 Err(reason) => refused = reason,
             }
         }
@@ -225,7 +243,7 @@ impl Refinement {
     }
 
     /// Inserts a free point; takes it back if it encroaches upon subsegments.
-    fn try_point(&mut self, face: FaceId, point: Point, locus: Locus) -> Result<(), Reason> {
+    fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
         if self.nearest_sq(point, locus) < self.floor_sq {
             return Err(self.floor_reason);
         }
@@ -233,7 +251,7 @@ impl Refinement {
         let here = self.log.checkpoint();
         let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log);
         self.insertions += 1;
-        let encroached = self.encroached_by(v);
+        let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
         if encroached.is_empty() {
             self.vertices += 1;
             self.report.points_inserted += 1;
@@ -245,7 +263,7 @@ impl Refinement {
         self.report.points_rejected += 1;
         let subsegments: Vec<HalfEdgeId> =
             ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
-        self.split_instead(face, &subsegments)
+        self.split_instead(&subsegments)
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
@@ -307,9 +325,15 @@ impl Refinement {
     fn look_at_bad(&mut self, f: FaceId) {
         let corners = self.cdt.corners(f);
         if self.test.badness(corners).is_some() {
-            let patience = self.select.patience(corners, self.ruler);
+            let patience = self.select.patience(corners, self.ruler, self.joined);
+            self.joined += 1;
             self.queue.push(&self.cdt, f, patience);
         }
+    }
+
+    /// Whether the point strategy keeps clear of segments.
+    pub(super) fn minds_encroachment(&self) -> bool {
+        self.point.minds_encroachment()
     }
 
     pub(super) fn view(&self) -> View<'_> {

@@ -12,7 +12,7 @@ use crate::geometry::Point;
 pub(super) struct ShortestEdge;
 
 impl SelectStep for ShortestEdge {
-    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler) -> f64 {
+    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
         ruler.length_sq(a, b).min(ruler.length_sq(b, c)).min(ruler.length_sq(c, a))
     }
 }
@@ -22,7 +22,7 @@ impl SelectStep for ShortestEdge {
 pub(super) struct SmallestAngle;
 
 impl SelectStep for SmallestAngle {
-    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler) -> f64 {
+    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
         // The smallest angle is never above 60 degrees, where the sine rises with it: twice the area over the
         // product of the two longer sides.
         let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));
@@ -32,10 +32,22 @@ impl SelectStep for SmallestAngle {
     }
 }
 
+/// `first`: the triangle that has waited longest first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct First;
+
+impl SelectStep for First {
+    #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 triangles ever wait")]
+    fn patience(&self, _: [Point; 3], _: Ruler, joined: u64) -> f64 {
+        joined as f64
+    }
+}
+
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {
     match recipe.select {
         Select::ShortestEdge => Arc::new(ShortestEdge),
         Select::SmallestAngle => Arc::new(SmallestAngle),
+        Select::First => Arc::new(First),
     }
 }

@@ -11,6 +11,7 @@
 use std::sync::Arc;
 
 use super::recipe::{PlacePoint, Recipe};
+use super::s3_point_lepp;
 use super::steps::{PointStep, Proposal, View};
 use crate::geometry::{Point, Triangle, math};
 use crate::mesh::FaceId;
@@ -51,8 +52,9 @@ impl OffCenter {
     }
 }
 
-impl PointStep for OffCenter {
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+impl OffCenter {
+    /// The off-center of a face, rounded.
+    pub(super) fn place(self, view: View<'_>, face: FaceId) -> Option<Point> {
         let corners = view.cdt.corners(face);
         let [a, b, c] = corners;
         let center = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
@@ -61,9 +63,13 @@ impl PointStep for OffCenter {
         let height_sq = view.ruler.length_sq(middle, center);
         let reach_sq = self.reach * self.reach * view.ruler.length_sq(p, q);
         // Towards the circumcenter, but no farther than it: a quotient of lengths, free of units.
-        let point =
-            if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center };
-        Some(Proposal::Free { point, from: face })
+        Some(if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center })
+    }
+}
+
+impl PointStep for OffCenter {
+    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+        self.place(view, face).map(|point| Proposal::Free { point, from: face })
     }
 }
 
@@ -80,8 +86,11 @@ fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
 
 /// The step of a recipe, for an angle bound in radians.
 pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send + Sync> {
+    if let Some(lepp) = s3_point_lepp::step(recipe, min_angle) {
+        return lepp;
+    }
     match recipe.point {
         PlacePoint::Circumcenter => Arc::new(Circumcenter),
-        PlacePoint::OffCenter => Arc::new(OffCenter::new(min_angle)),
+        _ => Arc::new(OffCenter::new(min_angle)),
     }
 }

@@ -61,7 +61,7 @@ impl Refinement {
 
     fn split(&mut self, h: HalfEdgeId) {
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        if self.region.is_lens() && self.acute_ends(h) == [false, false] {
+        if self.region.is_lens() && self.minds_encroachment() && self.acute_ends(h) == [false, false] {
             self.delete_free_vertices(a, b);
         }
         let Some(h) = self.cdt.half_edge_between(a, b) else { return };
@@ -125,11 +125,29 @@ impl Refinement {
     }
 
     /// Whether at the origin, and at the dest, of `h` another constrained edge bounds one of its two triangles.
+    ///
+    /// For strategies that cut on circles only at sharp joints, where the angle there is below 60 degrees.
     fn acute_ends(&self, h: HalfEdgeId) -> [bool; 2] {
         let t = self.cdt.twin(h);
-        let marked =
-            |h: HalfEdgeId| self.cdt.dest(h).is_finite() && self.cdt.origin(h).is_finite() && self.cdt.is_marked(h);
-        [marked(h.prev()) || marked(t.next()), marked(h.next()) || marked(t.prev())]
+        let meets = |g: HalfEdgeId, apex: VertexId, end: VertexId| {
+            let finite = self.cdt.dest(g).is_finite() && self.cdt.origin(g).is_finite();
+            finite && self.cdt.is_marked(g) && (self.point.shells_at_every_joint() || self.is_sharp(h, apex, end))
+        };
+        let (origin, dest) = (self.cdt.origin(h), self.cdt.dest(h));
+        let (left, right) = (self.cdt.apex(h), self.cdt.apex(t));
+        [
+            meets(h.prev(), left, origin) || meets(t.next(), right, origin),
+            meets(h.next(), left, dest) || meets(t.prev(), right, dest),
+        ]
+    }
+
+    /// Whether `apex` is seen from an end of `h` at less than 60 degrees from the other end.
+    fn is_sharp(&self, h: HalfEdgeId, apex: VertexId, end: VertexId) -> bool {
+        let other = if end == self.cdt.origin(h) { self.cdt.dest(h) } else { self.cdt.origin(h) };
+        let [end, other, apex] = [end, other, apex].map(|v| self.cdt.point(v));
+        let (u, v) = (self.ruler.vector(end, other), self.ruler.vector(end, apex));
+        let dot = u.dot(v);
+        dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
 
     /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first.

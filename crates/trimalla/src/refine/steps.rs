@@ -29,7 +29,9 @@ pub trait PrepareStep {
 /// Step 2: the order of bad triangles.
 pub trait SelectStep {
     /// How long a bad triangle can wait: the one of lowest value is treated first.
-    fn patience(&self, corners: [Point; 3], ruler: Ruler) -> f64;
+    ///
+    /// `joined` counts the triangles that were bad before it.
+    fn patience(&self, corners: [Point; 3], ruler: Ruler, joined: u64) -> f64;
 }
 
 /// What a point strategy proposes for a bad triangle.
@@ -50,6 +52,17 @@ pub enum Proposal {
 pub trait PointStep {
     /// The place for a new vertex that helps `face`; `None` where there is none.
     fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal>;
+
+    /// Whether a free point that encroaches upon a subsegment is taken back and the subsegment split instead.
+    fn minds_encroachment(&self) -> bool {
+        true
+    }
+
+    /// Whether subsegments are cut on circles around every end where another segment joins, not only where the angle
+    /// there is below 60 degrees.
+    fn shells_at_every_joint(&self) -> bool {
+        true
+    }
 }
 
 /// Step 4: how a vertex goes in.

@@ -1,0 +1,205 @@
+//! Longest-edge propagation paths.
+//!
+//! ```text
+//!   ┌───────────┬─────────        t0's longest edge leads to t1, t1's to t2, …
+//!   │ t0 ╱ t1 ╱ │                 until an edge is the longest of both its triangles, or leads nowhere:
+//!   │  ╱    ╱ t2│ t3              the terminal edge, with its one or two terminal triangles
+//!   └───────────┴─────────
+//! ```
+//!
+//! Edges are compared by length, and equal lengths by vertex ids: one total order that both neighbours share. Along a
+//! path the edges rise strictly, so it visits no triangle twice and ends.
+//!
+//! # Source
+//! `[Rivara97]`; `[Valenzuela09]` sections 3.4 and 6.1; `[MeshSuite]` 2.5.
+
+use std::cmp::Ordering;
+
+use super::ruler::Ruler;
+use crate::constrained::ConstrainedDelaunay;
+use crate::geometry::Point;
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::triangulation::Triangulation;
+
+/// Where a path ends besides at a mutual longest edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LeppRule {
+    /// At every constrained edge, also inside: no point beyond it can improve this side.
+    #[default]
+    StopAtConstraints,
+    /// At the border alone: the documents' rule.
+    StopAtBorder,
+}
+
+/// A longest-edge propagation path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lepp {
+    /// The triangles, from the first to the last; both terminal ones are included.
+    pub faces: Vec<FaceId>,
+    /// The terminal edge, as a half-edge of the first terminal triangle on the path.
+    pub terminal_edge: HalfEdgeId,
+}
+
+impl Lepp {
+    /// Number of triangles on the path, both terminal ones included.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Never: a path has its first triangle at least.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+}
+
+/// Which centroid of the quadrilateral of two terminal triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Centroid {
+    /// Of its area: what reproduces the published counts.
+    #[default]
+    Area,
+    /// The average of its four corners: what the documents describe.
+    Average,
+}
+
+impl Centroid {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::Area, Self::Average];
+
+    /// Its key.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Average => "average",
+        }
+    }
+}
+
+/// The order of two edges by length; of equal ones the lower ends are less.
+#[must_use]
+pub fn compare_edges(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, g: HalfEdgeId) -> Ordering {
+    let key = |h: HalfEdgeId| {
+        let (a, b) = (t.origin(h), t.dest(h));
+        let (low, high) = (a.min(b), a.max(b));
+        (ruler.length_sq(t.point(low), t.point(high)), low, high)
+    };
+    let ((l, a, b), (m, c, d)) = (key(h), key(g));
+    l.total_cmp(&m).then(a.cmp(&c)).then(b.cmp(&d))
+}
+
+/// The half-edges of a face, the shortest first.
+#[must_use]
+pub fn edges_by_length(t: &Triangulation, ruler: Ruler, f: FaceId) -> [HalfEdgeId; 3] {
+    let mut edges = f.half_edges();
+    edges.sort_by(|&h, &g| compare_edges(t, ruler, h, g));
+    edges
+}
+
+/// The longest edge of a face.
+///
+/// # Source
+/// `getLongestEdge` of `[Valenzuela09]`.
+#[must_use]
+pub fn longest_edge(t: &Triangulation, ruler: Ruler, f: FaceId) -> HalfEdgeId {
+    edges_by_length(t, ruler, f)[2]
+}
+
+/// The second-longest edge of a face.
+#[must_use]
+pub fn second_longest_edge(t: &Triangulation, ruler: Ruler, f: FaceId) -> HalfEdgeId {
+    edges_by_length(t, ruler, f)[1]
+}
+
+/// The path of a real face.
+///
+/// # Complexity
+/// Its length: two or three on average.
+#[must_use]
+pub fn lepp(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> Lepp {
+    let mut faces = vec![first];
+    let terminal_edge = follow(t, ruler, first, rule, |f| faces.push(f));
+    Lepp { faces, terminal_edge }
+}
+
+/// The terminal edge of the path of a real face, without the path.
+#[must_use]
+pub fn terminal_edge(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> HalfEdgeId {
+    follow(t, ruler, first, rule, |_| {})
+}
+
+/// Walks a path; `visit` learns of every face after the first.
+fn follow(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule, mut visit: impl FnMut(FaceId)) -> HalfEdgeId {
+    let mut h = longest_edge(t, ruler, first);
+    // Edges rise strictly: a path is no longer than the mesh.
+    for _ in 0..t.face_slots() {
+        let twin = t.twin(h);
+        let beyond = twin.face();
+        if t.is_ghost(beyond) || rule == LeppRule::StopAtConstraints && t.is_marked(h) {
+            break;
+        }
+        visit(beyond);
+        let next = longest_edge(t, ruler, beyond);
+        if next == twin {
+            break;
+        }
+        h = next;
+    }
+    h
+}
+
+/// The one or two terminal triangles at a terminal edge, that of the half-edge first.
+#[must_use]
+pub fn terminal_faces(t: &Triangulation, h: HalfEdgeId) -> [Option<FaceId>; 2] {
+    [h.face(), t.twin(h).face()].map(|f| (!t.is_ghost(f)).then_some(f))
+}
+
+/// The centroid of the quadrilateral of the two triangles at an inner edge, rounded.
+///
+/// # Source
+/// `centroid` of `[Valenzuela09]`, section 6.1.2; the average after `[MeshSuite]` and Sanhueza.
+#[must_use]
+pub fn quadrilateral_centroid(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, kind: Centroid) -> Point {
+    let (a, b) = ends_in_order(t, h);
+    let (c, d) = {
+        let (p, q) = (t.apex(h), t.apex(t.twin(h)));
+        (p.min(q), p.max(q))
+    };
+    let [pa, pb, pc, pd] = [a, b, c, d].map(|v| t.point(v));
+    // Relative to the middle of the edge, so that large coordinates cost no digits.
+    let m = Point::midpoint(pa, pb);
+    let [va, vb, vc, vd] = [pa, pb, pc, pd].map(|p| ruler.vector(m, p));
+    let (x, y) = match kind {
+        Centroid::Average => ((va.x + vb.x + vc.x + vd.x) / 4.0, (va.y + vb.y + vc.y + vd.y) / 4.0),
+        Centroid::Area => {
+            // Each triangle weighs its area; its centroid is a third of its corners' sum.
+            let areas = [vc, vd].map(|v| (vb.x - va.x) * (v.y - va.y) - (vb.y - va.y) * (v.x - va.x)).map(f64::abs);
+            let total = 3.0 * (areas[0] + areas[1]);
+            let weigh = |e: [f64; 4]| (areas[0] * (e[0] + e[1] + e[2]) + areas[1] * (e[0] + e[1] + e[3])) / total;
+            (weigh([va.x, vb.x, vc.x, vd.x]), weigh([va.y, vb.y, vc.y, vd.y]))
+        }
+    };
+    Point::new(m.x + x / ruler.scale(), m.y + y / ruler.scale())
+}
+
+fn ends_in_order(t: &Triangulation, h: HalfEdgeId) -> (VertexId, VertexId) {
+    let (a, b) = (t.origin(h), t.dest(h));
+    (a.min(b), a.max(b))
+}
+
+/// The middle of an edge, rounded.
+#[must_use]
+pub fn edge_midpoint(t: &Triangulation, h: HalfEdgeId) -> Point {
+    let [a, b] = t.edge_points(h);
+    Point::midpoint(a, b)
+}
+
+impl ConstrainedDelaunay {
+    /// The longest-edge propagation path of a real face.
+    #[must_use]
+    pub fn lepp(&self, face: FaceId, rule: LeppRule) -> Lepp {
+        lepp(self, Ruler::for_box(self.bounding_box()), face, rule)
+    }
+}
