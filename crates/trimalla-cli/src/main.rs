@@ -20,6 +20,7 @@ mod json;
 mod names;
 mod outputs;
 mod progress;
+mod recipe_options;
 mod records;
 mod text;
 

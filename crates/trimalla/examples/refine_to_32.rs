@@ -1,30 +1,42 @@
-//! A triangulation refined until every angle is at least 32 degrees: the second sample program of Valenzuela (2009),
-//! section 6.2.
+//! A triangulation refined by LEPP until every angle is at least 32 degrees: the second sample program of Valenzuela (2009),
+//! section 6.2, with his loop.
 //!
 //! Run it with `cargo run -p trimalla --example refine_to_32`.
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
-use trimalla::domain::Pslg;
-use trimalla::geometry::Point;
-use trimalla::refine::RefineOptions;
-use trimalla::{MeshOptions, mesh};
+use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::geometry::{Point, Triangle};
+use trimalla::mesh::FaceId;
+use trimalla::refine::{Centroid, LeppRule};
 
-fn main() -> Result<(), trimalla::Error> {
+const SMALL_ANGLE: f64 = 32.0;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points =
         [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)].map(|(x, y)| Point::new(x, y));
     // Without segments the domain is the convex hull of the points.
     let pslg = Pslg { points: points.to_vec(), ..Pslg::default() };
-    let options = MeshOptions { refine: RefineOptions::default().with_min_angle_deg(32.0), ..MeshOptions::default() };
+    let (mut t, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::DivideAndConquer)?;
 
-    let (mesh, report) = mesh(&pslg, &options)?;
-
-    for (i, p) in mesh.points.iter().enumerate() {
-        println!("Vertex [{i}] -> {p}");
+    while let Some(bad) = bad_triangle(&t) {
+        let path = t.lepp(bad, LeppRule::StopAtConstraints);
+        t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).ok_or("rounding leaves no room")?;
     }
-    for [a, b, c] in &mesh.triangles {
+
+    for f in t.real_faces() {
+        let [a, b, c] = t.face_vertices(f);
         println!("Face [ {a} {b} {c} ]");
     }
-    println!("smallest angle {:.2} degrees, {} vertices added", report.min_angle_deg, report.steiner_points);
-    assert!(report.complete() && report.min_angle_deg >= 32.0, "the hull of the five points has no sharp corner");
+    println!("{} vertices, no angle below {SMALL_ANGLE} degrees", t.used_vertices().count());
     Ok(())
+}
+
+/// The first triangle with an angle below the bound.
+fn bad_triangle(t: &ConstrainedDelaunay) -> Option<FaceId> {
+    t.real_faces().find(|&f| {
+        let [a, b, c] = t.face_points(f);
+        Triangle::new(a, b, c).min_angle().degrees() < SMALL_ANGLE
+    })
 }

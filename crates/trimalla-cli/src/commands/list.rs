@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{Encroachment, Row, registry};
+use trimalla::refine::{ConstrainedSecond, Encroachment, Row, Terminal, registry};
 use trimalla_io::Format;
 
 use crate::console;
@@ -24,9 +24,9 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
 /// The steps of a recipe, 0 for whole recipes.
 const STEPS: [(u8, &str); 6] = [
     (0, "algorithms: recipes by name (mesh --algorithm)"),
-    (1, "step 1, prepare: what is done to segments first"),
+    (1, "step 1, prepare: what is done to segments first (mesh --prepare)"),
     (2, "step 2, select: which bad triangle is next (mesh --select)"),
-    (3, "step 3, point: where the new vertex goes"),
+    (3, "step 3, point: where the new vertex goes (mesh --point)"),
     (4, "step 4, insert: how it goes in"),
     (5, "step 5, recover: what becomes of interior segments"),
 ];
@@ -36,6 +36,18 @@ fn text() -> String {
     let rows = registry();
     for (step, title) in STEPS {
         add(&mut text, title, rows.iter().filter(|row| row.step == step).map(with_source));
+        if step == 3 {
+            add(
+                &mut text,
+                "constrained second-longest edges (mesh --constrained-second): split instead",
+                ConstrainedSecond::ALL.iter().map(|c| with_source(&c.row())),
+            );
+            add(
+                &mut text,
+                "terminal triangle (mesh --terminal): the circumcenter or off-center is that of",
+                Terminal::ALL.iter().map(|c| with_source(&c.row())),
+            );
+        }
         if step == 1 {
             add(
                 &mut text,

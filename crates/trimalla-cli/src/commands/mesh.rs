@@ -6,7 +6,7 @@ use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::Pslg;
 use trimalla::geometry::Angle;
-use trimalla::refine::{Criteria, Encroachment, Limits, Preset, Protect, RefineOptions, Report, Select};
+use trimalla::refine::{Criteria, Limits, Protect, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{Error, MeshOptions, Meshed};
 
@@ -17,6 +17,7 @@ use crate::input::{Input, read_drawing};
 use crate::names::Names;
 use crate::outputs::Outputs;
 use crate::progress::{self, Watch};
+use crate::recipe_options::RecipeOptions;
 use crate::{json, text};
 
 const HELP: &str = "\
@@ -34,6 +35,9 @@ Presets of --algorithm:
   off-center    for each bad triangle the point on the way to its circumcenter that makes the
                 triangle on its shortest edge just good: the fewest triangles, and fast
   circumcenter  the center of the circumcircle: the classic of Chew and Ruppert
+  lepp-centroid, lepp-midpoint, lepp-circumcenter, lepp-off-center
+                from the bad triangle across longest edges to the last pair of triangles, and a
+                point there: even meshes, and often the smallest ones above 33 degrees
 The steps that a preset is made of, and where each comes from: trimalla list
 
 Every triangle left below the bound is counted with its reason. Where two segments of the
@@ -62,20 +66,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
     max_area: Option<f64>,
 
-    /// The preset that says where new vertices go
-    #[arg(long, value_name = "KEY", default_value = Preset::default().key(), help_heading = "Refinement",
-          value_parser = one_of(Preset::ALL.iter().map(|p| (p.key(), p.row().summary, *p))))]
-    algorithm: Preset,
-
-    /// The region around a segment that is kept free of vertices [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Refinement",
-          value_parser = one_of(Encroachment::ALL.iter().map(|e| (e.key(), e.row().summary, *e))))]
-    encroachment: Option<Encroachment>,
-
-    /// Which bad triangle is treated next [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Refinement",
-          value_parser = one_of(Select::ALL.iter().map(|s| (s.key(), s.row().summary, *s))))]
-    select: Option<Select>,
+    #[command(flatten)]
+    recipe: RecipeOptions,
 
     /// Segments that may not be split
     #[arg(long, value_name = "WHICH", default_value = Protect::default().key(), help_heading = "Refinement",
@@ -112,13 +104,10 @@ fn summary_of(protect: Protect) -> &'static str {
 
 impl Options {
     fn mesh_options(&self) -> MeshOptions {
-        let mut recipe = self.algorithm.recipe();
-        recipe.encroachment = self.encroachment.unwrap_or(recipe.encroachment);
-        recipe.select = self.select.unwrap_or(recipe.select);
         MeshOptions {
             domain: self.drawing.domain_options(self.triangulator),
             refine: RefineOptions {
-                recipe,
+                recipe: self.recipe.recipe(),
                 criteria: Criteria { min_angle: Angle::from_degrees(self.min_angle), max_area: self.max_area },
                 protect: self.protect,
                 limits: Limits { max_vertices: self.max_vertices, length_floor: self.length_floor },
@@ -147,7 +136,7 @@ impl Options {
     fn text(&self, drawing: &Input<Pslg>, made: &Made, files: &[String]) -> String {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(drawing));
-        lines.row("algorithm", self.algorithm);
+        lines.row("algorithm", self.recipe.algorithm);
         text::add_counts(&mut lines, &made.mesh);
         text::add_outcome(&mut lines, &made.report, self.min_angle);
         text::add_end(&mut lines, made.seconds, files);
@@ -176,7 +165,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let prepared = outputs.prepare_mesh(&made.mesh)?;
     if options.report.json {
         let Made { mesh, report, seconds, warnings } = &made;
-        let key = options.algorithm.key();
+        let key = options.recipe.algorithm.key();
         json::print(&json::of_meshing(mesh, report, key, *seconds, warnings))?;
     } else {
         let text = options.text(&drawing, &made, &outputs.files());

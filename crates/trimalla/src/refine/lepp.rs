@@ -18,7 +18,8 @@ use std::cmp::Ordering;
 use super::ruler::Ruler;
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::Point;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::locate::{Locus, Walk};
+use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Where a path ends besides at a mutual longest edge.
@@ -29,6 +30,20 @@ pub enum LeppRule {
     StopAtConstraints,
     /// At the border alone: the documents' rule.
     StopAtBorder,
+}
+
+impl LeppRule {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::StopAtConstraints, Self::StopAtBorder];
+
+    /// Its key.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::StopAtConstraints => "constraints",
+            Self::StopAtBorder => "border",
+        }
+    }
 }
 
 /// A longest-edge propagation path.
@@ -201,5 +216,42 @@ impl ConstrainedDelaunay {
     #[must_use]
     pub fn lepp(&self, face: FaceId, rule: LeppRule) -> Lepp {
         lepp(self, Ruler::for_box(self.bounding_box()), face, rule)
+    }
+
+    /// Inserts the point that a terminal edge stands for, and keeps the triangulation constrained Delaunay.
+    ///
+    /// A constrained terminal edge is halved; otherwise a constrained second-longest edge of a terminal triangle, that
+    /// of the half-edge's own face first; otherwise the centroid of the two triangles goes in, or with `None` the
+    /// middle of the edge. `None` is returned where rounding leaves no room.
+    ///
+    /// # Source
+    /// `leppInsert`, `selectPoint` and `selectPointCentroid` of `[Valenzuela09]`, section 6.1.
+    pub fn lepp_insert(&mut self, terminal_edge: HalfEdgeId, centroid: Option<Centroid>) -> Option<VertexId> {
+        let ruler = Ruler::for_box(self.bounding_box());
+        let splits = |t: &Self, h: HalfEdgeId| t.is_marked(h) || t.is_ghost(t.twin(h).face());
+        if splits(self, terminal_edge) {
+            return self.halve(terminal_edge);
+        }
+        let seconds = terminal_faces(self, terminal_edge).into_iter().flatten();
+        let second = seconds.map(|f| second_longest_edge(self, ruler, f)).find(|&s| splits(self, s));
+        if let Some(second) = second {
+            return self.halve(second);
+        }
+        let point = match centroid {
+            Some(kind) => quadrilateral_centroid(self, ruler, terminal_edge, kind),
+            None => edge_midpoint(self, terminal_edge),
+        };
+        match self.walk_within(terminal_edge.face(), point) {
+            Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => {
+                Some(self.insert_vertex_at(point, locus, &mut NoJournal))
+            }
+            Walk::Arrived(_) => None,
+            Walk::Blocked(h) => self.halve(h),
+        }
+    }
+
+    fn halve(&mut self, h: HalfEdgeId) -> Option<VertexId> {
+        let (point, provenance) = self.point_on_subsegment(h, 0.5);
+        self.split_subsegment(h, point, provenance, &mut NoJournal).ok()
     }
 }
