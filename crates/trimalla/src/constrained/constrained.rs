@@ -17,6 +17,15 @@ use crate::triangulation::{Closure, Triangulation};
 /// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.
 pub type SegmentId = u32;
 
+/// What holds in a region of a domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegionRule {
+    /// The attribute of its triangles.
+    pub attribute: f64,
+    /// The largest area of a triangle in it, if bounded.
+    pub max_area: Option<f64>,
+}
+
 /// A constrained Delaunay triangulation that stays one through every change.
 ///
 /// # Guarantees
@@ -42,6 +51,8 @@ pub struct ConstrainedDelaunay {
     pub(crate) constraints: Constraints,
     /// Ends of each segment, duplicates replaced by their representatives.
     pub(crate) segments: Vec<[VertexId; 2]>,
+    /// Attribute and area bound of each region; face marks name them from 1 on.
+    pub(crate) regions: Vec<RegionRule>,
     /// Where the vertices after the input come from.
     pub(crate) provenance: Provenances,
     pub(crate) input_points: usize,
@@ -110,6 +121,7 @@ impl ConstrainedDelaunay {
             lawson: Lawson::default(),
             constraints: Constraints::default(),
             segments: Vec::new(),
+            regions: Vec::new(),
             provenance: Provenances::default(),
             input_points,
             last: FaceId(0),
@@ -176,6 +188,12 @@ impl ConstrainedDelaunay {
     #[must_use]
     pub fn input_points(&self) -> usize {
         self.input_points
+    }
+
+    /// What holds in the region of a face; `None` where no region seed reached it.
+    #[must_use]
+    pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
+        self.t.region(f).checked_sub(1).and_then(|r| self.regions.get(r as usize)).copied()
     }
 
     /// Number of used vertices that are not input.

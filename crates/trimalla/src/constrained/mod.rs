@@ -21,7 +21,7 @@ mod split_subsegment;
 #[cfg(test)]
 mod tests;
 
-pub use constrained::{ConstrainedDelaunay, SegmentId};
+pub use constrained::{ConstrainedDelaunay, RegionRule, SegmentId};
 pub use crossing_pairs::crossing_pairs;
 pub use error::{ConstraintError, CrossingPair};
 pub use insert_segment::Crossings;

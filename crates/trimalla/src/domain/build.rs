@@ -3,6 +3,7 @@
 use super::error::{DomainError, Warning};
 use super::flood::{depths, flood};
 use super::pslg::Pslg;
+use super::regions;
 use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::geometry::Point;
@@ -90,6 +91,7 @@ pub fn build(
     let removed = remove_holes(&cdt, &pslg.holes, outside, &mut warnings)?;
     let keep: Vec<bool> = removed.into_iter().map(|r| !r).collect();
     cdt.carve(&keep, &mut NoJournal);
+    regions::assign(&mut cdt, &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))
 }
 

@@ -3,7 +3,7 @@
 use super::pslg::Pslg;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
 use crate::geometry::Point;
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::IndexedMesh;
 
 /// Marker of edges and vertices that bound the domain where the input has no marker.
@@ -38,6 +38,11 @@ impl ConstrainedDelaunay {
         };
         mesh.point_markers = self.point_markers(&kept, &segments, &segment_markers, pslg);
         mesh.point_attributes = self.point_attributes(&kept, pslg);
+        if !self.regions.is_empty() {
+            let attribute = |f: FaceId| self.region_rule(f).map_or(0.0, |rule| rule.attribute);
+            mesh.attributes_per_triangle = 1;
+            mesh.triangle_attributes = self.real_faces().map(attribute).collect();
+        }
         mesh
     }
 

@@ -18,6 +18,7 @@ mod error;
 mod flood;
 mod indexed;
 mod pslg;
+mod regions;
 #[cfg(test)]
 mod tests;
 

@@ -18,6 +18,8 @@ pub struct HalfEdgeMesh {
     pub(super) origin: Vec<VertexId>,
     pub(super) twin: Vec<HalfEdgeId>,
     pub(super) mark: Vec<u32>,
+    /// Region a face lies in; empty until the first region, 0 for none.
+    pub(super) region: Vec<u32>,
     pub(super) outgoing: Vec<HalfEdgeId>,
     pub(super) free_faces: Vec<FaceId>,
     pub(super) free_vertices: Vec<VertexId>,
@@ -79,6 +81,13 @@ impl HalfEdgeMesh {
     #[inline]
     pub fn is_marked(&self, h: HalfEdgeId) -> bool {
         self.mark(h) != 0
+    }
+
+    /// The region of a face, 0 for none.
+    #[must_use]
+    #[inline]
+    pub fn region(&self, f: FaceId) -> u32 {
+        if self.region.is_empty() { 0 } else { self.region[f.index()] }
     }
 
     /// A half-edge that starts at `v`; `None` where the vertex has no edges.
@@ -284,6 +293,27 @@ impl HalfEdgeMesh {
         self.set_mark_one_side(self.twin(h), m, j);
     }
 
+    /// Sets the region of a face.
+    #[inline(always)]
+    pub(crate) fn set_region<J: Journal>(&mut self, f: FaceId, region: u32, j: &mut J) {
+        if self.region.is_empty() {
+            if region == 0 {
+                return;
+            }
+            self.region = vec![0; self.face_slots()];
+            if J::ACTIVE {
+                j.note(Column::RegionsAdded, 0, 0);
+            }
+        }
+        let slot = &mut self.region[f.index()];
+        if *slot != region {
+            if J::ACTIVE {
+                j.note(Column::Region, f.0, u64::from(*slot));
+            }
+            *slot = region;
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn set_outgoing<J: Journal>(&mut self, v: VertexId, h: HalfEdgeId, j: &mut J) {
         if let Some(slot) = self.outgoing.get_mut(v.index()) {
@@ -325,6 +355,9 @@ impl HalfEdgeMesh {
         if !self.mark.is_empty() {
             self.mark.extend([0; 3]);
         }
+        if !self.region.is_empty() {
+            self.region.push(0);
+        }
         if J::ACTIVE {
             j.note(Column::FaceAppended, f.0, 0);
         }
@@ -350,6 +383,7 @@ impl HalfEdgeMesh {
                 self.set_mark_one_side(h, 0, j);
             }
         }
+        self.set_region(f, 0, j);
         self.free_faces.push(f);
         if J::ACTIVE {
             j.note(Column::FaceFreed, f.0, 0);
@@ -396,11 +430,14 @@ impl HalfEdgeMesh {
             Column::Twin => self.twin[i] = HalfEdgeId(old),
             Column::Mark => self.mark[i] = old,
             Column::MarksAdded => self.mark.clear(),
+            Column::Region => self.region[i] = old,
+            Column::RegionsAdded => self.region.clear(),
             Column::Outgoing => self.outgoing[i] = HalfEdgeId(old),
             Column::FaceAppended => {
                 self.origin.truncate(3 * i);
                 self.twin.truncate(3 * i);
                 self.mark.truncate(if self.mark.is_empty() { 0 } else { 3 * i });
+                self.region.truncate(i);
             }
             Column::FaceFreed => drop(self.free_faces.pop()),
             Column::FaceReused => self.free_faces.push(FaceId(old)),

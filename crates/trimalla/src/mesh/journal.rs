@@ -17,6 +17,10 @@ pub enum Column {
     Mark,
     /// Marks began to be kept.
     MarksAdded,
+    /// Region of a face.
+    Region,
+    /// Regions began to be kept.
+    RegionsAdded,
     /// The half-edge a vertex keeps.
     Outgoing,
     /// A face slot was appended.

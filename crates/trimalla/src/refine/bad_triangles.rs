@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::options::Criteria;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, RegionRule};
 use crate::geometry::{Point, triangle_angles_at_least};
 use crate::mesh::{FaceId, VertexId};
 
@@ -35,10 +35,12 @@ impl Test {
         }
     }
 
-    /// What is wrong with a triangle; the area first. Angles are certified exactly.
+    /// What is wrong with a triangle of a region; the area first. Angles are certified exactly.
     #[inline]
-    pub(super) fn badness(&self, [a, b, c]: [Point; 3]) -> Option<Badness> {
-        if self.doubled_area < f64::INFINITY && (b - a).cross(c - a) > self.doubled_area {
+    pub(super) fn badness(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
+        let in_region = region.and_then(|r| r.max_area).map_or(f64::INFINITY, |area| 2.0 * area);
+        let doubled_area = self.doubled_area.min(in_region);
+        if doubled_area < f64::INFINITY && (b - a).cross(c - a) > doubled_area {
             return Some(Badness::Area);
         }
         match self.cos_sq {

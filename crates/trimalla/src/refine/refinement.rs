@@ -205,7 +205,7 @@ impl Refinement {
 
     /// Treats a bad triangle; the error says why it is given up.
     fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
-        if self.is_across_small_input_angle(face) && self.test.badness(self.cdt.corners(face)) != Some(Badness::Area) {
+        if self.is_across_small_input_angle(face) && self.test.badness(self.cdt.corners(face), self.cdt.region_rule(face)) != Some(Badness::Area) {
             return Err(Reason::AcrossSmallInputAngle);
         }
         let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;
@@ -324,7 +324,7 @@ impl Refinement {
     /// Queues a face if it is bad.
     fn look_at_bad(&mut self, f: FaceId) {
         let corners = self.cdt.corners(f);
-        if self.test.badness(corners).is_some() {
+        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
             let patience = self.select.patience(corners, self.ruler, self.joined);
             self.joined += 1;
             self.queue.push(&self.cdt, f, patience);

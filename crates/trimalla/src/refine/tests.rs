@@ -136,3 +136,28 @@ fn wrong_options_are_refused() {
         assert!(Refinement::new(cdt.clone(), options).is_err(), "{options:?}");
     }
 }
+
+#[test]
+fn regions_keep_their_attributes_and_bounds() {
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let pslg = Pslg {
+        points: [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec(),
+        segments: vec![[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 4]],
+        regions: vec![
+            crate::domain::Region { seed: at(1.0, 1.0), attribute: 7.5, max_area: Some(0.05) },
+            crate::domain::Region { seed: at(7.0, 1.0), attribute: -2.0, max_area: None },
+        ],
+        ..Pslg::default()
+    };
+    let (cdt, report) = refined(&pslg, RefineOptions::default());
+    assert_eq!(report.leftovers, []);
+    let mesh = cdt.to_indexed(&pslg);
+    for (t, attribute) in mesh.triangles.iter().zip(&mesh.triangle_attributes) {
+        let [a, b, c] = t.map(|v| mesh.points[v as usize]);
+        let left = (a.x + b.x + c.x) / 3.0 < 4.0;
+        assert!(*attribute == if left { 7.5 } else { -2.0 }, "{a} {b} {c}");
+        assert!(!left || (b - a).cross(c - a) <= 0.1, "the bound of the left region");
+    }
+    let of = |a: f64| mesh.triangle_attributes.iter().filter(|&&b| b == a).count();
+    assert!(of(7.5) > 5 * of(-2.0), "the right region is free of the bound: {} and {}", of(7.5), of(-2.0));
+}

@@ -52,6 +52,11 @@ impl Triangulation {
                 mesh.set_mark(HalfEdgeId::from_index(h), m, &mut NoJournal);
             }
         }
+        for (old, new) in map.faces.iter().enumerate() {
+            if let Some(f) = new {
+                mesh.set_region(*f, self.mesh.region(FaceId::from_index(old)), &mut NoJournal);
+            }
+        }
         self.mesh = mesh;
         self.points = points;
         self.lone = self.lone.map(vertex);

@@ -49,6 +49,9 @@ impl HalfEdgeMesh {
             self.set_mark_one_side(h1, 0, j);
             self.set_mark_one_side(h2, 0, j);
         }
+        let region = self.region(f);
+        self.set_region(s, region, j);
+        self.set_region(t, region, j);
         debug_assert_eq!(self.origin(h0), a, "the first half-edge keeps its origin");
         [f, s, t]
     }
@@ -110,6 +113,9 @@ impl HalfEdgeMesh {
             self.set_mark_one_side(en, 0, j);
             self.set_mark_one_side(on, 0, j);
         }
+        let regions = [self.region(e.face()), self.region(o.face())];
+        self.set_region(nf, regions[0], j);
+        self.set_region(mf, regions[1], j);
         n0
     }
 

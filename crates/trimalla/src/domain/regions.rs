@@ -1,0 +1,43 @@
+//! Regions: what a seed reaches gets its attribute and area bound.
+
+use super::build::{SeedPlace, seed_face};
+use super::error::{DomainError, Warning};
+use super::flood::flood;
+use super::pslg::Region;
+use crate::constrained::{ConstrainedDelaunay, RegionRule};
+use crate::mesh::{FaceId, NoJournal};
+
+/// Gives every face the region whose seed reaches it without crossing a segment; the first of several counts.
+///
+/// Faces keep their region from then on: splits hand it down, and flips never cross a segment.
+///
+/// # Complexity
+/// Linear, and a walk for each seed.
+pub(super) fn assign(cdt: &mut ConstrainedDelaunay, regions: &[Region], warnings: &mut Vec<Warning>) -> Result<(), DomainError> {
+    let mut owner: Vec<Option<usize>> = vec![None; cdt.face_slots()];
+    for (seed, region) in regions.iter().enumerate() {
+        let at = region.seed;
+        match seed_face(cdt, at) {
+            SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "region", seed, at }),
+            SeedPlace::Outside => warnings.push(Warning::IdleRegion { seed, at }),
+            SeedPlace::Face(f) => match owner[f.index()] {
+                Some(first) => warnings.push(Warning::RegionTwice { seeds: [first, seed] }),
+                None => {
+                    let mut reached = vec![false; cdt.face_slots()];
+                    flood(cdt, [f], &mut reached);
+                    for (slot, _) in owner.iter_mut().zip(reached).filter(|(_, r)| *r) {
+                        *slot = Some(seed);
+                    }
+                }
+            },
+        }
+    }
+    cdt.regions = regions.iter().map(|r| RegionRule { attribute: r.attribute, max_area: r.max_area }).collect();
+    for (i, seed) in owner.into_iter().enumerate() {
+        let f = FaceId::from_index(i);
+        if let (Some(seed), true) = (seed, cdt.is_real(f)) {
+            cdt.t.mesh.set_region(f, seed as u32 + 1, &mut NoJournal);
+        }
+    }
+    Ok(())
+}
