@@ -2,7 +2,7 @@
 
 use clap::{ArgAction, Args};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, LeppRule, PlacePoint, Preset, Prepare, Recipe, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, LeppRule, PlacePoint, Prepare, Preset, Recipe, Select, Terminal,
 };
 
 use crate::args::one_of;

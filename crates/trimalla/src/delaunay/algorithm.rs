@@ -26,7 +26,7 @@ pub trait Algorithm {
 /// Insertion of one point after the other, in curve order. The default.
 ///
 /// # Source
-/// `[Lawson77]`, `[AmentaCR03]`.
+/// `[Lawson77]`, `[AmentaChoiRote03]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Incremental;
 

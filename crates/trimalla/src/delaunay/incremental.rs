@@ -13,7 +13,7 @@
 //! Expected O(n log n) for any point set, linear in practice. No allocation per point.
 //!
 //! # Source
-//! `[Lawson77]`, `[AmentaCR03]`; `[Valenzuela09]` algorithm 4.1.
+//! `[Lawson77]`, `[AmentaChoiRote03]`; `[Valenzuela09]` algorithm 4.1.
 
 use super::insert::insert_at;
 use super::lawson::Lawson;

@@ -7,7 +7,7 @@
 //!    The coin is a hash of the position, so the order is a function of the input alone.
 //!
 //! # Source
-//! `[AmentaCR03]` for the rounds; Hilbert's curve for the order within.
+//! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
 
 use crate::geometry::{BoundingBox, Point, hilbert_key_16};
 

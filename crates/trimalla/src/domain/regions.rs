@@ -13,7 +13,11 @@ use crate::mesh::{FaceId, NoJournal};
 ///
 /// # Complexity
 /// Linear, and a walk for each seed.
-pub(super) fn assign(cdt: &mut ConstrainedDelaunay, regions: &[Region], warnings: &mut Vec<Warning>) -> Result<(), DomainError> {
+pub(super) fn assign(
+    cdt: &mut ConstrainedDelaunay,
+    regions: &[Region],
+    warnings: &mut Vec<Warning>,
+) -> Result<(), DomainError> {
     let mut owner: Vec<Option<usize>> = vec![None; cdt.face_slots()];
     for (seed, region) in regions.iter().enumerate() {
         let at = region.seed;

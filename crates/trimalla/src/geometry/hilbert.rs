@@ -13,7 +13,7 @@ const STEPS: [u16; 1024] = four_steps();
 /// A bijection; cells of successive keys share a side. Key 0 is the cell (0, 0), the last key the cell (65535, 0).
 ///
 /// # Source
-/// The curve of Hilbert 1891; the automaton is derived in the head of this file.
+/// The curve of `[Hilbert91]`; the automaton is derived in the head of this file.
 #[must_use]
 #[inline]
 pub fn hilbert_key_16(x: u16, y: u16) -> u32 {

@@ -74,7 +74,7 @@ impl Refinement {
     /// splitting the triangle would only make the same one smaller.
     ///
     /// # Source
-    /// `[MillerPW03]`.
+    /// `[MillerPavWalkington03]`.
     pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
         let shortest = self.shortest_edge(f);
         self.joins_shells(self.cdt.origin(shortest), self.cdt.dest(shortest))

@@ -19,7 +19,7 @@
 //! # Guarantees
 //! The loop ends: the number of vertices and of insertions is bounded, and so are the lengths of edges from below.
 //! Every triangle that stays bad has a [`Reason`]. At angle bounds up to 26.45 degrees without protected segments only
-//! the input's own angles are reasons, for `circumcenter` by proof `[MillerPW03]`, for `off-center` by experience.
+//! the input's own angles are reasons, for `circumcenter` by proof `[MillerPavWalkington03]`, for `off-center` by experience.
 //!
 //! # Source
 //! The five steps: `[MeshSuite]`. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
@@ -44,10 +44,11 @@ pub mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use lepp::{Centroid, Lepp, LeppRule};
+pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use recipe::{
-    ConstrainedSecond, Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, Terminal, UnknownKey, registry,
+    ConstrainedSecond, Encroachment, Insert, PlacePoint, Prepare, Preset, Recipe, Recover, Row, Select, Terminal,
+    UnknownKey, registry,
 };
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};

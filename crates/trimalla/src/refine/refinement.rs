@@ -190,7 +190,8 @@ impl Refinement {
 
     /// The triangle at work if it is still there, else the most urgent one.
     fn next_face(&mut self) -> Option<FaceId> {
-        let there = |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
+        let there =
+            |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
         match self.current.take().filter(there) {
             Some((face, _)) => Some(face),
             None => self.queue.pop(&self.cdt),
@@ -205,7 +206,9 @@ impl Refinement {
 
     /// Treats a bad triangle; the error says why it is given up.
     fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
-        if self.is_across_small_input_angle(face) && self.test.badness(self.cdt.corners(face), self.cdt.region_rule(face)) != Some(Badness::Area) {
+        if self.is_across_small_input_angle(face)
+            && self.test.badness(self.cdt.corners(face), self.cdt.region_rule(face)) != Some(Badness::Area)
+        {
             return Err(Reason::AcrossSmallInputAngle);
         }
         let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;

@@ -20,7 +20,9 @@
 
 use std::sync::Arc;
 
-use super::lepp::{Centroid, LeppRule, edge_midpoint, edges_by_length, quadrilateral_centroid, terminal_edge, terminal_faces};
+use super::lepp::{
+    Centroid, LeppRule, edge_midpoint, edges_by_length, quadrilateral_centroid, terminal_edge, terminal_faces,
+};
 use super::recipe::{ConstrainedSecond, PlacePoint, Recipe, Terminal};
 use super::s3_point::OffCenter;
 use super::steps::{PointStep, Proposal, View};
@@ -107,7 +109,9 @@ impl PointStep for LeppCenter {
             let [a, b, c] = t.corners(f);
             Triangle::new(a, b, c).circumradius_sq().unwrap_or(f64::INFINITY)
         };
-        let by = |f: &FaceId, g: &FaceId| radius(*f).total_cmp(&radius(*g)).then_with(|| sorted(view, *g).cmp(&sorted(view, *f)));
+        let by = |f: &FaceId, g: &FaceId| {
+            radius(*f).total_cmp(&radius(*g)).then_with(|| sorted(view, *g).cmp(&sorted(view, *f)))
+        };
         let from = match self.terminal {
             Terminal::Larger => terminal_faces(t, h).into_iter().flatten().max_by(by)?,
             Terminal::Last => terminal_faces(t, h)[1]?,
@@ -138,7 +142,9 @@ pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Option<Arc<dyn PointStep 
         PlacePoint::LeppMidpoint => Arc::new(LeppPoint { centroid: None, rule, second }),
         PlacePoint::LeppCentroid => Arc::new(LeppPoint { centroid: Some(recipe.centroid), rule, second }),
         PlacePoint::LeppCircumcenter => Arc::new(LeppCenter { off_center: None, terminal, rule }),
-        PlacePoint::LeppOffCenter => Arc::new(LeppCenter { off_center: Some(OffCenter::new(min_angle)), terminal, rule }),
+        PlacePoint::LeppOffCenter => {
+            Arc::new(LeppCenter { off_center: Some(OffCenter::new(min_angle)), terminal, rule })
+        }
         PlacePoint::Circumcenter | PlacePoint::OffCenter => return None,
     })
 }

@@ -60,7 +60,7 @@ const CIRCLE_LIFTS: f64 = f64::from_bits((1023 + 500) << 52); // 2^500
 /// Constant; about 5 ns where the filter decides.
 ///
 /// # Source
-/// Shewchuk 1997, INCIRCLE.
+/// `[Shewchuk97]`, INCIRCLE.
 #[must_use]
 #[inline]
 pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> CircleSide {

@@ -54,7 +54,7 @@ pub(super) const TWO_PRODUCTS_BOUND: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
 /// Constant; about 1.5 ns where the filter decides.
 ///
 /// # Source
-/// Shewchuk 1997, ORIENT2D. The filter adds an absolute guard: the two products can together lose 2^-1074 to
+/// `[Shewchuk97]`, ORIENT2D. The filter adds an absolute guard: the two products can together lose 2^-1074 to
 /// underflow, far less than the 2^-1000 added here, so a sign that passes is right whatever the magnitudes are. An
 /// overflow makes the bound infinite or the comparison undefined, and both are refused.
 #[must_use]

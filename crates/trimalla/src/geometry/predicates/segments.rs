@@ -35,7 +35,7 @@ pub fn strictly_between(a: Point, b: Point, p: Point) -> bool {
 /// Tells whether the segments `ab` and `cd` cross in a point that is inside both. Exact.
 ///
 /// # Source
-/// Valenzuela 2009, `intersectProp`.
+/// `[Valenzuela09]`, `intersectProp`.
 #[doc(alias = "intersectProp")]
 #[must_use]
 #[inline]
