@@ -75,15 +75,32 @@ impl PartialOrd for Waiting {
 }
 
 /// Bad triangles by patience. Triangles that are gone stay until they come up.
+///
+/// Patience is cut into steps of an eighth of an octave, each with a heap of its own: the order is that of one
+/// heap, but the work goes on in a small one, near in memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Queue {
-    heap: BinaryHeap<Waiting>,
+    steps: Vec<BinaryHeap<Waiting>>,
+    /// No step below this one holds anything.
+    lowest: usize,
+    len: usize,
 }
 
 impl Queue {
-    /// Adds a triangle.
+    /// Mantissa bits that do not choose the step.
+    const SHIFT: u32 = 49;
+
+    /// Adds a triangle, whose patience is not negative.
     pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, patience: f64) {
-        self.heap.push(Waiting { patience, vertices: sorted(cdt.face_vertices(face)), face });
+        // Positive numbers are ordered as their bits.
+        let patience = patience.max(0.0);
+        let step = usize::try_from(patience.to_bits() >> Self::SHIFT).unwrap_or(usize::MAX);
+        if step >= self.steps.len() {
+            self.steps.resize_with(step + 1, BinaryHeap::new);
+        }
+        self.steps[step].push(Waiting { patience, vertices: sorted(cdt.face_vertices(face)), face });
+        self.lowest = if self.len == 0 { step } else { self.lowest.min(step) };
+        self.len += 1;
     }
 
     /// The least patient triangle that is still there.
@@ -91,7 +108,12 @@ impl Queue {
     /// # Complexity
     /// Logarithmic, amortised over the triangles that are gone.
     pub(super) fn pop(&mut self, cdt: &ConstrainedDelaunay) -> Option<FaceId> {
-        while let Some(waiting) = self.heap.pop() {
+        while self.len > 0 {
+            let Some(waiting) = self.steps.get_mut(self.lowest)?.pop() else {
+                self.lowest += 1;
+                continue;
+            };
+            self.len -= 1;
             if cdt.is_real(waiting.face) && sorted(cdt.face_vertices(waiting.face)) == waiting.vertices {
                 return Some(waiting.face);
             }
@@ -101,7 +123,7 @@ impl Queue {
 
     /// How many wait, those that are gone included.
     pub(super) fn len(&self) -> usize {
-        self.heap.len()
+        self.len
     }
 }
 
