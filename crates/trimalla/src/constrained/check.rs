@@ -24,6 +24,12 @@ impl ConstrainedDelaunay {
         faults
     }
 
+    /// Every broken invariant but the circle test: what holds also where vertices went in without flips.
+    #[must_use]
+    pub fn triangulation_faults(&self) -> Vec<Fault> {
+        self.t.check()
+    }
+
     /// I13: a segment is a chain of edges from its start to its end, along it. In a carved domain parts may be missing.
     fn segment_fault(&self, segment: SegmentId) -> Option<Fault> {
         let [a, b] = self.segments[segment as usize];

@@ -239,6 +239,19 @@ impl ConstrainedDelaunay {
         v
     }
 
+    /// Inserts a point whose place is known, without flips: the circle test may fail afterwards.
+    pub(crate) fn place_vertex_at<J: Journal>(&mut self, p: Point, locus: Locus, j: &mut J) -> Option<VertexId> {
+        match locus {
+            Locus::Face(f) => {
+                let v = self.add_vertex(p, Provenance::Free, j);
+                self.t.mesh.split_face(f, v, j);
+                Some(v)
+            }
+            Locus::Edge(h) => self.cut_subsegment(h, p, self.provenance_on(h, p), j).ok(),
+            _ => None,
+        }
+    }
+
     /// Adds an unused vertex of that provenance.
     pub(crate) fn add_vertex<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
         let v = self.t.add_vertex(p, j);

@@ -58,7 +58,7 @@ impl ConstrainedDelaunay {
         }
     }
 
-    /// Splits subsegment `h` by a vertex at `p` and legalises around it.
+    /// Splits edge `h`, a subsegment as a rule, by a vertex at `p`, and legalises around it.
     ///
     /// ```text
     ///          q                     q
@@ -77,14 +77,27 @@ impl ConstrainedDelaunay {
         provenance: Provenance,
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
-        self.can_split(h, p)?;
-        let v = self.add_vertex(p, provenance, j);
-        let n = self.t.mesh.split_edge(h, v, j);
-        for e in self.t.mesh.opposite_edges_after_split(h, n) {
+        let v = self.cut_subsegment(h, p, provenance, j)?;
+        let opposite = self.t.star(v).map(HalfEdgeId::next);
+        for e in opposite {
             self.lawson.push(e);
         }
         self.lawson.legalise_around::<true, _>(&mut self.t, p, j);
-        self.last = n.face();
+        self.last = self.t.outgoing(v).map_or(self.last, |out| out.face());
+        Ok(v)
+    }
+
+    /// [`split_subsegment`](Self::split_subsegment) without the flips: the circle test may fail afterwards.
+    pub(crate) fn cut_subsegment<J: Journal>(
+        &mut self,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        j: &mut J,
+    ) -> Result<VertexId, SplitError> {
+        self.can_split(h, p)?;
+        let v = self.add_vertex(p, provenance, j);
+        self.t.mesh.split_edge(h, v, j);
         Ok(v)
     }
 

@@ -112,6 +112,7 @@ step! {
     /// When a constrained second-longest edge of a terminal triangle is split instead.
     ConstrainedSecond, 3, S2, {
         Always = "always", "whenever it is constrained", "Valenzuela09";
+        Never = "never", "never: the terminal edge it is", "Rivara97";
         S1 = "s1", "where the terminal triangle has an angle below the bound", "RivaraCalderon10";
         S2 = "s2", "as s1, or where the new point would make a bad triangle with it", "RivaraCalderon10";
         S3 = "s3", "where the new point would make a bad triangle with it", "RivaraCalderon10";
@@ -130,6 +131,7 @@ step! {
     /// Step 4: how the point goes in.
     Insert, 4, Flip, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
+        Partition = "partition", "the face or edge is split, and nothing else", "Rivara97";
     }
 }
 
@@ -180,6 +182,7 @@ step! {
     Preset, 0, OffCenter, {
         OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
         Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
+        LeppBisection = "lepp-bisection", "terminal edges halved without flips: nested triangles", "Rivara97";
         LeppMidpoint = "lepp-midpoint", "middles of terminal edges, smallest angle first", "Rivara97";
         LeppCentroid = "lepp-centroid", "centroids of terminal triangles, smallest angle first", "RivaraCalderon10";
         LeppCircumcenter = "lepp-circumcenter", "circumcenters of terminal triangles, smallest angle first", "MeshSuite";
@@ -200,6 +203,12 @@ impl Preset {
         match self {
             Self::OffCenter => Recipe::default(),
             Self::Circumcenter => Recipe { point: PlacePoint::Circumcenter, ..Recipe::default() },
+            Self::LeppBisection => Recipe {
+                point: PlacePoint::LeppMidpoint,
+                insert: Insert::Partition,
+                constrained_second: ConstrainedSecond::Never,
+                ..lepp
+            },
             Self::LeppMidpoint => Recipe { point: PlacePoint::LeppMidpoint, ..lepp },
             Self::LeppCentroid => Recipe { point: PlacePoint::LeppCentroid, ..lepp },
             Self::LeppCircumcenter => {

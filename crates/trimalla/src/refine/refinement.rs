@@ -12,11 +12,13 @@ use super::ruler::Ruler;
 use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, Provenance};
 use crate::geometry::Point;
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
+/// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
+const BISECTIONS: f64 = 4.0;
 /// Insertions between two calls of the observer.
 const PROGRESS_EVERY: u64 = 128;
 
@@ -33,7 +35,7 @@ pub struct Refinement {
     pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
     select: Arc<dyn SelectStep + Send + Sync>,
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
-    insert: Arc<dyn InsertStep + Send + Sync>,
+    pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
     recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
     pub(super) ruler: Ruler,
@@ -42,11 +44,13 @@ pub struct Refinement {
     pub(super) floor_sq: f64,
     /// What a distance below the floor is called.
     pub(super) floor_reason: Reason,
+    /// Bisection stops at triangles with an edge shorter than this, squared.
+    bisection_floor_sq: f64,
     queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
-    log: UndoLog,
+    pub(super) log: UndoLog,
     /// How many triangles joined the queue.
     joined: u64,
     /// The triangle to be treated until it is gone.
@@ -103,6 +107,7 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
+            bisection_floor_sq: shortest_edge_sq(&cdt, ruler) / (BISECTIONS * BISECTIONS),
             queue: Queue::default(),
             encroached: VecDeque::new(),
             given_up: Vec::new(),
@@ -211,9 +216,15 @@ impl Refinement {
         {
             return Err(Reason::AcrossSmallInputAngle);
         }
+        let corners = self.cdt.corners(face);
+        let angle_only = self.test.badness(corners, self.cdt.region_rule(face)) == Some(Badness::Angle);
+        if angle_only && self.is_beyond_help(corners) {
+            return Err(Reason::StrategyCannotImprove);
+        }
         let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;
         match proposal {
             Proposal::Split(h) => self.split_instead(&[h]),
+            Proposal::OnEdge { edge, point } => self.try_on_edge(edge, point),
             Proposal::Free { point, from } => match self.cdt.walk_within(from, point) {
                 Walk::Blocked(h) => self.split_instead(&[h]),
                 Walk::Arrived(Locus::Edge(h)) if self.cdt.is_marked(h) => self.split_instead(&[h]),
@@ -252,7 +263,7 @@ impl Refinement {
         }
         self.log.clear();
         let here = self.log.checkpoint();
-        let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log);
+        let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
         self.insertions += 1;
         let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
         if encroached.is_empty() {
@@ -267,6 +278,28 @@ impl Refinement {
         let subsegments: Vec<HalfEdgeId> =
             ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
         self.split_instead(&subsegments)
+    }
+
+    /// Splits an unconstrained edge.
+    fn try_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
+        if self.nearest_sq(point, Locus::Edge(h)) < self.floor_sq {
+            return Err(self.floor_reason);
+        }
+        self.log.clear();
+        let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
+        let v = split.map_err(|_| Reason::PrecisionFloor)?;
+        self.insertions += 1;
+        self.vertices += 1;
+        self.report.points_inserted += 1;
+        self.look_around(v);
+        Ok(())
+    }
+
+    /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
+    /// there is nothing to win.
+    fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
+        let shortest = self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
+        !self.insert.keeps_delaunay() && shortest < self.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
@@ -342,6 +375,14 @@ impl Refinement {
     pub(super) fn view(&self) -> View<'_> {
         View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler }
     }
+}
+
+fn shortest_edge_sq(cdt: &ConstrainedDelaunay, ruler: Ruler) -> f64 {
+    let length = |h: HalfEdgeId| {
+        let [a, b] = cdt.edge_points(h);
+        ruler.length_sq(a, b)
+    };
+    cdt.edges().map(length).fold(f64::INFINITY, f64::min)
 }
 
 /// The ends of an edge, the lower one first.

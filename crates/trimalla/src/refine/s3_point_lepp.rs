@@ -14,6 +14,7 @@
 //! | rule | split s instead, where |
 //! |---|---|
 //! | always (Valenzuela's code) | s is constrained |
+//! | never (bisection) | — |
 //! | S1 | … and the terminal triangle's smallest angle is below the bound |
 //! | S2 | S1, or the triangle of s and the new point would have an angle below the bound |
 //! | S3 | the triangle of s and the new point would have an angle below the bound |
@@ -51,6 +52,7 @@ impl PointStep for LeppPoint {
         };
         match self.second_to_split(view, h, point) {
             Some(s) => Some(Proposal::Split(s)),
+            None if self.centroid.is_none() => Some(Proposal::OnEdge { edge: h, point }),
             None => Some(Proposal::Free { point, from: h.face() }),
         }
     }
@@ -79,6 +81,7 @@ impl LeppPoint {
         };
         let must = |&(f, s): &(FaceId, HalfEdgeId)| match self.second {
             ConstrainedSecond::Always => true,
+            ConstrainedSecond::Never => false,
             ConstrainedSecond::S1 => is_bad(f),
             ConstrainedSecond::S2 => is_bad(f) || spoils(s),
             ConstrainedSecond::S3 => spoils(s),

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::recipe::{Insert, Recipe};
 use super::steps::InsertStep;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
-use crate::mesh::{UndoLog, VertexId};
+use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 
 /// `flip`: the face or edge is split, then Lawson's flips restore the circle test.
 ///
@@ -17,8 +17,47 @@ use crate::mesh::{UndoLog, VertexId};
 pub(super) struct Flip;
 
 impl InsertStep for Flip {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> VertexId {
-        cdt.insert_vertex_at(p, locus, log)
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+        Some(cdt.insert_vertex_at(p, locus, log))
+    }
+
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError> {
+        cdt.split_subsegment(h, p, provenance, log)
+    }
+}
+
+/// `partition`: the face or edge is split and nothing else; what is not Delaunay stays so.
+///
+/// # Source
+/// `[Rivara97]`: longest-edge bisection.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Partition;
+
+impl InsertStep for Partition {
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+        cdt.place_vertex_at(p, locus, log)
+    }
+
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError> {
+        cdt.cut_subsegment(h, p, provenance, log)
+    }
+
+    fn keeps_delaunay(&self) -> bool {
+        false
     }
 }
 
@@ -26,5 +65,6 @@ impl InsertStep for Flip {
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {
     match recipe.insert {
         Insert::Flip => Arc::new(Flip),
+        Insert::Partition => Arc::new(Partition),
     }
 }

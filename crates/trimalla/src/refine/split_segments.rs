@@ -1,11 +1,13 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
+use std::sync::Arc;
+
 use super::options::Protect;
 use super::refinement::Refinement;
 use super::report::Reason;
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
-use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// A subsegment that waits to be split, lower vertex first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -66,7 +68,9 @@ impl Refinement {
         }
         let Some(h) = self.cdt.half_edge_between(a, b) else { return };
         let Ok(cut) = self.cut_of(h) else { return };
-        if let Ok(v) = self.cdt.split_subsegment(h, cut.point, cut.provenance, &mut NoJournal) {
+        self.log.clear();
+        let insert = Arc::clone(&self.insert);
+        if let Ok(v) = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log) {
             self.vertices += 1;
             self.insertions += 1;
             self.report.segments_split += 1;

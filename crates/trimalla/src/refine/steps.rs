@@ -4,7 +4,7 @@
 
 use super::options::Criteria;
 use super::ruler::Ruler;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -44,6 +44,13 @@ pub enum Proposal {
         /// Where the walk to it starts.
         from: FaceId,
     },
+    /// A point on this unconstrained edge, or off it by no more than its rounding.
+    OnEdge {
+        /// The edge.
+        edge: HalfEdgeId,
+        /// The point.
+        point: Point,
+    },
     /// The split of this subsegment.
     Split(HalfEdgeId),
 }
@@ -67,8 +74,27 @@ pub trait PointStep {
 
 /// Step 4: how a vertex goes in.
 pub trait InsertStep {
-    /// Inserts a vertex at `p`, whose place is known, through the journal.
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> VertexId;
+    /// Inserts a vertex at `p`, whose place is known, through the journal; `None`, and nothing changed, where rounding
+    /// leaves no room.
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId>;
+
+    /// Splits an edge by a vertex at `p`, through the journal.
+    ///
+    /// # Errors
+    /// [`SplitError`] where rounding leaves no room; nothing has changed then.
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError>;
+
+    /// Whether the circle test holds afterwards.
+    fn keeps_delaunay(&self) -> bool {
+        true
+    }
 }
 
 /// Step 5: what becomes of interior segments.

@@ -34,7 +34,7 @@ const L_SHAPE: [[f64; 2]; 6] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.1, 1.3], 
 
 #[test]
 fn the_bound_is_reached_at_every_usual_angle() {
-    for preset in Preset::ALL {
+    for preset in Preset::ALL.iter().filter(|&&p| p != Preset::LeppBisection) {
         for degrees in [0, 10, 20, 25, 30, 33] {
             let options = RefineOptions::of(*preset).with_min_angle_deg(f64::from(degrees));
             let (_, report) = refined(&polygon(&L_SHAPE), options);
@@ -160,4 +160,45 @@ fn regions_keep_their_attributes_and_bounds() {
     }
     let of = |a: f64| mesh.triangle_attributes.iter().filter(|&&b| b == a).count();
     assert!(of(7.5) > 5 * of(-2.0), "the right region is free of the bound: {} and {}", of(7.5), of(-2.0));
+}
+
+#[test]
+fn bisection_nests_and_stops() {
+    let pslg = polygon(&L_SHAPE);
+    let start = carved(&pslg, AlgorithmKey::Incremental);
+    let options = RefineOptions::of(Preset::LeppBisection).with_max_area(0.02);
+    let mut r = Refinement::new(start.clone(), options).unwrap();
+    r.run(&mut NoObserver);
+    let (cdt, report) = r.finish();
+    assert_eq!(cdt.triangulation_faults(), [], "sound, though not Delaunay");
+    assert!(report.leftovers.iter().all(|l| l.reason == Reason::StrategyCannotImprove), "{:?}", report.reasons());
+    assert!(report.stop == StopReason::Finished && report.triangles > 200);
+    // Longest-edge bisection never makes an angle smaller than half the smallest there was.
+    let least = |t: &ConstrainedDelaunay| {
+        let angle = |f| {
+            let [a, b, c] = t.corners(f);
+            crate::geometry::Triangle::new(a, b, c).min_angle().degrees()
+        };
+        t.real_faces().map(angle).fold(180.0, f64::min)
+    };
+    assert!(report.min_angle_deg >= least(&start) / 2.0 - 1e-9, "{} from {}", report.min_angle_deg, least(&start));
+}
+
+#[test]
+fn paths_rise_to_their_terminal_edge() {
+    let (cdt, _) = refined(&polygon(&L_SHAPE), RefineOptions::default().with_max_area(0.05));
+    let ruler = Ruler::for_box(cdt.bounding_box());
+    for f in cdt.real_faces() {
+        let path = cdt.lepp(f, LeppRule::StopAtConstraints);
+        assert_eq!(path.faces[0], f);
+        let longest = |f| lepp::longest_edge(&cdt, ruler, f);
+        for pair in path.faces.windows(2) {
+            let order = lepp::compare_edges(&cdt, ruler, longest(pair[0]), longest(pair[1]));
+            assert!(order.is_le(), "edges rise along the path");
+        }
+        let end = path.terminal_edge;
+        let mutual = || longest(cdt.twin(end).face()) == cdt.twin(end);
+        assert!(cdt.is_marked(end) || mutual(), "the terminal edge is constrained or the longest of both");
+        assert_eq!(path.terminal_edge, lepp::terminal_edge(&cdt, ruler, f, LeppRule::StopAtConstraints));
+    }
 }
