@@ -133,6 +133,7 @@ impl Edited {
         let crossings = if random.below(3) == 0 { Crossings::Split } else { Crossings::Refuse };
         let line = format!("d.insert_segment_with(VertexId({a}), VertexId({b}), Crossings::{crossings:?}, &mut log);");
         let before = (crossings == Crossings::Refuse).then(|| self.cdt.clone());
+        let as_it_was = self.clone();
         let here = log.checkpoint();
         match self.cdt.insert_segment_with(a, b, crossings, log) {
             Ok(_) => self.note(if crossings == Crossings::Split { 5 } else { 4 }),
@@ -148,7 +149,18 @@ impl Edited {
             }
             Err(e) => panic!("{line} said {e}"),
         }
+        let faults = self.cdt.check();
+        assert!(faults.is_empty(), "{line}: {faults:?}, begun with\n{}", as_it_was.rebuilding([a, b]));
         line
+    }
+
+    /// Rust that builds these points and constrained edges anew, and the ends of the segment to insert.
+    fn rebuilding(&self, ends: [VertexId; 2]) -> String {
+        let used: Vec<VertexId> = self.cdt.used_vertices().collect();
+        let new = |v: VertexId| used.binary_search(&v).unwrap_or(usize::MAX);
+        let points: Vec<String> = used.iter().map(|&v| self.cdt.point(v)).map(|p| format!("[{:?}, {:?}]", p.x, p.y)).collect();
+        let edges: Vec<[usize; 2]> = self.constrained_edges().iter().map(|e| e.map(new)).collect();
+        format!("let points = [{}].map(Point::from);\nlet segments = {edges:?};\n// then {:?}", points.join(", "), ends.map(new))
     }
 
     fn segment_out(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
