@@ -56,6 +56,18 @@ pub fn check_mesh_in_memory(
     mesh: &IndexedMesh,
     input: Option<&Pslg>,
 ) -> io::Result<Option<Result<(), String>>> {
+    check_mesh_in_memory_at(mesh, input, None)
+}
+
+/// [`check_mesh_in_memory`], with an angle bound in degrees.
+///
+/// # Errors
+/// See [`check_mesh_in_memory`].
+pub fn check_mesh_in_memory_at(
+    mesh: &IndexedMesh,
+    input: Option<&Pslg>,
+    min_angle_deg: Option<f64>,
+) -> io::Result<Option<Result<(), String>>> {
     let folder = fresh_folder()?;
     let stem = folder.join("mesh");
     write_mesh(&stem, mesh)?;
@@ -63,7 +75,7 @@ pub fn check_mesh_in_memory(
     if let Some(input) = input {
         fs::write(&poly, poly_text(input))?;
     }
-    let verdict = check_mesh(&stem, input.map(|_| poly.as_path()), None);
+    let verdict = check_mesh(&stem, input.map(|_| poly.as_path()), min_angle_deg);
     fs::remove_dir_all(&folder)?;
     Ok(verdict)
 }

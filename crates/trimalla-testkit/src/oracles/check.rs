@@ -397,14 +397,39 @@ fn constrained_edges(
         "input segments are not covered",
         missing.into_iter(),
     ));
-    let orphans = mesh.segments.iter().enumerate().filter(|(_, s)| {
-        !constrained.contains(*s) && edges.joins(s[0], s[1]) && !edges.is_boundary(s[0], s[1])
-    });
-    faults.extend(capped(
-        "subsegments have no parent",
-        orphans.map(|(i, s)| format!("subsegment {i} {s:?} lies on no input segment")),
-    ));
+    let mut orphans = Vec::new();
+    for (i, &[a, b]) in mesh.segments.iter().enumerate() {
+        if constrained.contains(&[a, b]) || !edges.joins(a, b) {
+            continue;
+        }
+        // Where several vertices are on a segment as far as tolerance tells, the chain above may have taken others.
+        if lies_on_a_segment(mesh, input, &first, [a, b]) {
+            constrained.extend([[a, b], [b, a]]);
+        } else if !edges.is_boundary(a, b) {
+            orphans.push(format!(
+                "subsegment {i} [{a}, {b}] lies on no input segment"
+            ));
+        }
+    }
+    faults.extend(capped("subsegments have no parent", orphans.into_iter()));
     (constrained, faults)
+}
+
+/// Whether both vertices are on one input segment, as far as tolerance tells.
+fn lies_on_a_segment(mesh: &IndexedMesh, input: &Pslg, first: &[u32], ends: [u32; 2]) -> bool {
+    input.segments.iter().any(|segment| {
+        let [a, b] = segment.map(|v| first[v as usize]);
+        if a == b {
+            return false;
+        }
+        let line = Line::new(&mesh.points, a, b);
+        let slack = line.tolerance / line.length_sq.sqrt();
+        let on = |v: u32| {
+            line.parameter(v)
+                .is_some_and(|t| (-slack..=1.0 + slack).contains(&t))
+        };
+        ends.into_iter().all(on)
+    })
 }
 
 /// An input segment, in coordinates shifted and scaled so that it reaches from 0 to about 1:
