@@ -89,7 +89,7 @@ fn replace_faces<J: Journal>(
     });
     let [Some(left_base), Some(right_base)] = base else { return None };
     let at = |bank: usize, (i, k): (usize, usize)| (offset[bank] + i as u32, k as u32);
-    let doubled = doubled_rims(banks, offset);
+    let doubled = doubled_rims(t, faces, banks, offset);
     let mut vertices = Vec::with_capacity(faces.len());
     let mut sides = Vec::with_capacity(faces.len());
     for (b, bank) in banks.iter().enumerate() {
@@ -118,14 +118,21 @@ fn replace_faces<J: Journal>(
 
 /// Where each inner half-edge of the rim went, sorted; empty where no edge dangles into the cavity.
 ///
-/// An edge that dangles has the cavity on both sides: its two rims face each other. Where one does, some vertex
-/// has the same neighbour before and after it on the rim.
-fn doubled_rims(banks: [&Bank; 2], offset: [u32; 2]) -> Vec<(HalfEdgeId, u32, u32)> {
+/// An edge that dangles, alone or with others at its end, has the cavity on both sides: its two rims face each other.
+fn doubled_rims(
+    t: &Triangulation,
+    faces: &[FaceId],
+    banks: [&Bank; 2],
+    offset: [u32; 2],
+) -> Vec<(HalfEdgeId, u32, u32)> {
+    let mut cavity = faces.to_vec();
+    cavity.sort_unstable();
+    let dangles = |&inner: &HalfEdgeId| cavity.binary_search(&t.twin(inner).face()).is_ok();
     let mut found = Vec::new();
+    if !banks.iter().any(|bank| bank.rim.iter().any(dangles)) {
+        return found;
+    }
     for (bank, offset) in banks.into_iter().zip(offset) {
-        if !bank.vertices.windows(3).any(|w| w[0] == w[2]) {
-            continue;
-        }
         for (i, f) in bank.filled.iter().enumerate() {
             for (k, a) in f.across.iter().enumerate() {
                 if let Across::Rim(r) = a {

@@ -197,11 +197,12 @@ impl ConstrainedDelaunay {
     }
 
     /// Number of used vertices that are not input.
+    ///
+    /// # Complexity
+    /// Linear in the vertices added.
     #[must_use]
     pub fn steiner_vertices(&self) -> usize {
-        self.t.points.len()
-            - self.input_points
-            - self.t.free_vertices().iter().filter(|v| v.index() >= self.input_points).count()
+        (self.input_points..self.t.points.len()).filter(|&v| self.t.is_used(VertexId::from_index(v))).count()
     }
 
     /// Inserts a point; on a constrained edge it parts it.

@@ -78,11 +78,11 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
         let v = self.cut_subsegment(h, p, provenance, j)?;
-        let opposite = self.t.star(v).map(HalfEdgeId::next);
-        for e in opposite {
+        // Off the edge by its rounding, a vertex may also spoil the spokes to the apexes.
+        for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
             self.lawson.push(e);
         }
-        self.lawson.legalise_around::<true, _>(&mut self.t, p, j);
+        self.lawson.legalise_all(&mut self.t, j);
         self.last = self.t.outgoing(v).map_or(self.last, |out| out.face());
         Ok(v)
     }

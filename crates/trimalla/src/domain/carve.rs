@@ -28,17 +28,14 @@ impl ConstrainedDelaunay {
         true
     }
 
-    /// Marks border edges that no segment runs along.
+    /// Makes border edges that no segment runs along segments of their own, named after all others in the order of
+    /// their vertices: they are split and meet others like segments of the input.
     fn constrain_border<J: Journal>(&mut self, j: &mut J) {
-        let bare: Vec<_> =
-            self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g)).collect();
-        if bare.is_empty() {
-            return;
-        }
-        let before = self.constraints.len();
-        let mark = self.constraints.mark_of(&[]);
-        self.note_classes(before, j);
-        for g in bare {
+        let bare = self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g));
+        let mut bare: Vec<_> = bare.map(|g| ([self.t.dest(g), self.t.origin(g)], g)).collect();
+        bare.sort_unstable();
+        for (ends, g) in bare {
+            let mark = self.begin_segment(ends, j);
             self.t.mesh.set_mark(g, mark, j);
         }
     }

@@ -47,7 +47,7 @@ impl Pslg {
             (
                 "the table of point attributes",
                 self.point_attributes.len(),
-                self.points.len() * self.attributes_per_point,
+                self.points.len().saturating_mul(self.attributes_per_point),
                 false,
             ),
             ("the column of segment markers", self.segment_markers.len(), self.segments.len(), true),

@@ -201,7 +201,7 @@ impl<'a> Line<'a> {
         }
         let p = self.local(v);
         let t = p.dot(self.along) / self.along.length_sq();
-        let on = p.cross(self.along).abs() <= self.tolerance && t > 0.0 && t < 1.0;
+        let on = p.cross(self.along).abs() <= self.tolerance && (0.0..=1.0).contains(&t);
         on.then_some(t)
     }
 
@@ -213,7 +213,7 @@ impl<'a> Line<'a> {
         let mut best = 0;
         while let Some(at) = open.pop() {
             let Link { vertex, t, .. } = links[at];
-            if t > links[best].t {
+            if t >= links[best].t {
                 best = at;
             }
             if vertex == self.ends[1] {
@@ -221,7 +221,7 @@ impl<'a> Line<'a> {
             }
             let mut ahead: Vec<(f64, u32)> = neighbours(sides, vertex)
                 .filter_map(|v| self.parameter(v).map(|s| (s, v)))
-                .filter(|&(s, v)| s > t && met.insert(v))
+                .filter(|&(s, v)| s >= t && met.insert(v))
                 .collect();
             // The nearest is looked at first: it is pushed last.
             ahead.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(b.1.cmp(&a.1)));

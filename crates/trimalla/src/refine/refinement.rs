@@ -1,6 +1,6 @@
 //! The refinement loop.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use super::encroachment::Region;
 use super::options::{OptionError, RefineOptions};
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
-use super::split_segments::Encroached;
+use super::split_segments::{Encroached, bits};
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Provenance};
@@ -48,6 +48,8 @@ pub struct Refinement {
     bisection_floor_sq: f64,
     queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
+    /// Vertices of the input and those that split segments, by their bits.
+    pub(super) border_points: BTreeSet<[u64; 2]>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
     pub(super) log: UndoLog,
@@ -94,7 +96,7 @@ impl Refinement {
         let ruler = Ruler::for_box(cdt.bounding_box());
         let (floor, floor_reason) = length_floor(&cdt, &options, ruler);
         let region = Region::new(options.recipe.encroachment, &options.criteria);
-        let vertices = cdt.input_points().max(cdt.used_vertices().count());
+        let vertices = cdt.input_points() + cdt.steiner_vertices();
         let recipe = options.recipe;
         let mut refinement = Self {
             prepare: s1_prepare::step(&recipe, region),
@@ -110,6 +112,7 @@ impl Refinement {
             bisection_floor_sq: shortest_edge_sq(&cdt, ruler) / (BISECTIONS * BISECTIONS),
             queue: Queue::default(),
             encroached: VecDeque::new(),
+            border_points: cdt.used_vertices().map(|v| bits(cdt.point(v))).collect(),
             given_up: Vec::new(),
             log: UndoLog::new(),
             joined: 0,

@@ -74,6 +74,7 @@ impl Refinement {
             self.vertices += 1;
             self.insertions += 1;
             self.report.segments_split += 1;
+            self.border_points.insert(bits(self.cdt.point(v)));
             self.look_around(v);
         }
     }
@@ -102,6 +103,9 @@ impl Refinement {
                 provenance = Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
             }
         }
+        if on_border && self.border_points.contains(&bits(point)) {
+            return Err(Reason::PrecisionFloor); // The other side of a crack was split there.
+        }
         match self.cdt.can_split(h, point) {
             Ok(()) => Ok(Cut { point, provenance }),
             Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
@@ -123,6 +127,9 @@ impl Refinement {
         };
         let [a, b] = self.cdt.edge_points(h);
         let length = self.ruler.length_sq(a, b).sqrt();
+        if length.is_nan() || length < f64::MIN_POSITIVE {
+            return (0.5, None); // Too short to measure: the length floor refuses it.
+        }
         let (power, exponent) = power_of_two_below(length / 1.5);
         let t = power / length;
         (if around_b { 1.0 - t } else { t }, Some((exponent, around_b)))
@@ -194,6 +201,11 @@ impl Refinement {
         self.look_at_faces(&faces);
         true
     }
+}
+
+/// The bits of a point, of either zero the positive one.
+pub(super) fn bits(p: Point) -> [u64; 2] {
+    [p.x, p.y].map(|c| (c + 0.0).to_bits())
 }
 
 /// The greatest power of two not above a positive number, and its exponent.
