@@ -116,11 +116,14 @@ fn drawings(n: usize) -> impl Iterator<Item = (PslgKind, Pslg)> {
     PslgKind::ALL.into_iter().map(move |kind| (kind, pslg(kind, n, 3)))
 }
 
+/// One of each family that keeps the circle test.
+const PRESETS: [Preset; 3] = [Preset::OffCenter, Preset::Circumcenter, Preset::LeppCentroid];
+
 #[test]
 fn every_kind_at_every_angle_by_every_preset() {
     let mut court = Court::default();
     for (kind, drawing) in drawings(24) {
-        for &preset in Preset::ALL {
+        for preset in PRESETS {
             for degrees in ANGLES_DEG {
                 court.hear(&format!("{kind:?} {preset} {degrees}"), &drawing, |d| judge(d, options(preset, degrees)));
             }
@@ -213,7 +216,7 @@ fn length_floors_are_kept() {
 fn scales_by_powers_of_two_change_nothing() {
     let mut court = Court::default();
     for (kind, drawing) in drawings(24) {
-        for &preset in Preset::ALL {
+        for preset in PRESETS {
             court.hear(&format!("{kind:?} {preset}"), &drawing, |d| {
                 let Some(plain) = refined(d, options(preset, 30.0))? else { return Ok(()) };
                 for k in [-400, -100, 100, 400] {
@@ -293,7 +296,7 @@ fn boxed(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
 fn named(name: &str, drawing: &Pslg, budget: usize) -> Vec<(f64, Report)> {
     let mut court = Court::default();
     let mut reports = Vec::new();
-    for &preset in Preset::ALL {
+    for preset in PRESETS {
         for degrees in [20.0, 25.0, 30.0, 35.0] {
             let options = options(preset, degrees).with_max_vertices(budget);
             court.hear(&format!("{name} {preset} {degrees}"), drawing, |d| judge(d, options));

@@ -252,7 +252,7 @@ fn options() -> impl Strategy<Value = MeshOptions> {
     let floor = prop::option::weighted(0.2, prop_oneof![0.0..0.5_f64, any::<f64>()]);
     (
         (prop::sample::select(DomainRule::ALL.to_vec()), any::<bool>(), prop::sample::select(AlgorithmKey::ALL.to_vec())),
-        (angle, area, floor, prop::sample::select(Preset::ALL.to_vec()), prop::sample::select(Protect::ALL.to_vec())),
+        (angle, area, floor, prop::sample::select(vec![Preset::OffCenter, Preset::Circumcenter, Preset::LeppCentroid]), prop::sample::select(Protect::ALL.to_vec())),
     )
         .prop_map(|((rule, split, algorithm), (degrees, max_area, length_floor, preset, protect))| MeshOptions {
             domain: DomainOptions { rule, crossings: if split { Crossings::Split } else { Crossings::Refuse }, algorithm },

@@ -48,6 +48,8 @@ pub struct Refinement {
     bisection_floor_sq: f64,
     queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
+    /// Subsegments whose split failed although it had seemed possible.
+    pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
     /// Vertices of the input and those that split segments, by their bits.
     pub(super) border_points: BTreeSet<[u64; 2]>,
     /// Triangles that were given up, and why.
@@ -112,6 +114,7 @@ impl Refinement {
             bisection_floor_sq: shortest_edge_sq(&cdt, ruler) / (BISECTIONS * BISECTIONS),
             queue: Queue::default(),
             encroached: VecDeque::new(),
+            unsplittable: BTreeSet::new(),
             border_points: cdt.used_vertices().map(|v| bits(cdt.point(v))).collect(),
             given_up: Vec::new(),
             log: UndoLog::new(),
@@ -268,6 +271,10 @@ impl Refinement {
         let here = self.log.checkpoint();
         let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
         self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(self.floor_reason);
+        }
         let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
         if encroached.is_empty() {
             self.vertices += 1;
@@ -289,13 +296,24 @@ impl Refinement {
             return Err(self.floor_reason);
         }
         self.log.clear();
+        let here = self.log.checkpoint();
         let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
         self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(self.floor_reason);
+        }
         self.vertices += 1;
         self.report.points_inserted += 1;
         self.look_around(v);
         Ok(())
+    }
+
+    /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
+    pub(super) fn crowds_a_neighbour(&self, v: VertexId) -> bool {
+        let p = self.cdt.point(v);
+        self.cdt.neighbours(v).any(|w| self.ruler.length_sq(p, self.cdt.point(w)) < self.floor_sq)
     }
 
     /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths

@@ -27,10 +27,19 @@ struct Cut {
 impl Refinement {
     /// Lets a subsegment wait for its split; says why it never can be split, where it cannot.
     pub(super) fn queue_subsegment(&mut self, h: HalfEdgeId, forced: bool) -> Result<(), Reason> {
-        self.cut_of(h)?;
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        self.encroached.push_back(Encroached { ends: [a.min(b), a.max(b)], forced });
+        let ends = [a.min(b), a.max(b)];
+        if self.unsplittable.contains(&ends) {
+            return Err(self.floor_reason);
+        }
+        self.cut_of(self.in_order(h))?;
+        self.encroached.push_back(Encroached { ends, forced });
         Ok(())
+    }
+
+    /// The half-edge of an edge that starts at the lower vertex: rounded decisions start from it.
+    fn in_order(&self, h: HalfEdgeId) -> HalfEdgeId {
+        if self.cdt.origin(h) < self.cdt.dest(h) { h } else { self.cdt.twin(h) }
     }
 
     /// Queues every subsegment that needs a split now, in the order of their vertices.
@@ -56,27 +65,38 @@ impl Refinement {
         let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
         let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
         if let Some(h) = there.filter(|&h| forced || self.prepare.needs_split(self.view(), h)) {
-            self.split(h);
+            if !self.split(h) {
+                // It could be split when it was queued: do not try again for ever.
+                self.unsplittable.insert([a, b]);
+            }
         }
         true
     }
 
-    fn split(&mut self, h: HalfEdgeId) {
+    /// Splits a subsegment; says whether it could.
+    fn split(&mut self, h: HalfEdgeId) -> bool {
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
         if self.region.is_lens() && self.minds_encroachment() && self.acute_ends(h) == [false, false] {
             self.delete_free_vertices(a, b);
         }
-        let Some(h) = self.cdt.half_edge_between(a, b) else { return };
-        let Ok(cut) = self.cut_of(h) else { return };
+        let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
+        let Ok(cut) = self.cut_of(h) else { return false };
         self.log.clear();
+        let here = self.log.checkpoint();
         let insert = Arc::clone(&self.insert);
         if let Ok(v) = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log) {
-            self.vertices += 1;
             self.insertions += 1;
+            if self.crowds_a_neighbour(v) {
+                self.cdt.rollback(&mut self.log, here);
+                return false;
+            }
+            self.vertices += 1;
             self.report.segments_split += 1;
             self.border_points.insert(bits(self.cdt.point(v)));
             self.look_around(v);
+            return true;
         }
+        false
     }
 
     /// Where `h` would be split, or why it cannot be.
