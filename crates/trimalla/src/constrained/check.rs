@@ -5,7 +5,8 @@ use crate::geometry::{Orientation, Point, orient2d};
 use crate::mesh::VertexId;
 use crate::triangulation::{Closure, Fault};
 
-/// Crossings bend a segment by their rounding; this many units in the last place of its largest coordinate are allowed.
+/// Crossings bend segments by their rounding, that of small ones by that of the large ones they cross; this many units in
+/// the last place of the drawing's largest coordinate are allowed.
 const BEND_ULPS: f64 = 16.0;
 
 impl ConstrainedDelaunay {
@@ -17,8 +18,10 @@ impl ConstrainedDelaunay {
     pub fn check(&self) -> Vec<Fault> {
         let mut faults = self.t.check_delaunay();
         if faults.is_empty() {
+            let bounds = self.bounding_box();
+            let largest = bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
             for segment in 0..self.segments.len() as SegmentId {
-                faults.extend(self.segment_fault(segment));
+                faults.extend(self.segment_fault(segment, BEND_ULPS * f64::EPSILON * largest));
             }
         }
         faults
@@ -31,7 +34,7 @@ impl ConstrainedDelaunay {
     }
 
     /// I13: a segment is a chain of edges from its start to its end, along it. In a carved domain parts may be missing.
-    fn segment_fault(&self, segment: SegmentId) -> Option<Fault> {
+    fn segment_fault(&self, segment: SegmentId, allowed: f64) -> Option<Fault> {
         let [a, b] = self.segments[segment as usize];
         let chain = self.chain(segment);
         let end = chain.last().map_or(a, |&h| self.dest(h));
@@ -40,20 +43,19 @@ impl ConstrainedDelaunay {
         }
         let ends = [a, b].map(|v| self.point(v));
         let inner = chain.iter().map(|&h| self.dest(h)).filter(|&v| v != b);
-        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v));
+        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v, allowed));
         off.map(|vertex| Fault::OffSegment { segment, vertex })
     }
 
     /// Exactly on the segment, or as near as the rounding of a split or crossing allows (which may fall on a vertex).
-    fn lies_along(&self, [a, b]: [Point; 2], v: VertexId) -> bool {
+    fn lies_along(&self, [a, b]: [Point; 2], v: VertexId, allowed: f64) -> bool {
         let p = self.point(v);
         if orient2d(a, b, p) == Orientation::Collinear {
             return true;
         }
-        let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         let ab = b - a;
         let off = ab.cross(p - a).abs() / ab.length_sq().sqrt();
         // What overflows is no proof of a fault.
-        off.is_nan() || off <= BEND_ULPS * f64::EPSILON * largest
+        off.is_nan() || off <= allowed
     }
 }

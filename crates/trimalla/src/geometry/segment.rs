@@ -1,5 +1,7 @@
 //! A straight segment.
 
+use std::cmp::Ordering;
+
 use super::frame::Frame;
 use super::predicates::{SegmentContact, on_segment, segment_contact};
 use super::{BoundingBox, Point, Vector, lexicographically_less};
@@ -92,9 +94,17 @@ impl Segment {
     }
 
     /// The crossing of two segments that cross in a point inside both.
+    ///
+    /// It is a point of the segment with the smaller coordinates, whose last places are finer: being off along that one
+    /// by a last place of the other's costs nothing.
     fn proper_crossing(self, other: Self) -> Point {
         let (one, two) = (self.sorted(), other.sorted());
-        let (one, two) = if lexicographically_less(two.start, one.start) { (two, one) } else { (one, two) };
+        let finer = match two.largest_coordinate().total_cmp(&one.largest_coordinate()) {
+            Ordering::Less => true,
+            Ordering::Equal => lexicographically_less(two.start, one.start),
+            Ordering::Greater => false,
+        };
+        let (one, two) = if finer { (two, one) } else { (one, two) };
         let frame = Frame::new(two.start, [two.end, one.start, one.end]);
         let direction = frame.local(two.end);
         let distance = |p: Point| direction.cross(frame.local(p)).abs();
@@ -113,6 +123,11 @@ impl Segment {
     /// The segment directed from its lexicographically smaller end.
     fn sorted(self) -> Self {
         if lexicographically_less(self.end, self.start) { self.reversed() } else { self }
+    }
+
+    fn largest_coordinate(self) -> f64 {
+        let [a, b] = self.ends();
+        a.x.abs().max(a.y.abs()).max(b.x.abs()).max(b.y.abs())
     }
 
     /// The displacement from start to end, which overflows for ends too far apart.

@@ -161,6 +161,9 @@ fn enters_a_triangle(mesh: &IndexedMesh, sides: &Sides, from: u32, to: u32) -> b
     })
 }
 
+/// Rounding moves no coordinate by less than the smallest number there is.
+const SMALLEST: f64 = 1e-323;
+
 /// A segment in coordinates in which it reaches from the origin to about one.
 struct Line<'a> {
     mesh: &'a IndexedMesh,
@@ -183,7 +186,7 @@ impl<'a> Line<'a> {
         line.scale = power_of_two_scale(reach.x.abs().max(reach.y.abs()));
         line.along = line.local(to);
         let length = line.along.length_sq().sqrt();
-        line.tolerance = (OFF_BY_LENGTH * length + OFF_BY_COORDINATE * largest * shrink * line.scale) * length;
+        line.tolerance = (OFF_BY_LENGTH * length + (OFF_BY_COORDINATE * largest + SMALLEST) * shrink * line.scale) * length;
         line
     }
 
