@@ -20,11 +20,7 @@ use crate::shared::shared_root;
 /// # Errors
 /// What the checker printed, where it found a problem or could not read a file.
 #[must_use]
-pub fn check_mesh(
-    stem: &Path,
-    input: Option<&Path>,
-    min_angle_deg: Option<f64>,
-) -> Option<Result<(), String>> {
+pub fn check_mesh(stem: &Path, input: Option<&Path>, min_angle_deg: Option<f64>) -> Option<Result<(), String>> {
     let script = shared_root()?.join("tools/check_mesh.py");
     if !script.is_file() || !has_numpy() {
         return None;
@@ -41,9 +37,7 @@ pub fn check_mesh(
     if output.status.success() {
         return Some(Ok(()));
     }
-    let said = [&output.stdout[..], &output.stderr[..]]
-        .map(String::from_utf8_lossy)
-        .concat();
+    let said = [&output.stdout[..], &output.stderr[..]].map(String::from_utf8_lossy).concat();
     Some(Err(said))
 }
 
@@ -52,10 +46,7 @@ pub fn check_mesh(
 ///
 /// # Errors
 /// The outer result: the files could not be written. The inner one: see [`check_mesh`].
-pub fn check_mesh_in_memory(
-    mesh: &IndexedMesh,
-    input: Option<&Pslg>,
-) -> io::Result<Option<Result<(), String>>> {
+pub fn check_mesh_in_memory(mesh: &IndexedMesh, input: Option<&Pslg>) -> io::Result<Option<Result<(), String>>> {
     check_mesh_in_memory_at(mesh, input, None)
 }
 
@@ -85,55 +76,29 @@ pub fn check_mesh_in_memory_at(
 /// # Errors
 /// Those of the file system.
 pub fn write_mesh(stem: &Path, mesh: &IndexedMesh) -> io::Result<()> {
-    let rows = mesh
-        .triangles
-        .iter()
-        .enumerate()
-        .map(|(i, t)| format!("{i} {} {} {}\n", t[0], t[1], t[2]));
+    let rows = mesh.triangles.iter().enumerate().map(|(i, t)| format!("{i} {} {} {}\n", t[0], t[1], t[2]));
     fs::write(stem.with_extension("node"), node_text(&mesh.points))?;
-    fs::write(
-        stem.with_extension("ele"),
-        format!("{} 3 0\n{}", mesh.triangles.len(), rows.collect::<String>()),
-    )
+    fs::write(stem.with_extension("ele"), format!("{} 3 0\n{}", mesh.triangles.len(), rows.collect::<String>()))
 }
 
 /// Points, segments and holes as a `.poly` file.
 fn poly_text(pslg: &Pslg) -> String {
-    let segments = pslg
-        .segments
-        .iter()
-        .enumerate()
-        .map(|(i, s)| format!("{i} {} {}\n", s[0], s[1]));
-    let holes = pslg
-        .holes
-        .iter()
-        .enumerate()
-        .map(|(i, h)| format!("{i} {:e} {:e}\n", h.x, h.y));
+    let segments = pslg.segments.iter().enumerate().map(|(i, s)| format!("{i} {} {}\n", s[0], s[1]));
+    let holes = pslg.holes.iter().enumerate().map(|(i, h)| format!("{i} {:e} {:e}\n", h.x, h.y));
     let (segments, holes) = (segments.collect::<String>(), holes.collect::<String>());
-    format!(
-        "{}{} 0\n{segments}{}\n{holes}",
-        node_text(&pslg.points),
-        pslg.segments.len(),
-        pslg.holes.len()
-    )
+    format!("{}{} 0\n{segments}{}\n{holes}", node_text(&pslg.points), pslg.segments.len(), pslg.holes.len())
 }
 
 /// Points as a `.node` file; the exponent form of Rust is the shortest that reads back the same
 /// bits.
 fn node_text(points: &[Point]) -> String {
-    let rows = points
-        .iter()
-        .enumerate()
-        .map(|(i, p)| format!("{i} {:e} {:e}\n", p.x, p.y));
+    let rows = points.iter().enumerate().map(|(i, p)| format!("{i} {:e} {:e}\n", p.x, p.y));
     format!("{} 2 0 0\n{}", points.len(), rows.collect::<String>())
 }
 
 /// Whether python3 can import numpy.
 fn has_numpy() -> bool {
-    Command::new("python3")
-        .args(["-c", "import numpy"])
-        .output()
-        .is_ok_and(|o| o.status.success())
+    Command::new("python3").args(["-c", "import numpy"]).output().is_ok_and(|o| o.status.success())
 }
 
 /// A folder of this process that did not exist before.
@@ -141,8 +106,7 @@ fn fresh_folder() -> io::Result<PathBuf> {
     use std::sync::atomic::{AtomicUsize, Ordering};
     static NEXT: AtomicUsize = AtomicUsize::new(0);
     let number = NEXT.fetch_add(1, Ordering::Relaxed);
-    let folder =
-        std::env::temp_dir().join(format!("trimalla-testkit-{}-{number}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("trimalla-testkit-{}-{number}", std::process::id()));
     fs::create_dir_all(&folder)?;
     Ok(folder)
 }
@@ -154,20 +118,11 @@ mod tests {
 
     #[test]
     fn the_shared_checker_tells_good_from_bad() {
-        let points: Vec<Point> = [(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)]
-            .map(|(x, y)| Point::new(x, y))
-            .into();
-        let mut mesh = IndexedMesh {
-            input_points: 4,
-            points,
-            triangles: vec![[0, 3, 2], [1, 2, 3]],
-            ..IndexedMesh::default()
-        };
-        let input = Pslg {
-            points: mesh.points.clone(),
-            segments: vec![[0, 2]],
-            ..Pslg::default()
-        };
+        let points: Vec<Point> =
+            [(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)].map(|(x, y)| Point::new(x, y)).into();
+        let mut mesh =
+            IndexedMesh { input_points: 4, points, triangles: vec![[0, 3, 2], [1, 2, 3]], ..IndexedMesh::default() };
+        let input = Pslg { points: mesh.points.clone(), segments: vec![[0, 2]], ..Pslg::default() };
         let Some(good) = check_mesh_in_memory(&mesh, Some(&input)).unwrap() else {
             return say_skipped("python3, numpy or tools/check_mesh.py not found");
         };

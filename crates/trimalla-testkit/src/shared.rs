@@ -15,14 +15,9 @@ const MARK: &str = "data/README.md";
 pub fn shared_root() -> Option<PathBuf> {
     let named = std::env::var_os("TRIMALLA_SHARED").map(PathBuf::from);
     if let Some(folder) = named {
-        return [folder.clone(), folder.join("shared")]
-            .into_iter()
-            .find(|f| f.join(MARK).is_file());
+        return [folder.clone(), folder.join("shared")].into_iter().find(|f| f.join(MARK).is_file());
     }
-    let start = [
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")),
-        std::env::current_dir().unwrap_or_default(),
-    ];
+    let start = [PathBuf::from(env!("CARGO_MANIFEST_DIR")), std::env::current_dir().unwrap_or_default()];
     start.iter().find_map(|folder| walk_up(folder))
 }
 
@@ -43,10 +38,7 @@ pub fn shared_data_or_say() -> Option<PathBuf> {
 }
 
 /// Writes `skipped: <why>` to standard error: a skipped test must not look like a passed one.
-#[expect(
-    clippy::print_stderr,
-    reason = "the one line a skipped test owes its reader"
-)]
+#[expect(clippy::print_stderr, reason = "the one line a skipped test owes its reader")]
 pub fn say_skipped(why: &str) {
     eprintln!("skipped: {why}");
 }
@@ -74,8 +66,5 @@ macro_rules! shared_data_or_skip {
 
 /// The `shared` folder beside `folder` or beside one of its ancestors.
 fn walk_up(folder: &Path) -> Option<PathBuf> {
-    folder
-        .ancestors()
-        .map(|up| up.join("shared"))
-        .find(|shared| shared.join(MARK).is_file())
+    folder.ancestors().map(|up| up.join("shared")).find(|shared| shared.join(MARK).is_file())
 }

@@ -2,10 +2,7 @@
 //!
 //! Every test is skipped, saying so, where the shared folder is not found.
 
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers outside the test functions: a broken fixture should stop the test"
-)]
+#![allow(clippy::unwrap_used, reason = "helpers outside the test functions: a broken fixture should stop the test")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,13 +11,12 @@ use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
 use trimalla::triangulation::IndexedMesh;
 use trimalla_testkit::oracles::{
-    DelaunayRule, RBig, brute_force_cdt, brute_force_delaunay, canonical, check_indexed_with,
-    contacts, delaunay_triangle_count, doubled_area, euler, in_circle, orient, orient_rational,
-    representatives,
+    DelaunayRule, RBig, brute_force_cdt, brute_force_delaunay, canonical, check_indexed_with, contacts,
+    delaunay_triangle_count, doubled_area, euler, in_circle, orient, orient_rational, representatives,
 };
 use trimalla_testkit::readers::{
-    CdtExpected, all_inputs, read_cdt, read_cdt_expected, read_ele, read_meshsuite_tables,
-    read_node, read_orient_cases, read_poly, read_readme, read_triangle_soup,
+    CdtExpected, all_inputs, read_cdt, read_cdt_expected, read_ele, read_meshsuite_tables, read_node,
+    read_orient_cases, read_poly, read_readme, read_triangle_soup,
 };
 use trimalla_testkit::shared_data_or_skip;
 
@@ -39,10 +35,7 @@ fn points_and_segments_are_as_many_as_the_readme_says() {
         let counted = (Some(input.pslg.points.len()), input.pslg.segments.len());
         let listed = (row.points, row.segments.unwrap_or(0));
         if counted != listed {
-            mismatches.push(format!(
-                "{}/{}: {counted:?} read, {listed:?} listed",
-                row.family, row.name
-            ));
+            mismatches.push(format!("{}/{}: {counted:?} read, {listed:?} listed", row.family, row.name));
         }
     }
     assert!(mismatches.is_empty(), "{mismatches:#?}");
@@ -51,20 +44,9 @@ fn points_and_segments_are_as_many_as_the_readme_says() {
 #[test]
 fn every_listed_file_of_every_family_is_an_input() {
     let data = shared_data_or_skip!();
-    let families: std::collections::BTreeSet<String> =
-        all_inputs(&data).into_iter().map(|i| i.family).collect();
-    let wanted = [
-        "cdt",
-        "cgshop",
-        "crossing",
-        "delaunator",
-        "earcut",
-        "geo",
-        "points",
-        "poly2tri",
-        "salzburg",
-        "triangle",
-    ];
+    let families: std::collections::BTreeSet<String> = all_inputs(&data).into_iter().map(|i| i.family).collect();
+    let wanted =
+        ["cdt", "cgshop", "crossing", "delaunator", "earcut", "geo", "points", "poly2tri", "salzburg", "triangle"];
     assert!(families.iter().eq(wanted), "{families:?}");
 }
 
@@ -91,18 +73,9 @@ fn troubles_are_as_many_as_the_readme_says() {
             ("duplicate points", found.duplicate_points.len()),
             ("zero-length segments", found.zero_length.len()),
             ("repeated segments", found.repeated.len()),
-            (
-                "proper crossings",
-                distinct(found.crossings.iter().map(|&(i, j)| [class(i), class(j)])),
-            ),
-            (
-                "collinear overlaps",
-                distinct(found.overlaps.iter().map(|&(i, j)| [class(i), class(j)])),
-            ),
-            (
-                "points exactly inside a segment",
-                distinct(found.points_inside.iter().map(|&(point, _)| [point])),
-            ),
+            ("proper crossings", distinct(found.crossings.iter().map(|&(i, j)| [class(i), class(j)]))),
+            ("collinear overlaps", distinct(found.overlaps.iter().map(|&(i, j)| [class(i), class(j)]))),
+            ("points exactly inside a segment", distinct(found.points_inside.iter().map(|&(point, _)| [point]))),
         ];
         for (words, counted) in counts {
             if counted != row.counted(words) {
@@ -140,10 +113,7 @@ fn soup_of_seed_002_is_as_described() {
     let e = euler(&triangles);
     assert_eq!((e.edges - e.boundary_edges, e.boundary_edges), (25, 4));
     let area = doubled_area(&points, &triangles);
-    assert_eq!(
-        if area < RBig::ZERO { -area } else { area },
-        RBig::from(2 * 1280 * 720)
-    );
+    assert_eq!(if area < RBig::ZERO { -area } else { area }, RBig::from(2 * 1280 * 720));
 }
 
 #[test]
@@ -152,10 +122,7 @@ fn meshsuite_tables_are_read_whole() {
     let rows = read_meshsuite_tables(&data.join("seeds/meshsuite-tables.csv"));
     assert_eq!(rows.len(), 503);
     assert!(rows.iter().any(|r| r.vertices.is_none()));
-    assert!(
-        rows.iter()
-            .all(|r| r.program == "Triangle" || r.program == "framework")
-    );
+    assert!(rows.iter().all(|r| r.program == "Triangle" || r.program == "framework"));
 }
 
 #[test]
@@ -189,22 +156,11 @@ fn stored_hull_results_of_cdt_agree_with_brute_force_up_to_ties() {
             continue;
         }
         let ours = brute_force_cdt(&input.points, &input.segments);
-        assert_eq!(
-            ours.len(),
-            delaunay_triangle_count(&input.points),
-            "{}",
-            path.display()
-        );
+        assert_eq!(ours.len(), delaunay_triangle_count(&input.points), "{}", path.display());
         let theirs = canonical(&stored.triangles);
-        let strange: Vec<&[u32; 3]> = theirs
-            .iter()
-            .filter(|t| !ours.contains(t) && !is_tied(&input, &ours, **t))
-            .collect();
-        assert!(
-            strange.is_empty(),
-            "{}: {strange:?} of {theirs:?}, ours {ours:?}",
-            path.display()
-        );
+        let strange: Vec<&[u32; 3]> =
+            theirs.iter().filter(|t| !ours.contains(t) && !is_tied(&input, &ours, **t)).collect();
+        assert!(strange.is_empty(), "{}: {strange:?} of {theirs:?}, ours {ours:?}", path.display());
         compared += 1;
     }
     assert!(compared >= 5, "only {compared} compared");
@@ -217,12 +173,7 @@ fn stored_meshes_of_triangle_pass_the_checker() {
         let input = read_poly(&data.join(format!("{stem}.poly")));
         let points = read_node(&data.join(format!("{stem}.1.node"))).points;
         let triangles = read_ele(&data.join(format!("{stem}.1.ele")), 1);
-        let mesh = IndexedMesh {
-            input_points: points.len(),
-            points,
-            triangles,
-            ..IndexedMesh::default()
-        };
+        let mesh = IndexedMesh { input_points: points.len(), points, triangles, ..IndexedMesh::default() };
         let faults = check_indexed_with(&mesh, Some(&input), DelaunayRule::Delaunay);
         assert!(faults.is_empty(), "{stem}: {faults:?}");
     }
@@ -268,8 +219,7 @@ fn mesh_of(input: &Pslg, stored: &CdtExpected) -> IndexedMesh {
 fn is_tied(input: &Pslg, ours: &[[u32; 3]], triangle: [u32; 3]) -> bool {
     let at = |v: u32| input.points[v as usize];
     let [a, b, c] = triangle.map(at);
-    ours.iter()
-        .any(|t| t.iter().all(|&v| in_circle(a, b, c, at(v)) == 0))
+    ours.iter().any(|t| t.iter().all(|&v| in_circle(a, b, c, at(v)) == 0))
 }
 
 /// Equal corners of a soup joined.

@@ -18,12 +18,7 @@ fn square() -> IndexedMesh {
 /// Triangles of their own vertices.
 fn apart<const N: usize>(triangles: [[[f64; 2]; 3]; N]) -> IndexedMesh {
     let corners = triangles.into_iter().flatten().map(Point::from).collect();
-    mesh(
-        corners,
-        (0..N as u32)
-            .map(|t| [3 * t, 3 * t + 1, 3 * t + 2])
-            .collect(),
-    )
+    mesh(corners, (0..N as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect())
 }
 
 /// The only fault of a mesh.
@@ -52,10 +47,7 @@ fn wrong_indices_and_columns_are_named() {
     assert_eq!(only_fault(&wrong).to_string(), said);
     let mut wrong = square();
     wrong.triangles.push([3, 1, 3]);
-    assert_eq!(
-        only_fault(&wrong).to_string(),
-        "triangle 2 names vertex 3 at (0, 1) twice"
-    );
+    assert_eq!(only_fault(&wrong).to_string(), "triangle 2 names vertex 3 at (0, 1) twice");
     let mut wrong = square();
     wrong.segments = vec![[0, 1], [1, 3], [2, 7]];
     let said: Vec<String> = check_mesh(&wrong).iter().map(ToString::to_string).collect();
@@ -76,71 +68,31 @@ fn wrong_indices_and_columns_are_named() {
 fn wrong_triangles_are_named() {
     let mut wrong = square();
     wrong.triangles[1] = [0, 3, 2];
-    assert!(check_mesh(&wrong).iter().any(|f| matches!(
-        f,
-        MeshFault::NotCounterClockwise {
-            triangle: 1,
-            orientation: Orientation::Clockwise,
-            ..
-        }
-    )));
-    let flat = mesh(
-        points([[0.0, 0.0], [0.1, 0.1], [0.3, 0.3]]),
-        vec![[0, 1, 2]],
-    );
     assert!(
-        only_fault(&flat)
-            .to_string()
-            .ends_with("(0.3, 0.3) is flat"),
-        "{}",
-        only_fault(&flat)
+        check_mesh(&wrong).iter().any(|f| matches!(
+            f,
+            MeshFault::NotCounterClockwise { triangle: 1, orientation: Orientation::Clockwise, .. }
+        ))
     );
+    let flat = mesh(points([[0.0, 0.0], [0.1, 0.1], [0.3, 0.3]]), vec![[0, 1, 2]]);
+    assert!(only_fault(&flat).to_string().ends_with("(0.3, 0.3) is flat"), "{}", only_fault(&flat));
     let mut wrong = square();
     wrong.triangles.push([1, 2, 0]);
-    assert_eq!(
-        check_mesh(&wrong).len(),
-        3,
-        "each side of triangle 0 is used twice"
-    );
+    assert_eq!(check_mesh(&wrong).len(), 3, "each side of triangle 0 is used twice");
     let mut wrong = square();
     wrong.points[2].x = f64::NAN;
-    assert_eq!(
-        only_fault(&wrong).to_string(),
-        "vertex 2 at (NaN, 1) is not finite"
-    );
+    assert_eq!(only_fault(&wrong).to_string(), "vertex 2 at (NaN, 1) is not finite");
 }
 
 #[test]
 fn a_vertex_may_be_pinched_but_not_closed_and_more() {
-    let far = [
-        [0.0, 0.0],
-        [2.0, -1.0],
-        [2.0, 1.0],
-        [-2.0, 1.0],
-        [-2.0, -1.0],
-    ];
+    let far = [[0.0, 0.0], [2.0, -1.0], [2.0, 1.0], [-2.0, 1.0], [-2.0, -1.0]];
     let bow_tie = mesh(points(far), vec![[0, 1, 2], [0, 3, 4]]);
     assert_eq!(check_mesh(&bow_tie), []);
-    let hexagon = [
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [-1.0, 2.0],
-        [-1.0, -2.0],
-        [5.0, 5.0],
-        [4.0, 6.0],
-    ];
+    let hexagon = [[0.0, 0.0], [2.0, 0.0], [-1.0, 2.0], [-1.0, -2.0], [5.0, 5.0], [4.0, 6.0]];
     let fan = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [0, 4, 5]];
     let fault = only_fault(&mesh(points(hexagon), fan));
-    assert!(
-        matches!(
-            fault,
-            MeshFault::Star {
-                triangles: [_, 3],
-                ..
-            }
-        ),
-        "{fault}"
-    );
+    assert!(matches!(fault, MeshFault::Star { triangles: [_, 3], .. }), "{fault}");
 }
 
 #[test]
@@ -156,18 +108,9 @@ fn overlaps_are_found_wherever_they_hide() {
         MeshFault::BoundaryContact { contact, .. } => Some(*contact),
         _ => None,
     };
-    assert!(matches!(
-        only_fault(&apart([big, inside])),
-        MeshFault::Overlap { .. }
-    ));
-    assert!(matches!(
-        only_fault(&apart([inside, big])),
-        MeshFault::Overlap { .. }
-    ));
-    assert_eq!(
-        contact(&only_fault(&apart([big, across]))),
-        Some(SegmentContact::Crossing)
-    );
+    assert!(matches!(only_fault(&apart([big, inside])), MeshFault::Overlap { .. }));
+    assert!(matches!(only_fault(&apart([inside, big])), MeshFault::Overlap { .. }));
+    assert_eq!(contact(&only_fault(&apart([big, across]))), Some(SegmentContact::Crossing));
     for not_edge_to_edge in [hanging, below, on_side] {
         let fault = only_fault(&apart([not_edge_to_edge, big]));
         assert!(contact(&fault).is_some(), "{fault}");
@@ -175,17 +118,10 @@ fn overlaps_are_found_wherever_they_hide() {
     let half_a_side = [[0.0, 0.0], [4.0, -1.0], [4.0, 0.0]];
     let mut sharing = apart([big, half_a_side]);
     sharing.triangles[1][0] = 0;
-    assert_eq!(
-        contact(&only_fault(&sharing)),
-        Some(SegmentContact::Overlapping)
-    );
+    assert_eq!(contact(&only_fault(&sharing)), Some(SegmentContact::Overlapping));
     assert_eq!(check_mesh(&apart([big, beside])), []);
     let on_top = apart([big, big]);
-    assert_eq!(
-        check_mesh(&on_top).len(),
-        3,
-        "three pairs of equal vertices, both used"
-    );
+    assert_eq!(check_mesh(&on_top).len(), 3, "three pairs of equal vertices, both used");
 }
 
 #[test]
@@ -212,11 +148,7 @@ fn an_edge_that_is_not_delaunay_is_named_unless_constrained() {
     assert_eq!(check_mesh_delaunay(&long, &[[2, 0]]), []);
     long.segments = vec![[0, 2]];
     assert_eq!(check_mesh_delaunay(&long, &[]), []);
-    assert_eq!(
-        check_mesh_delaunay(&square(), &[]),
-        [],
-        "four cocircular corners pass"
-    );
+    assert_eq!(check_mesh_delaunay(&square(), &[]), [], "four cocircular corners pass");
 }
 
 /// One random change to a mesh.
@@ -229,9 +161,7 @@ fn damaged(mesh: &IndexedMesh, random: &mut SplitMix64) -> IndexedMesh {
         0 => m.triangles[t][k] = index,
         1 => m.triangles[t].swap(0, 1),
         2 => drop(m.triangles.remove(t)),
-        3 => m
-            .triangles
-            .push([index, m.triangles[t][k], m.triangles[t][(k + 1) % 3]]),
+        3 => m.triangles.push([index, m.triangles[t][k], m.triangles[t][(k + 1) % 3]]),
         4 => m.points[v] = m.points[random.below(mesh.points.len())],
         5 => m.points[v] = Point::midpoint(m.points[v], m.points[random.below(mesh.points.len())]),
         6 => m.triangles[t][k] = u32::MAX - index % 3,
@@ -255,11 +185,7 @@ fn damaged_meshes_are_judged_as_by_the_slow_checker() {
     let mut random = SplitMix64::new(11);
     let mut broken = 0;
     for round in 0..6000 {
-        let mut mesh = delaunay_mesh(&point_set(
-            kinds[round % kinds.len()],
-            4 + round % 23,
-            random.next_u64(),
-        ));
+        let mut mesh = delaunay_mesh(&point_set(kinds[round % kinds.len()], 4 + round % 23, random.next_u64()));
         for _ in 0..1 + random.below(2) {
             if !mesh.triangles.is_empty() {
                 mesh = damaged(&mesh, &mut random);
@@ -273,10 +199,7 @@ fn damaged_meshes_are_judged_as_by_the_slow_checker() {
                 || matches!(f, MeshFault::BoundaryContact { contact, .. } if *contact != SegmentContact::Crossing)
         };
         if theirs.is_empty() {
-            assert!(
-                ours.iter().all(strict),
-                "round {round}: {ours:?} of {mesh:?}"
-            );
+            assert!(ours.iter().all(strict), "round {round}: {ours:?} of {mesh:?}");
         } else {
             assert!(!ours.is_empty(), "round {round}: {theirs:?} of {mesh:?}");
             broken += 1;

@@ -84,15 +84,8 @@ impl Edited {
         let p = self.draw_point(random);
         let inserted = self.delaunay.insert_with(p, log).expect("a finite point");
         self.note(0, matches!(inserted, Inserted::New(_)));
-        assert_eq!(
-            self.delaunay.point(inserted.vertex()),
-            p,
-            "the vertex lies at the point"
-        );
-        format!(
-            "d.insert_with(Point::new({:?}, {:?}), &mut log)?;",
-            p.x, p.y
-        )
+        assert_eq!(self.delaunay.point(inserted.vertex()), p, "the vertex lies at the point");
+        format!("d.insert_with(Point::new({:?}, {:?}), &mut log)?;", p.x, p.y)
     }
 
     fn remove(&mut self, v: VertexId, log: &mut UndoLog) -> String {
@@ -104,20 +97,10 @@ impl Edited {
 
     fn shift(&mut self, v: VertexId, random: &mut SplitMix64, log: &mut UndoLog) -> String {
         let p = self.draw_point(random);
-        let moved = self
-            .delaunay
-            .move_vertex_with(v, p, log)
-            .expect("a used vertex");
+        let moved = self.delaunay.move_vertex_with(v, p, log).expect("a used vertex");
         self.note(2, moved == Inserted::New(v));
-        assert_eq!(
-            self.delaunay.point(moved.vertex()),
-            p,
-            "the vertex lies at the point"
-        );
-        format!(
-            "d.move_vertex_with(VertexId({v}), Point::new({:?}, {:?}), &mut log)?;",
-            p.x, p.y
-        )
+        assert_eq!(self.delaunay.point(moved.vertex()), p, "the vertex lies at the point");
+        format!("d.move_vertex_with(VertexId({v}), Point::new({:?}, {:?}), &mut log)?;", p.x, p.y)
     }
 }
 
@@ -137,11 +120,7 @@ impl Subject for Edited {
     }
 
     fn faults(&self) -> Vec<String> {
-        self.delaunay
-            .check_delaunay()
-            .iter()
-            .map(ToString::to_string)
-            .collect()
+        self.delaunay.check_delaunay().iter().map(ToString::to_string).collect()
     }
 
     fn size(&self) -> usize {
@@ -170,10 +149,7 @@ fn run(edited: Edited, plan: Plan) -> Tally {
     let (edited, tally) = drive(edited, plan);
     assert_same_as_rebuilt(&edited);
     let changed = edited.changed.get();
-    assert!(
-        changed.iter().all(|&n| n > 0),
-        "inserted, removed, moved: {changed:?}"
-    );
+    assert!(changed.iter().all(|&n| n > 0), "inserted, removed, moved: {changed:?}");
     tally
 }
 
@@ -181,68 +157,30 @@ fn run(edited: Edited, plan: Plan) -> Tally {
 fn a_hundred_thousand_edits_stay_delaunay_and_are_taken_back() {
     let small = PointSetKind::ALL.into_iter().zip(0..).map(|(kind, seed)| {
         let places = point_set(kind, 30, seed);
-        let places = if places.is_empty() {
-            vec![Point::default()]
-        } else {
-            places
-        };
-        let plan = Plan {
-            seed,
-            edits: SMALL_EDITS,
-            small: 64,
-            every: 1,
-            rollback_in: 12,
-        };
+        let places = if places.is_empty() { vec![Point::default()] } else { places };
+        let plan = Plan { seed, edits: SMALL_EDITS, small: 64, every: 1, rollback_in: 12 };
         run(Edited::new(0, places, 20), plan)
     });
-    let medium = [
-        PointSetKind::Uniform,
-        PointSetKind::TenthGrid,
-        PointSetKind::RoundedCircle,
-    ];
+    let medium = [PointSetKind::Uniform, PointSetKind::TenthGrid, PointSetKind::RoundedCircle];
     let medium = medium.into_iter().zip(100..).map(|(kind, seed)| {
         let places = point_set(kind, 400, seed);
-        let plan = Plan {
-            seed,
-            edits: MEDIUM_EDITS,
-            small: 40,
-            every: 10,
-            rollback_in: 30,
-        };
+        let plan = Plan { seed, edits: MEDIUM_EDITS, small: 40, every: 10, rollback_in: 30 };
         run(Edited::new(200, places, 250), plan)
     });
-    let large = [PointSetKind::Uniform, PointSetKind::IntegerGrid]
-        .into_iter()
-        .zip(200..);
+    let large = [PointSetKind::Uniform, PointSetKind::IntegerGrid].into_iter().zip(200..);
     let large = large.map(|(kind, seed)| {
         let places = point_set(kind, 6000, seed);
-        let plan = Plan {
-            seed,
-            edits: LARGE_EDITS,
-            small: 40,
-            every: 200,
-            rollback_in: 150,
-        };
+        let plan = Plan { seed, edits: LARGE_EDITS, small: 40, every: 200, rollback_in: 150 };
         run(Edited::new(4000, places, 4000), plan)
     });
-    let tally = small
-        .chain(medium)
-        .chain(large)
-        .fold(Tally::default(), Tally::plus);
+    let tally = small.chain(medium).chain(large).fold(Tally::default(), Tally::plus);
     assert!(tally.edits >= 100_000, "{tally:?}");
-    assert!(
-        tally.rollbacks >= 5_000 && tally.checks >= 50_000,
-        "{tally:?}"
-    );
+    assert!(tally.rollbacks >= 5_000 && tally.checks >= 50_000, "{tally:?}");
 }
 
 #[test]
 fn a_triangulation_built_up_and_torn_down_passes_through_every_dimension() {
-    for kind in [
-        PointSetKind::IntegerGrid,
-        PointSetKind::CollinearExact,
-        PointSetKind::Hub,
-    ] {
+    for kind in [PointSetKind::IntegerGrid, PointSetKind::CollinearExact, PointSetKind::Hub] {
         let points = point_set(kind, 36, 5);
         let mut random = SplitMix64::new(7);
         let mut d = Delaunay::new(&[]).expect("no points");
@@ -257,11 +195,7 @@ fn a_triangulation_built_up_and_torn_down_passes_through_every_dimension() {
             assert_eq!(d.check_delaunay(), [], "{kind:?} shrinking, {v}");
         }
         assert_eq!(d.dimension(), -1, "nothing is left of {kind:?}");
-        assert_eq!(
-            d.free_vertices().len(),
-            d.points().len(),
-            "every slot is free"
-        );
+        assert_eq!(d.free_vertices().len(), d.points().len(), "every slot is free");
     }
 }
 

@@ -150,7 +150,9 @@ fn area_bounds_are_met_or_explained() {
                 (b - a).cross(c - a) > 2.0 * area
             };
             let below = below_bound(&out.mesh, Angle::from_degrees(20.0));
-            let bad: Vec<usize> = (0..out.mesh.triangles.len()).filter(|t| large(&out.mesh.triangles[*t]) || below.binary_search(t).is_ok()).collect();
+            let bad: Vec<usize> = (0..out.mesh.triangles.len())
+                .filter(|t| large(&out.mesh.triangles[*t]) || below.binary_search(t).is_ok())
+                .collect();
             equal("triangles left over", &out.report.leftovers.iter().map(|l| l.triangle).collect(), &bad)
         });
     }
@@ -221,10 +223,17 @@ fn scales_by_powers_of_two_change_nothing() {
                 let Some(plain) = refined(d, options(preset, 30.0))? else { return Ok(()) };
                 for k in [-400, -100, 100, 400] {
                     let factor = libm::ldexp(1.0, k);
-                    let Some(other) = refined(&scaled(d, factor), options(preset, 30.0))? else { return Err(format!("flat at 2^{k}")) };
+                    let Some(other) = refined(&scaled(d, factor), options(preset, 30.0))? else {
+                        return Err(format!("flat at 2^{k}"));
+                    };
                     equal(&format!("vertices at 2^{k}"), &other.mesh.points.len(), &plain.mesh.points.len())?;
-                    equal(&format!("triangles at 2^{k}"), &canonical(&other.mesh.triangles), &canonical(&plain.mesh.triangles))?;
-                    let back: Vec<Point> = other.mesh.points.iter().map(|p| Point::new(p.x / factor, p.y / factor)).collect();
+                    equal(
+                        &format!("triangles at 2^{k}"),
+                        &canonical(&other.mesh.triangles),
+                        &canonical(&plain.mesh.triangles),
+                    )?;
+                    let back: Vec<Point> =
+                        other.mesh.points.iter().map(|p| Point::new(p.x / factor, p.y / factor)).collect();
                     equal(&format!("places at 2^{k}"), &back, &plain.mesh.points)?;
                     equal(&format!("reasons at 2^{k}"), &other.report.reasons(), &plain.report.reasons())?;
                 }
@@ -239,7 +248,8 @@ fn scales_by_powers_of_two_change_nothing() {
 fn far_away_it_ends_too() {
     let mut court = Court::default();
     for (kind, drawing) in drawings(24) {
-        court.hear(&format!("{kind:?} at UTM"), &moved_to_utm(&drawing), |d| judge(d, options(Preset::OffCenter, 30.0)));
+        court
+            .hear(&format!("{kind:?} at UTM"), &moved_to_utm(&drawing), |d| judge(d, options(Preset::OffCenter, 30.0)));
     }
     court.close();
 }
@@ -269,7 +279,12 @@ fn refining_the_result_again_adds_nothing() {
             if !first.report.leftovers.is_empty() || first.report.stop != StopReason::Finished {
                 return Ok(());
             }
-            let again = Pslg { points: first.mesh.points.clone(), segments: first.mesh.segments.clone(), holes: first.mesh.holes.clone(), ..Pslg::default() };
+            let again = Pslg {
+                points: first.mesh.points.clone(),
+                segments: first.mesh.segments.clone(),
+                holes: first.mesh.holes.clone(),
+                ..Pslg::default()
+            };
             let Some(second) = refined(&again, options)? else { return Ok(()) };
             equal("points inserted again", &second.report.points_inserted, &0)?;
             equal("leftovers", &second.report.leftovers, &Vec::new())
@@ -281,7 +296,11 @@ fn refining_the_result_again_adds_nothing() {
 /// A ring of corners.
 fn polygon(corners: &[[f64; 2]]) -> Pslg {
     let n = corners.len() as u32;
-    Pslg { points: corners.iter().copied().map(Point::from).collect(), segments: (0..n).map(|i| [i, (i + 1) % n]).collect(), ..Pslg::default() }
+    Pslg {
+        points: corners.iter().copied().map(Point::from).collect(),
+        segments: (0..n).map(|i| [i, (i + 1) % n]).collect(),
+        ..Pslg::default()
+    }
 }
 
 /// A box of side 2 around the origin with loose segments in it.
@@ -374,7 +393,18 @@ fn edges_an_ulp_long_and_needles() {
         ("huge", polygon(&[[-1e308, -1e308], [1e308, -1e308], [1e308, 1e308], [-1e308, 1e308]])),
         ("huge and flat", polygon(&[[-1e308, 0.0], [1e308, 0.0], [0.0, 1e-300]])),
         ("a near T", boxed(&[[-0.5, 0.0], [0.5, 0.0], [0.0, 1e-12], [0.0, 0.5]], &[[0, 1], [2, 3]])),
-        ("a crack", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5 + 1e-14, 1.0], [0.5, 0.5], [0.5 - 1e-14, 1.0], [0.0, 1.0]])),
+        (
+            "a crack",
+            polygon(&[
+                [0.0, 0.0],
+                [1.0, 0.0],
+                [1.0, 1.0],
+                [0.5 + 1e-14, 1.0],
+                [0.5, 0.5],
+                [0.5 - 1e-14, 1.0],
+                [0.0, 1.0],
+            ]),
+        ),
     ];
     for (name, drawing) in cases {
         named(name, &drawing, 5_000);

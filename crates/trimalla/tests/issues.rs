@@ -55,7 +55,8 @@ fn an_edge_that_dangles_with_a_loop_at_its_end_is_joined() {
 #[ignore = "open: crossings of nearly parallel pieces still creep until the bound ends them with an error"]
 fn crossings_do_not_creep() {
     let drawing = issue("crossings-creep");
-    let cdt = ConstrainedDelaunay::new(&drawing.points, &drawing.segments, Crossings::Split).expect("crossings are split");
+    let cdt =
+        ConstrainedDelaunay::new(&drawing.points, &drawing.segments, Crossings::Split).expect("crossings are split");
     assert_eq!(cdt.check(), []);
     assert!(cdt.steiner_vertices() < 12, "{} vertices for three crossings", cdt.steiner_vertices());
 }
@@ -63,7 +64,11 @@ fn crossings_do_not_creep() {
 /// Border edges that no segment runs along had neither shells nor small input angles.
 #[test]
 fn hull_edges_have_small_input_angles_too() {
-    let (mesh, report) = refined(&issue("hull-edge-at-small-angle"), DomainRule::Hull, RefineOptions::default().with_min_angle_deg(20.0).with_max_vertices(5000));
+    let (mesh, report) = refined(
+        &issue("hull-edge-at-small-angle"),
+        DomainRule::Hull,
+        RefineOptions::default().with_min_angle_deg(20.0).with_max_vertices(5000),
+    );
     assert!(report.complete(), "{:?}", report.reasons());
     assert!(mesh.points.len() < 60, "{} vertices", mesh.points.len());
 }
@@ -72,21 +77,30 @@ fn hull_edges_have_small_input_angles_too() {
 #[test]
 fn the_hull_of_a_guitar_is_meshed() {
     let (guitar, _) = read_input(&shared_data_or_skip!().join("cdt/guitar_no_box.txt"));
-    let (mesh, report) = refined(&guitar, DomainRule::Hull, RefineOptions::default().with_min_angle_deg(20.0).with_max_vertices(20_000));
+    let (mesh, report) =
+        refined(&guitar, DomainRule::Hull, RefineOptions::default().with_min_angle_deg(20.0).with_max_vertices(20_000));
     assert!(mesh.points.len() < 1000, "{} vertices, {:?}", mesh.points.len(), report.reasons());
 }
 
 /// `constrained::split_subsegment` did not look at the edges from a rounded split point to the two apexes.
 #[test]
 fn edges_from_a_split_point_pass_the_circle_test() {
-    let (_, report) = refined(&issue("spokes-of-a-split"), DomainRule::Hull, RefineOptions::default().with_min_angle_deg(33.0).with_max_vertices(111));
+    let (_, report) = refined(
+        &issue("spokes-of-a-split"),
+        DomainRule::Hull,
+        RefineOptions::default().with_min_angle_deg(33.0).with_max_vertices(111),
+    );
     assert!(report.vertices <= 111);
 }
 
 /// `refine::split_segments::place_of_cut` divided by a length of zero.
 #[test]
 fn a_subsegment_too_short_to_measure_is_left() {
-    let (mesh, report) = refined(&issue("subnormal-subsegment"), DomainRule::Hull, RefineOptions::default().with_min_angle_deg(40.0).with_max_vertices(500));
+    let (mesh, report) = refined(
+        &issue("subnormal-subsegment"),
+        DomainRule::Hull,
+        RefineOptions::default().with_min_angle_deg(40.0).with_max_vertices(500),
+    );
     assert!(mesh.points.iter().all(|p| p.is_finite()));
     assert!(report.reasons().iter().all(|r| r.0 != Reason::StrategyCannotImprove), "{:?}", report.reasons());
 }
@@ -99,7 +113,8 @@ fn vertices_of_the_report_are_those_of_the_mesh() {
     assert_eq!((report.vertices, report.steiner_points), (mesh.points.len(), mesh.points.len() - mesh.input_points));
     let mut doubled = drawing.clone();
     doubled.points.extend(vec![drawing.points[0]; 20]);
-    let (mesh, _) = refined(&doubled, DomainRule::Hull, RefineOptions::default().with_max_area(1e-4).with_max_vertices(100));
+    let (mesh, _) =
+        refined(&doubled, DomainRule::Hull, RefineOptions::default().with_max_area(1e-4).with_max_vertices(100));
     assert!(mesh.points.len() <= 100, "{} vertices", mesh.points.len());
 }
 
@@ -118,7 +133,9 @@ fn vertices_an_ulp_apart_are_a_chain() {
     let (cdt, _) = build(&slopes, DomainRule::Nesting, Crossings::Split, AlgorithmKey::default()).expect("a domain");
     assert_eq!(against_input(&cdt.to_indexed(&slopes), &slopes).faults, []);
     let tiny = Pslg {
-        points: [[0.0, 0.0], [-5e-324, 0.0], [-1.854726177237903e-33, 0.0], [0.0, -9.106087148441447e-65]].map(Point::from).to_vec(),
+        points: [[0.0, 0.0], [-5e-324, 0.0], [-1.854726177237903e-33, 0.0], [0.0, -9.106087148441447e-65]]
+            .map(Point::from)
+            .to_vec(),
         segments: vec![[2, 0]],
         ..Pslg::default()
     };
@@ -131,6 +148,9 @@ fn vertices_an_ulp_apart_are_a_chain() {
 fn an_absurd_number_of_attributes_is_an_error() {
     let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Point::from).to_vec();
     let pslg = Pslg { points, attributes_per_point: usize::MAX, point_attributes: vec![1.0], ..Pslg::default() };
-    let options = MeshOptions { domain: DomainOptions { rule: DomainRule::Hull, ..DomainOptions::default() }, ..MeshOptions::default() };
+    let options = MeshOptions {
+        domain: DomainOptions { rule: DomainRule::Hull, ..DomainOptions::default() },
+        ..MeshOptions::default()
+    };
     assert!(matches!(mesh(&pslg, &options), Err(Error::Domain(DomainError::Column { .. }))));
 }

@@ -49,12 +49,8 @@ fn no_room_knows_one_above_it() {
         let Some(room) = room_of(inner) else { continue };
         let text = fs::read_to_string(&file).expect("a source file");
         let named = rooms_named(&text, depth(inner));
-        upward.extend(
-            named
-                .iter()
-                .filter_map(|to| refusal(&room, to))
-                .map(|why| format!("{}: {why}", inner.display())),
-        );
+        upward
+            .extend(named.iter().filter_map(|to| refusal(&room, to)).map(|why| format!("{}: {why}", inner.display())));
         seen.insert(room);
     }
     assert!(seen.len() > 4, "only the rooms {seen:?} were found");
@@ -63,9 +59,7 @@ fn no_room_knows_one_above_it() {
 
 #[test]
 fn no_crate_knows_one_above_it() {
-    let crates = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the folder of crates");
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the folder of crates");
     let mut wrong = Vec::new();
     let mut found = 0;
     for folder in entries(crates) {
@@ -73,18 +67,13 @@ fn no_crate_knows_one_above_it() {
             continue;
         };
         found += 1;
-        let name = folder
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let Some((_, allowed)) = CRATES.iter().find(|(listed, _)| *listed == name) else {
             wrong.push(format!("crate {name} has no place in CRATES"));
             continue;
         };
         for (for_tests, dependency) in workspace_dependencies(&manifest) {
-            let fine =
-                allowed.contains(&&*dependency) || for_tests && FOR_TESTS.contains(&&*dependency);
+            let fine = allowed.contains(&&*dependency) || for_tests && FOR_TESTS.contains(&&*dependency);
             if !fine {
                 wrong.push(format!("{name} depends on {dependency}"));
             }
@@ -97,9 +86,7 @@ fn no_crate_knows_one_above_it() {
 /// Why a file of room `from` may not name `to`; nothing where it may.
 fn refusal(from: &str, to: &str) -> Option<String> {
     let (Some(lower), Some(upper)) = (tier(to), tier(from)) else {
-        return Some(format!(
-            "`{from}` names `crate::{to}`, one of which has no place in TIERS"
-        ));
+        return Some(format!("`{from}` names `crate::{to}`, one of which has no place in TIERS"));
     };
     (from != to && lower >= upper).then(|| format!("`{from}` knows `{to}`, which is not below it"))
 }
@@ -111,32 +98,21 @@ fn tier(room: &str) -> Option<usize> {
 /// The room of a file below `src`; none for `lib.rs`, the roof.
 fn room_of(inner: &Path) -> Option<String> {
     let first = inner.components().next()?;
-    let name = Path::new(first.as_os_str())
-        .file_stem()?
-        .to_string_lossy()
-        .into_owned();
+    let name = Path::new(first.as_os_str()).file_stem()?.to_string_lossy().into_owned();
     (name != "lib").then_some(name)
 }
 
 /// How many modules deep a file lies: `room/mod.rs` 1, `room/part.rs` 2.
 fn depth(inner: &Path) -> usize {
     let parts = inner.components().count();
-    if inner.ends_with("mod.rs") {
-        parts - 1
-    } else {
-        parts
-    }
+    if inner.ends_with("mod.rs") { parts - 1 } else { parts }
 }
 
 /// Every source file below a folder that is not for tests only.
 fn shipped_files(folder: &Path) -> Vec<PathBuf> {
     let all = entries(folder);
-    let files = all
-        .iter()
-        .filter(|p| p.extension().is_some_and(|e| e == "rs"));
-    let texts = files
-        .clone()
-        .map(|p| fs::read_to_string(p).expect("a source file"));
+    let files = all.iter().filter(|p| p.extension().is_some_and(|e| e == "rs"));
+    let texts = files.clone().map(|p| fs::read_to_string(p).expect("a source file"));
     let tests: BTreeSet<String> = texts.flat_map(|text| test_files(&text)).collect();
     let shipped = |p: &Path| !tests.contains(&*p.file_stem().unwrap_or_default().to_string_lossy());
     let mut found: Vec<PathBuf> = files.filter(|p| shipped(p)).cloned().collect();
@@ -167,10 +143,7 @@ fn workspace_dependencies(manifest: &str) -> Vec<(bool, String)> {
             }
         } else if section.ends_with("dependencies") {
             let name = line.split(['=', '.', ' ']).next().unwrap_or_default();
-            found.push((
-                section == "dev-dependencies",
-                name.trim_matches('"').to_owned(),
-            ));
+            found.push((section == "dev-dependencies", name.trim_matches('"').to_owned()));
         }
     }
     found.retain(|(_, name)| name == "trimalla" || name.starts_with("trimalla-"));
@@ -192,9 +165,7 @@ fn an_upward_arrow_is_found_in_every_spelling() {
         "fn f<'a>(a: &'a str) -> crate::refine::R<'a> {}",
     ];
     for source in upward {
-        let refused = rooms_named(source, 1)
-            .iter()
-            .any(|to| refusal("mesh", to).is_some());
+        let refused = rooms_named(source, 1).iter().any(|to| refusal("mesh", to).is_some());
         assert!(refused, "{source}");
     }
 }
@@ -212,24 +183,12 @@ fn what_points_down_or_is_no_code_is_allowed() {
         "use super::super::geometry::Point;",
     ];
     for source in fine {
-        let refused: Vec<String> = rooms_named(source, 2)
-            .iter()
-            .filter_map(|to| refusal("quality", to))
-            .collect();
+        let refused: Vec<String> = rooms_named(source, 2).iter().filter_map(|to| refusal("quality", to)).collect();
         assert!(refused.is_empty(), "{source}: {refused:?}");
     }
     assert!(refusal("mesh", "geometry").is_some() && refusal("geometry", "mesh").is_some());
-    assert_eq!(
-        test_files("mod a; #[cfg(test)] mod tests; #[cfg(test)] mod b {}"),
-        ["tests"]
-    );
+    assert_eq!(test_files("mod a; #[cfg(test)] mod tests; #[cfg(test)] mod b {}"), ["tests"]);
     let manifest = "[dependencies]\ntrimalla = { workspace = true }\nlibm = \"1\"\n[dev-dependencies]\ntrimalla-testkit.workspace = true";
     let read = workspace_dependencies(manifest);
-    assert_eq!(
-        read,
-        [
-            (false, "trimalla".to_owned()),
-            (true, "trimalla-testkit".to_owned())
-        ]
-    );
+    assert_eq!(read, [(false, "trimalla".to_owned()), (true, "trimalla-testkit".to_owned())]);
 }

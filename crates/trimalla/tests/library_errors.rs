@@ -58,9 +58,16 @@ fn coordinates_that_are_no_numbers_are_named() {
                 for algorithm in AlgorithmKey::ALL {
                     let mut pslg = square();
                     pslg.points[at] = place;
-                    let options = MeshOptions { domain: DomainOptions { algorithm, ..DomainOptions::default() }, ..MeshOptions::default() };
+                    let options = MeshOptions {
+                        domain: DomainOptions { algorithm, ..DomainOptions::default() },
+                        ..MeshOptions::default()
+                    };
                     let (error, words) = refused(&pslg, &options);
-                    let Error::Domain(DomainError::Constraint(ConstraintError::Build(BuildError::NotFinite { index, .. }))) = error else {
+                    let Error::Domain(DomainError::Constraint(ConstraintError::Build(BuildError::NotFinite {
+                        index,
+                        ..
+                    }))) = error
+                    else {
                         panic!("{error:?}")
                     };
                     assert_eq!(index, at, "{words}");
@@ -77,10 +84,17 @@ fn segments_that_end_nowhere_are_named() {
         let mut pslg = square();
         pslg.segments[s][1] = far;
         let (error, words) = refused_domain(&pslg, DomainRule::Seeds);
-        assert_eq!(error, DomainError::Constraint(ConstraintError::NoSuchVertex { segment: s, vertex: VertexId(far), points: 4 }), "{words}");
+        assert_eq!(
+            error,
+            DomainError::Constraint(ConstraintError::NoSuchVertex { segment: s, vertex: VertexId(far), points: 4 }),
+            "{words}"
+        );
     }
     let nothing = Pslg { segments: vec![[0, 1]], ..Pslg::default() };
-    assert!(matches!(refused_domain(&nothing, DomainRule::Hull).0, DomainError::Constraint(ConstraintError::NoSuchVertex { .. })));
+    assert!(matches!(
+        refused_domain(&nothing, DomainRule::Hull).0,
+        DomainError::Constraint(ConstraintError::NoSuchVertex { .. })
+    ));
 }
 
 #[test]
@@ -119,18 +133,36 @@ fn outlines_that_are_open_have_no_inside() {
 
 #[test]
 fn seeds_that_leak_or_lie_on_segments_are_named() {
-    let with_hole = |x, y| Pslg { holes: vec![Point::new(1.0, 0.5); 0].into_iter().chain([Point::new(x, y)]).collect(), ..square() };
-    assert_eq!(refused_domain(&with_hole(1.0, 0.5), DomainRule::Seeds).0, DomainError::SeedTakesAll { seed: 0, at: Point::new(1.0, 0.5) });
+    let with_hole = |x, y| Pslg {
+        holes: vec![Point::new(1.0, 0.5); 0].into_iter().chain([Point::new(x, y)]).collect(),
+        ..square()
+    };
+    assert_eq!(
+        refused_domain(&with_hole(1.0, 0.5), DomainRule::Seeds).0,
+        DomainError::SeedTakesAll { seed: 0, at: Point::new(1.0, 0.5) }
+    );
     for (x, y) in [(4.0, 0.5), (4.0, 4.0), (2.0, 0.0)] {
-        assert_eq!(refused_domain(&with_hole(x, y), DomainRule::Seeds).0, DomainError::SeedOnSegment { what: "hole", seed: 0, at: Point::new(x, y) });
+        assert_eq!(
+            refused_domain(&with_hole(x, y), DomainRule::Seeds).0,
+            DomainError::SeedOnSegment { what: "hole", seed: 0, at: Point::new(x, y) }
+        );
     }
     let mut pocket = with_hole(0.0, 5.0);
     pocket.points.push(Point::new(0.0, 9.0));
     assert!(matches!(refused_domain(&pocket, DomainRule::Seeds).0, DomainError::SeedLeaks { seed: 0, .. }));
     let wild = with_hole(f64::NAN, 1.0);
-    assert!(matches!(refused_domain(&wild, DomainRule::Seeds).0, DomainError::SeedNotFinite { what: "hole", seed: 0, .. }));
-    let wild = Pslg { regions: vec![Region { seed: Point::new(1.0, f64::INFINITY), attribute: 1.0, max_area: None }], ..square() };
-    assert!(matches!(refused_domain(&wild, DomainRule::Seeds).0, DomainError::SeedNotFinite { what: "region", seed: 0, .. }));
+    assert!(matches!(
+        refused_domain(&wild, DomainRule::Seeds).0,
+        DomainError::SeedNotFinite { what: "hole", seed: 0, .. }
+    ));
+    let wild = Pslg {
+        regions: vec![Region { seed: Point::new(1.0, f64::INFINITY), attribute: 1.0, max_area: None }],
+        ..square()
+    };
+    assert!(matches!(
+        refused_domain(&wild, DomainRule::Seeds).0,
+        DomainError::SeedNotFinite { what: "region", seed: 0, .. }
+    ));
 }
 
 #[test]
@@ -173,7 +205,13 @@ fn options_that_cannot_be_meant_are_refused_before_anything_else() {
     ];
     for (refine, word) in wrong {
         let (error, words) = refused(&Pslg::default(), &MeshOptions { refine, ..MeshOptions::default() });
-        assert!(matches!(error, Error::Option(OptionError::MinAngle(_) | OptionError::MaxArea(_) | OptionError::LengthFloor(_))), "{words}");
+        assert!(
+            matches!(
+                error,
+                Error::Option(OptionError::MinAngle(_) | OptionError::MaxArea(_) | OptionError::LengthFloor(_))
+            ),
+            "{words}"
+        );
         assert!(words.contains(word), "{words}");
     }
 }
@@ -229,21 +267,22 @@ fn points() -> impl Strategy<Value = Vec<Point>> {
 
 fn pslg() -> impl Strategy<Value = Pslg> {
     let seed = || (coordinate(), coordinate()).prop_map(|(x, y)| Point::new(x, y));
-    let region = (seed(), coordinate(), prop::option::of(coordinate())).prop_map(|(seed, attribute, max_area)| Region { seed, attribute, max_area });
+    let region = (seed(), coordinate(), prop::option::of(coordinate()))
+        .prop_map(|(seed, attribute, max_area)| Region { seed, attribute, max_area });
     let pairs = prop::collection::vec((any::<u16>(), any::<u16>()), 0..14);
     let ring = any::<bool>();
-    (points(), pairs, ring, prop::collection::vec(seed(), 0..3), prop::collection::vec(region, 0..3), 0..40_u32).prop_map(
-        |(points, pairs, ring, holes, regions, beyond)| {
+    (points(), pairs, ring, prop::collection::vec(seed(), 0..3), prop::collection::vec(region, 0..3), 0..40_u32)
+        .prop_map(|(points, pairs, ring, holes, regions, beyond)| {
             let n = points.len().max(1) as u32;
             // One drawing in forty names points that are not there.
             let within = if beyond == 0 { n + 2 } else { n };
-            let mut segments: Vec<[u32; 2]> = pairs.iter().map(|&(a, b)| [u32::from(a) % within, u32::from(b) % within]).collect();
+            let mut segments: Vec<[u32; 2]> =
+                pairs.iter().map(|&(a, b)| [u32::from(a) % within, u32::from(b) % within]).collect();
             if ring && points.len() > 2 {
                 segments.extend((0..n).map(|i| [i, (i + 1) % n]));
             }
             Pslg { points, segments, holes, regions, ..Pslg::default() }
-        },
-    )
+        })
 }
 
 fn options() -> impl Strategy<Value = MeshOptions> {
@@ -251,11 +290,25 @@ fn options() -> impl Strategy<Value = MeshOptions> {
     let area = prop::option::weighted(0.3, prop_oneof![1e-3..10.0_f64, any::<f64>()]);
     let floor = prop::option::weighted(0.2, prop_oneof![0.0..0.5_f64, any::<f64>()]);
     (
-        (prop::sample::select(DomainRule::ALL.to_vec()), any::<bool>(), prop::sample::select(AlgorithmKey::ALL.to_vec())),
-        (angle, area, floor, prop::sample::select(vec![Preset::OffCenter, Preset::Circumcenter, Preset::LeppCentroid]), prop::sample::select(Protect::ALL.to_vec())),
+        (
+            prop::sample::select(DomainRule::ALL.to_vec()),
+            any::<bool>(),
+            prop::sample::select(AlgorithmKey::ALL.to_vec()),
+        ),
+        (
+            angle,
+            area,
+            floor,
+            prop::sample::select(vec![Preset::OffCenter, Preset::Circumcenter, Preset::LeppCentroid]),
+            prop::sample::select(Protect::ALL.to_vec()),
+        ),
     )
         .prop_map(|((rule, split, algorithm), (degrees, max_area, length_floor, preset, protect))| MeshOptions {
-            domain: DomainOptions { rule, crossings: if split { Crossings::Split } else { Crossings::Refuse }, algorithm },
+            domain: DomainOptions {
+                rule,
+                crossings: if split { Crossings::Split } else { Crossings::Refuse },
+                algorithm,
+            },
             refine: RefineOptions {
                 criteria: Criteria { min_angle: Angle::from_degrees(degrees), max_area },
                 protect,
@@ -269,7 +322,8 @@ fn options() -> impl Strategy<Value = MeshOptions> {
 fn soundly(pslg: &Pslg, options: &MeshOptions) -> Result<bool, TestCaseError> {
     let Ok((mesh, report)) = mesh(pslg, options) else { return Ok(false) };
     prop_assert!(pslg.points.iter().all(|p| p.is_finite()), "a mesh of points that are not finite");
-    let (cdt, _) = domain::build(pslg, options.domain.rule, options.domain.crossings, options.domain.algorithm).expect("it was built before");
+    let (cdt, _) = domain::build(pslg, options.domain.rule, options.domain.crossings, options.domain.algorithm)
+        .expect("it was built before");
     let begun_with = cdt.to_indexed(pslg).points.len();
     prop_assert!(mesh.points.len() <= BUDGET.max(begun_with), "{} vertices", mesh.points.len());
     prop_assert_eq!(check_mesh(&mesh), vec![]);

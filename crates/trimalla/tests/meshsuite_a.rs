@@ -41,7 +41,11 @@ fn a_is_meshed_as_small_as_by_triangle() {
         let (mesh, report) = meshed(&a, degrees, AlgorithmKey::default());
         let ratio = mesh.points.len() as f64 / theirs as f64;
         log_sum += ratio.ln();
-        table += &format!("{degrees}: {} to {theirs}, {ratio:.3}, least angle {:.2}\n", mesh.points.len(), report.min_angle_deg);
+        table += &format!(
+            "{degrees}: {} to {theirs}, {ratio:.3}, least angle {:.2}\n",
+            mesh.points.len(),
+            report.min_angle_deg
+        );
         if ratio > WORST {
             wrong.push(format!("{degrees} degrees: ratio {ratio:.3}"));
         }

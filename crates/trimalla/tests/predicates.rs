@@ -6,8 +6,8 @@ use dashu_ratio::RBig;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use trimalla::geometry::{
-    CircleSide, Orientation, Point, angle_at_least, in_circle, in_circle_perturbed,
-    in_diametral_disk, lexicographically_less, on_segment, orient2d, strictly_between,
+    CircleSide, Orientation, Point, angle_at_least, in_circle, in_circle_perturbed, in_diametral_disk,
+    lexicographically_less, on_segment, orient2d, strictly_between,
 };
 
 // ---- the oracle: coordinates as big integers in a common unit ----------------------------------
@@ -34,10 +34,7 @@ fn from_last(points: &[Point]) -> Vec<[IBig; 2]> {
     };
     let (last, others) = points.split_last().expect("points");
     let (x, y) = (integer(last.x), integer(last.y));
-    others
-        .iter()
-        .map(|p| [integer(p.x) - &x, integer(p.y) - &y])
-        .collect()
+    others.iter().map(|p| [integer(p.x) - &x, integer(p.y) - &y]).collect()
 }
 
 fn sign(value: &IBig) -> Ordering {
@@ -152,8 +149,7 @@ impl Random {
 /// Two points and two more within four steps of their line.
 fn nearly_collinear(random: &mut Random) -> [Point; 4] {
     let (a, b) = (random.point(), random.point());
-    let mut between =
-        |t: f64| random.nudged(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
+    let mut between = |t: f64| random.nudged(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)));
     [between(0.3), between(0.7), a, b]
 }
 
@@ -210,9 +206,7 @@ fn on_grid(random: &mut Random, step: f64) -> [Point; 4] {
 /// The points with integer coordinates on the circle of the given radius.
 fn integer_circle(radius: i64) -> Vec<Point> {
     let all = (-radius..=radius).flat_map(|x| (-radius..=radius).map(move |y| (x, y)));
-    all.filter(|(x, y)| x * x + y * y == radius * radius)
-        .map(|(x, y)| Point::new(x as f64, y as f64))
-        .collect()
+    all.filter(|(x, y)| x * x + y * y == radius * radius).map(|(x, y)| Point::new(x as f64, y as f64)).collect()
 }
 
 /// Four points of any exponents, with zeros, ends of the range and repeated coordinates among them.
@@ -242,26 +236,14 @@ fn compare(points: [Point; 4]) -> usize {
     let turn = oracle_orientation(a, b, c);
     assert_eq!(turn_sign(orient2d(a, b, c)), turn, "orient2d {points:?}");
     let circle = oracle_circle(a, b, c, d);
-    assert_eq!(
-        side_sign(in_circle(a, b, c, d)),
-        circle,
-        "in_circle {points:?}"
-    );
+    assert_eq!(side_sign(in_circle(a, b, c, d)), circle, "in_circle {points:?}");
     let disk = oracle_disk(a, b, c);
-    assert_eq!(
-        side_sign(in_diametral_disk(a, b, c)),
-        disk,
-        "disk {points:?}"
-    );
+    assert_eq!(side_sign(in_diametral_disk(a, b, c)), disk, "disk {points:?}");
     let angle = oracle_angle_at_least(c, a, b, 0.5);
     assert_eq!(angle_at_least(c, a, b, 0.5), angle, "angle {points:?}");
     let on = turn == Ordering::Equal && disk != Ordering::Less;
     assert_eq!(on_segment(a, b, c), on, "on_segment {points:?}");
-    assert_eq!(
-        strictly_between(a, b, c),
-        on && c != a && c != b,
-        "{points:?}"
-    );
+    assert_eq!(strictly_between(a, b, c), on && c != a && c != b, "{points:?}");
     4
 }
 
@@ -275,9 +257,7 @@ fn compare_many(count: usize, seed: u64, make: impl Fn(&mut Random) -> [Point; 4
     (0..count).map(|_| one()).sum()
 }
 
-const SIZES: [f64; 12] = [
-    1e-307, 1e-300, 1.1e-160, 1.1e-100, 1e-50, 0.1, 1.0, 1e40, 1.1e100, 1.1e160, 1e300, 5e306,
-];
+const SIZES: [f64; 12] = [1e-307, 1e-300, 1.1e-160, 1.1e-100, 1e-50, 0.1, 1.0, 1e40, 1.1e100, 1.1e160, 1e300, 5e306];
 
 #[test]
 fn a_million_signs_agree_with_big_integers() {
@@ -291,14 +271,10 @@ fn a_million_signs_agree_with_big_integers() {
     compared += compare_many(20_000, 7, |r| on_grid(r, 0.1));
     compared += compare_many(30_000, 8, spread_collinear);
     compared += compare_many(30_000, 9, spread_cocircular);
-    let kinds = [
-        nearly_collinear,
-        nearly_cocircular,
-        nearly_square,
-        spread_collinear,
-        spread_cocircular,
-        |r: &mut Random| on_grid(r, 1.1),
-    ];
+    let kinds =
+        [nearly_collinear, nearly_cocircular, nearly_square, spread_collinear, spread_cocircular, |r: &mut Random| {
+            on_grid(r, 1.1)
+        }];
     compared += compare_many(60_000, 10, |r| {
         let size = SIZES[r.below(SIZES.len())];
         scaled(kinds[r.below(kinds.len())](r), size)
@@ -316,11 +292,7 @@ fn integer_points_of_a_circle_are_on_it_at_every_size() {
             let exponent = r.below(2000) as i32 - 1000;
             let scale = 2.0_f64.powi(exponent);
             let [a, b, c, d] = four.map(|p| Point::new(p.x * scale, p.y * scale));
-            assert_eq!(
-                in_circle(a, b, c, d),
-                CircleSide::On,
-                "radius {radius}, 2^{exponent}"
-            );
+            assert_eq!(in_circle(a, b, c, d), CircleSide::On, "radius {radius}, 2^{exponent}");
             four
         });
     }
@@ -354,10 +326,7 @@ fn cases_a07_and_a08_neighbours_one_step_apart() {
     let (q, r) = (Point::new(12.0, 12.0), Point::new(24.0, 24.0));
     for i in 0..64 {
         for j in 0..64 {
-            let p = Point::new(
-                0.5 + f64::from(i) * ulp / 2.0,
-                0.5 + f64::from(j) * ulp / 2.0,
-            );
+            let p = Point::new(0.5 + f64::from(i) * ulp / 2.0, 0.5 + f64::from(j) * ulp / 2.0);
             assert_eq!(turn_sign(orient2d(p, q, r)), j.cmp(&i), "({i}, {j})");
         }
     }
@@ -370,19 +339,11 @@ fn cases_a20_and_a21_both_ends_of_the_range() {
         compare(square);
         let corner = [(0.0, 0.0), (s, 0.0), (0.0, s), (s, s)].map(|(x, y)| Point::new(x, y));
         compare(corner);
-        assert_eq!(
-            orient2d(corner[0], corner[1], corner[2]),
-            Orientation::CounterClockwise
-        );
+        assert_eq!(orient2d(corner[0], corner[1], corner[2]), Orientation::CounterClockwise);
     }
     let xs = [1e-313, 5e141, 2.5e-20, 1.0, 3e100, -1e-313, 6e-271];
-    let points: Vec<_> = xs
-        .iter()
-        .flat_map(|&x| [5.6e141, -5e260].map(|y| Point::new(x, y)))
-        .collect();
-    compare_many(2_000, 21, |r| {
-        [(); 4].map(|()| points[r.below(points.len())])
-    });
+    let points: Vec<_> = xs.iter().flat_map(|&x| [5.6e141, -5e260].map(|y| Point::new(x, y))).collect();
+    compare_many(2_000, 21, |r| [(); 4].map(|()| points[r.below(points.len())]));
 }
 
 // ---- ties ------------------------------------------------------------------------------------------
@@ -410,18 +371,10 @@ fn check_ties(points: [Point; 4]) {
         let [a, b, c, d] = order.map(|i| points[i]);
         assert_eq!(in_circle(a, b, c, d), CircleSide::On, "{points:?}");
         let found = side_sign(in_circle_perturbed(a, b, c, d));
-        assert_eq!(
-            found,
-            if even { expected } else { expected.reverse() },
-            "{points:?}"
-        );
+        assert_eq!(found, if even { expected } else { expected.reverse() }, "{points:?}");
         let smallest = [a, b, c].iter().all(|p| lexicographically_less(d, *p));
         if smallest && orient2d(a, b, c) == Orientation::CounterClockwise {
-            assert_eq!(
-                found,
-                Ordering::Less,
-                "the smallest point is outside: {points:?}"
-            );
+            assert_eq!(found, Ordering::Less, "the smallest point is outside: {points:?}");
         }
     }
     check_diagonal(points);
@@ -489,10 +442,7 @@ fn a_thousand_published_orientations_agree() {
     };
     let mut lines = 0;
     for line in text.lines().filter(|line| !line.trim().is_empty()) {
-        let numbers: Vec<f64> = line
-            .split_whitespace()
-            .map(|n| n.parse().unwrap())
-            .collect();
+        let numbers: Vec<f64> = line.split_whitespace().map(|n| n.parse().unwrap()).collect();
         let [_, ax, ay, bx, by, cx, cy, sign] = numbers[..] else {
             panic!("not a case: {line}");
         };

@@ -59,15 +59,9 @@ fn a_thousand_sets_have_one_triangulation_each() {
         };
         let points = point_set(kind, size, random.next_u64());
         kinds.insert(kind.key());
-        demand(&format!("{kind:?}, set {i}"), &points, |p| {
-            judge(p, i as u64)
-        });
+        demand(&format!("{kind:?}, set {i}"), &points, |p| judge(p, i as u64));
     }
-    assert_eq!(
-        kinds.len(),
-        PointSetKind::ALL.len(),
-        "every kind had its turn"
-    );
+    assert_eq!(kinds.len(), PointSetKind::ALL.len(), "every kind had its turn");
 }
 
 #[test]
@@ -81,18 +75,12 @@ fn ten_thousand_points_have_one_triangulation() {
 /// Claims 1 to 3 of one set.
 fn judge(points: &[Point], seed: u64) -> Verdict {
     let built = agreed(points)?;
-    same(
-        "representatives",
-        &stand_ins(&built, points.len()),
-        &representatives(points),
-    )?;
+    same("representatives", &stand_ins(&built, points.len()), &representatives(points))?;
     if points.len() <= SMALL {
         let brute = brute_force_delaunay(points);
         same("brute force", &renamed(&built.canonical(), |v| v.0), &brute)?;
     }
-    AlgorithmKey::ALL
-        .into_iter()
-        .try_for_each(|key| shuffled_alike(key, &built, points, seed))
+    AlgorithmKey::ALL.into_iter().try_for_each(|key| shuffled_alike(key, &built, points, seed))
 }
 
 /// For each point the vertex that stands for it.
@@ -111,18 +99,11 @@ fn shuffled_alike(
     let mut order: Vec<VertexId> = (0..points.len()).map(VertexId::from_index).collect();
     SplitMix64::new(seed).shuffle(&mut order);
     let shuffled: Vec<Point> = order.iter().map(|v| points[v.index()]).collect();
-    let other = key
-        .triangulate(&shuffled, None)
-        .map_err(|e| e.to_string())?;
+    let other = key.triangulate(&shuffled, None).map_err(|e| e.to_string())?;
     // Of equal points the first in the list stands for all: which one that is depends on the order.
     let old_name = |v: VertexId| built.representative(order[v.index()]).0;
-    let (ours, theirs) = (
-        renamed(&built.canonical(), |v| v.0),
-        renamed(&other.canonical(), old_name),
-    );
+    let (ours, theirs) = (renamed(&built.canonical(), |v| v.0), renamed(&other.canonical(), old_name));
     same("triangles after a shuffle", &ours, &theirs)?;
-    let again = key
-        .triangulate(&shuffled, None)
-        .map_err(|e| e.to_string())?;
+    let again = key.triangulate(&shuffled, None).map_err(|e| e.to_string())?;
     alike(&other, &again)
 }

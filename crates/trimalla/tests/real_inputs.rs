@@ -109,7 +109,8 @@ fn judge(name: &str, input: &NamedInput) -> Verdict {
     let without = WITHOUT_DOMAIN.iter().find(|(n, _)| *n == input.name).map(|w| w.1);
     let (cdt, _) = match (built, without) {
         (Ok(built), None) => built,
-        (Err(DomainError::OpenOutline | DomainError::SeedTakesAll { .. }), Some("open")) | (Err(DomainError::NothingNested), Some("nested")) => return Ok(()),
+        (Err(DomainError::OpenOutline | DomainError::SeedTakesAll { .. }), Some("open"))
+        | (Err(DomainError::NothingNested), Some("nested")) => return Ok(()),
         (Ok(_), Some(_)) => return Err("there should be no domain".to_owned()),
         (Err(e), _) => return Err(e.to_string()),
     };
@@ -119,7 +120,13 @@ fn judge(name: &str, input: &NamedInput) -> Verdict {
     let (cdt, report) = refinement.finish();
     let mesh = cdt.to_indexed(drawing);
     let reasons: Vec<String> = report.reasons().iter().map(|(r, n)| format!("{n} {r}")).collect();
-    println!("{name:<44} {:>8} {:>8} {:>7}  {}", report.vertices, report.triangles, begun.elapsed().as_millis(), reasons.join(", "));
+    println!(
+        "{name:<44} {:>8} {:>8} {:>7}  {}",
+        report.vertices,
+        report.triangles,
+        begun.elapsed().as_millis(),
+        reasons.join(", ")
+    );
     none("refined triangulation", &cdt.check())?;
     clean(&mesh, drawing)?;
     explained(&mesh, &report, NEEDS_MILLIONS.contains(&name.rsplit('/').next().unwrap_or(name)))
@@ -163,7 +170,10 @@ fn explained(mesh: &IndexedMesh, report: &Report, needs_millions: bool) -> Verdi
 fn the_family_of_triangle_is_clean_by_the_shared_checker() {
     let data = shared_data_or_skip!();
     for input in all_inputs(&data).into_iter().filter(|i| i.family == "triangle") {
-        let options = MeshOptions { refine: RefineOptions::default().with_min_angle_deg(TRIANGLE_BOUND_DEG), ..MeshOptions::default() };
+        let options = MeshOptions {
+            refine: RefineOptions::default().with_min_angle_deg(TRIANGLE_BOUND_DEG),
+            ..MeshOptions::default()
+        };
         let (mesh, report) = match mesh(&input.pslg, &options) {
             Ok(done) => done,
             Err(e) => {
@@ -173,10 +183,18 @@ fn the_family_of_triangle_is_clean_by_the_shared_checker() {
             }
         };
         assert!(report.complete(), "{}: {:?}", input.name, report.reasons());
-        let Some(verdict) = peers::check_mesh_in_memory_at(&mesh, Some(&input.pslg), Some(TRIANGLE_BOUND_DEG)).expect("files can be written") else {
+        let Some(verdict) = peers::check_mesh_in_memory_at(&mesh, Some(&input.pslg), Some(TRIANGLE_BOUND_DEG))
+            .expect("files can be written")
+        else {
             return say_skipped("python3, numpy or tools/check_mesh.py not found");
         };
-        println!("{}: {} vertices, {:?}, shared checker {}", input.name, report.vertices, report.reasons(), if verdict.is_ok() { "clean" } else { "not clean" });
+        println!(
+            "{}: {} vertices, {:?}, shared checker {}",
+            input.name,
+            report.vertices,
+            report.reasons(),
+            if verdict.is_ok() { "clean" } else { "not clean" }
+        );
         assert_eq!(verdict, Ok(()), "{}", input.name);
     }
 }

@@ -57,7 +57,8 @@ fn faults_of(drawing: &Pslg, degrees: f64, points_a_side: usize, far: bool) -> V
 /// The area of a drawing that is an outline with holes, exactly, against that of its mesh.
 fn area_fault(drawing: &Pslg, found: &RBig) -> Option<String> {
     let rings = rings(drawing);
-    let mut areas: Vec<RBig> = rings.iter().map(|r| doubled_ring_area(r)).map(|a| if a < RBig::ZERO { -a } else { a }).collect();
+    let mut areas: Vec<RBig> =
+        rings.iter().map(|r| doubled_ring_area(r)).map(|a| if a < RBig::ZERO { -a } else { a }).collect();
     areas.sort();
     let outline = areas.pop()?;
     let expected = areas.into_iter().fold(outline, |rest, hole| rest - hole);

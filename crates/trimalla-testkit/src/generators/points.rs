@@ -10,20 +10,14 @@ use super::rng::SplitMix64;
 /// compiler.
 #[must_use]
 pub fn next_up(value: f64) -> f64 {
-    assert!(
-        value > 0.0 && value.is_finite(),
-        "{value} is not positive and finite"
-    );
+    assert!(value > 0.0 && value.is_finite(), "{value} is not positive and finite");
     f64::from_bits(value.to_bits() + 1)
 }
 
 /// The next double below a positive one.
 #[must_use]
 pub fn next_down(value: f64) -> f64 {
-    assert!(
-        value > 0.0 && value.is_finite(),
-        "{value} is not positive and finite"
-    );
+    assert!(value > 0.0 && value.is_finite(), "{value} is not positive and finite");
     f64::from_bits(value.to_bits() - 1)
 }
 
@@ -168,11 +162,7 @@ point_set_kinds! {
 }
 
 /// `n` points from a maker that gets the index and the generator.
-fn repeat(
-    n: usize,
-    rng: &mut SplitMix64,
-    mut make: impl FnMut(usize, &mut SplitMix64) -> Point,
-) -> Vec<Point> {
+fn repeat(n: usize, rng: &mut SplitMix64, mut make: impl FnMut(usize, &mut SplitMix64) -> Point) -> Vec<Point> {
     (0..n).map(|i| make(i, rng)).collect()
 }
 
@@ -218,9 +208,7 @@ fn grid(n: usize, rng: &mut SplitMix64, make: impl Fn(f64, f64) -> Point) -> Vec
 fn rotated_grid(n: usize, rng: &mut SplitMix64) -> Vec<Point> {
     let angle = ((1 + rng.below(359)) as f64).to_radians();
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-    grid(n, rng, |i, j| {
-        Point::new(i * cos - j * sin, i * sin + j * cos)
-    })
+    grid(n, rng, |i, j| Point::new(i * cos - j * sin, i * sin + j * cos))
 }
 
 /// All integer points at an integer distance from the origin, shuffled.
@@ -229,9 +217,7 @@ fn integer_circle(radius: i32, rng: &mut SplitMix64) -> Vec<Point> {
         let y = (radius * radius - x * x).isqrt();
         let whole = x * x + y * y == radius * radius;
         let both = if y == 0 { vec![0] } else { vec![y, -y] };
-        both.into_iter()
-            .filter(move |_| whole)
-            .map(move |y| Point::new(f64::from(x), f64::from(y)))
+        both.into_iter().filter(move |_| whole).map(move |y| Point::new(f64::from(x), f64::from(y)))
     });
     shuffled(across.collect(), rng)
 }
@@ -240,10 +226,7 @@ fn integer_circle(radius: i32, rng: &mut SplitMix64) -> Vec<Point> {
 fn gaussian_clusters(n: usize, rng: &mut SplitMix64) -> Vec<Point> {
     repeat(n, rng, |i, rng| {
         let corner = Point::new((i % 2) as f64, (i / 2 % 2) as f64);
-        Point::new(
-            corner.x + 1e-9 * rng.gaussian(),
-            corner.y + 1e-9 * rng.gaussian(),
-        )
+        Point::new(corner.x + 1e-9 * rng.gaussian(), corner.y + 1e-9 * rng.gaussian())
     })
 }
 
@@ -252,11 +235,7 @@ fn duplicates(n: usize, rng: &mut SplitMix64) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::with_capacity(n);
     for i in 0..n {
         let again = i > 0 && rng.below(10) < 3;
-        let point = if again {
-            points[rng.below(i)]
-        } else {
-            Point::new(rng.unit(), rng.unit())
-        };
+        let point = if again { points[rng.below(i)] } else { Point::new(rng.unit(), rng.unit()) };
         points.push(point);
     }
     points
@@ -269,28 +248,13 @@ fn signed_small(rng: &mut SplitMix64) -> f64 {
 
 /// Four in five from the upper end of the range are points of a block of 1-ulp steps; the rest are
 /// the given ones.
-fn ulp_block(
-    n: usize,
-    rng: &mut SplitMix64,
-    side: usize,
-    corner: f64,
-    far: &[(f64, f64)],
-) -> Vec<Point> {
+fn ulp_block(n: usize, rng: &mut SplitMix64, side: usize, corner: f64, far: &[(f64, f64)]) -> Vec<Point> {
     let step = next_up(corner) - corner;
     let mut block: Vec<Point> = (0..side * side)
-        .map(|k| {
-            Point::new(
-                corner + (k % side) as f64 * step,
-                corner + (k / side) as f64 * step,
-            )
-        })
+        .map(|k| Point::new(corner + (k % side) as f64 * step, corner + (k / side) as f64 * step))
         .collect();
     rng.shuffle(&mut block);
-    let mut points: Vec<Point> = far
-        .iter()
-        .map(|&(x, y)| Point::new(x, y))
-        .chain(block)
-        .collect();
+    let mut points: Vec<Point> = far.iter().map(|&(x, y)| Point::new(x, y)).chain(block).collect();
     points.truncate(n);
     shuffled(points, rng)
 }
@@ -307,13 +271,7 @@ fn wild(rng: &mut SplitMix64, decades: f64) -> f64 {
 /// See [`PointSetKind::MixedMagnitudes`].
 fn mixed_magnitudes(n: usize, rng: &mut SplitMix64) -> Vec<Point> {
     let top = |rng: &mut SplitMix64| Point::new(libm::exp10(rng.range(-313.0, 141.69)), 5.6e141);
-    repeat(n, rng, |i, rng| {
-        if i == 0 {
-            Point::new(6e-271, -5e260)
-        } else {
-            top(rng)
-        }
-    })
+    repeat(n, rng, |i, rng| if i == 0 { Point::new(6e-271, -5e260) } else { top(rng) })
 }
 
 /// A multiple of 2⁻¹² in [0, 1).
@@ -329,9 +287,7 @@ fn through_f32(v: f64) -> f64 {
 /// See [`PointSetKind::Tiny`].
 fn tiny(n: usize, rng: &mut SplitMix64) -> Vec<Point> {
     let size = rng.below(6).min(n);
-    repeat(size, rng, |_, rng| {
-        Point::new(rng.below(3) as f64, rng.below(3) as f64)
-    })
+    repeat(size, rng, |_, rng| Point::new(rng.below(3) as f64, rng.below(3) as f64))
 }
 
 /// See [`PointSetKind::NearCollinearHull`].
@@ -394,10 +350,7 @@ mod tests {
             for n in [0, 1, 2, 3, 7, 200] {
                 let points = point_set(kind, n, 9);
                 assert!(points.len() <= n, "{kind:?}");
-                assert!(
-                    points.iter().all(|p| p.x.is_finite() && p.y.is_finite()),
-                    "{kind:?}"
-                );
+                assert!(points.iter().all(|p| p.x.is_finite() && p.y.is_finite()), "{kind:?}");
                 assert_eq!(points, point_set(kind, n, 9), "{kind:?}");
             }
         }
@@ -418,11 +371,7 @@ mod tests {
 
     #[test]
     fn lines_are_lines_and_rounded_lines_are_not() {
-        for kind in [
-            PointSetKind::VerticalLine,
-            PointSetKind::HorizontalLine,
-            PointSetKind::DiagonalLine,
-        ] {
+        for kind in [PointSetKind::VerticalLine, PointSetKind::HorizontalLine, PointSetKind::DiagonalLine] {
             assert_eq!(convex_hull(&point_set(kind, 100, 1)).len(), 2, "{kind:?}");
         }
         assert!(convex_hull_size(&point_set(PointSetKind::CollinearRounded, 100, 1)) > 2);

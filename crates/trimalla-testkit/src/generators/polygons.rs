@@ -13,8 +13,7 @@ fn add_ring(pslg: &mut Pslg, ring: &[Point]) {
     let first = u32::try_from(pslg.points.len()).unwrap();
     let n = u32::try_from(ring.len()).unwrap();
     pslg.points.extend_from_slice(ring);
-    pslg.segments
-        .extend((0..n).map(|i| [first + i, first + (i + 1) % n]));
+    pslg.segments.extend((0..n).map(|i| [first + i, first + (i + 1) % n]));
 }
 
 /// Adds a closed ring of integer corners.
@@ -32,10 +31,7 @@ pub(super) fn ring(points: &[Point]) -> Pslg {
 
 /// Rings of corners and hole seeds.
 fn rings(list: &[&[(f64, f64)]], holes: &[(f64, f64)]) -> Pslg {
-    let mut pslg = Pslg {
-        holes: holes.iter().map(|&(x, y)| Point::new(x, y)).collect(),
-        ..Pslg::default()
-    };
+    let mut pslg = Pslg { holes: holes.iter().map(|&(x, y)| Point::new(x, y)).collect(), ..Pslg::default() };
     for corners in list {
         add_corners(&mut pslg, corners);
     }
@@ -48,12 +44,8 @@ const OUTLINE: [(f64, f64); 4] = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)
 /// See [`super::PslgKind::StarPolygon`]: sorted angles, radii from 0.1 to 1.
 pub(super) fn star(n: usize, rng: &mut SplitMix64) -> Pslg {
     let n = n.max(3);
-    let corner = |i: usize, rng: &mut SplitMix64| {
-        polar(
-            rng.range(0.1, 1.0),
-            TAU * (i as f64 + 0.8 * rng.unit()) / n as f64,
-        )
-    };
+    let corner =
+        |i: usize, rng: &mut SplitMix64| polar(rng.range(0.1, 1.0), TAU * (i as f64 + 0.8 * rng.unit()) / n as f64);
     let points: Vec<Point> = (0..n).map(|i| corner(i, rng)).collect();
     ring(&points)
 }
@@ -115,67 +107,38 @@ pub(super) fn nested_squares(n: usize, _: &mut SplitMix64) -> Pslg {
 
 /// See [`super::PslgKind::HoleAtVertex`].
 pub(super) fn hole_at_vertex() -> Pslg {
-    rings(
-        &[&OUTLINE, &[(0.0, 0.0), (2.0, 4.0), (4.0, 2.0)]],
-        &[(2.0, 2.0)],
-    )
+    rings(&[&OUTLINE, &[(0.0, 0.0), (2.0, 4.0), (4.0, 2.0)]], &[(2.0, 2.0)])
 }
 
 /// See [`super::PslgKind::HoleSplitsDomain`].
 pub(super) fn hole_splits_domain() -> Pslg {
-    rings(
-        &[&OUTLINE, &[(0.0, 0.0), (3.0, 5.0), (8.0, 8.0), (5.0, 3.0)]],
-        &[(4.0, 4.0)],
-    )
+    rings(&[&OUTLINE, &[(0.0, 0.0), (3.0, 5.0), (8.0, 8.0), (5.0, 3.0)]], &[(4.0, 4.0)])
 }
 
 /// See [`super::PslgKind::HoleAlongEdge`].
 pub(super) fn hole_along_edge() -> Pslg {
-    rings(
-        &[&OUTLINE, &[(0.0, 0.0), (0.0, 8.0), (2.0, 6.0), (2.0, 2.0)]],
-        &[(1.0, 4.0)],
-    )
+    rings(&[&OUTLINE, &[(0.0, 0.0), (0.0, 8.0), (2.0, 6.0), (2.0, 2.0)]], &[(1.0, 4.0)])
 }
 
 /// See [`super::PslgKind::HolesTouch`].
 pub(super) fn holes_touch() -> Pslg {
-    let at_vertex: [&[(f64, f64)]; 2] = [
-        &[(1.0, 1.0), (2.0, 3.0), (3.0, 2.0)],
-        &[(3.0, 2.0), (5.0, 3.0), (5.0, 1.0)],
-    ];
-    let along_edge: [&[(f64, f64)]; 2] = [
-        &[(2.0, 5.0), (2.0, 7.0), (4.0, 7.0), (4.0, 5.0)],
-        &[(4.0, 5.0), (4.0, 7.0), (6.0, 6.0)],
-    ];
+    let at_vertex: [&[(f64, f64)]; 2] = [&[(1.0, 1.0), (2.0, 3.0), (3.0, 2.0)], &[(3.0, 2.0), (5.0, 3.0), (5.0, 1.0)]];
+    let along_edge: [&[(f64, f64)]; 2] =
+        [&[(2.0, 5.0), (2.0, 7.0), (4.0, 7.0), (4.0, 5.0)], &[(4.0, 5.0), (4.0, 7.0), (6.0, 6.0)]];
     rings(
-        &[
-            &OUTLINE,
-            at_vertex[0],
-            at_vertex[1],
-            along_edge[0],
-            along_edge[1],
-        ],
+        &[&OUTLINE, at_vertex[0], at_vertex[1], along_edge[0], along_edge[1]],
         &[(2.0, 2.0), (4.5, 2.0), (3.0, 6.0), (4.5, 6.0)],
     )
 }
 
 /// See [`super::PslgKind::EmptyDomain`].
 pub(super) fn empty_domain() -> Pslg {
-    rings(
-        &[&OUTLINE, &[(0.0, 0.0), (0.0, 8.0), (8.0, 8.0), (8.0, 0.0)]],
-        &[(4.0, 4.0)],
-    )
+    rings(&[&OUTLINE, &[(0.0, 0.0), (0.0, 8.0), (8.0, 8.0), (8.0, 0.0)]], &[(4.0, 4.0)])
 }
 
 /// See [`super::PslgKind::HolePartlyOutside`].
 pub(super) fn hole_partly_outside() -> Pslg {
-    rings(
-        &[
-            &OUTLINE,
-            &[(6.0, 3.0), (6.0, 5.0), (11.0, 5.0), (11.0, 3.0)],
-        ],
-        &[(7.0, 4.0)],
-    )
+    rings(&[&OUTLINE, &[(6.0, 3.0), (6.0, 5.0), (11.0, 5.0), (11.0, 3.0)]], &[(7.0, 4.0)])
 }
 
 /// See [`super::PslgKind::Keyhole`]: outline, bridge in, inner ring clockwise, bridge out.
@@ -202,11 +165,7 @@ pub(super) fn koch(n: usize, _: &mut SplitMix64) -> Pslg {
     let mut outline = circle(3, 1.0);
     while outline.len() * 4 <= n {
         let next = outline.iter().skip(1).chain(outline.first());
-        outline = outline
-            .iter()
-            .zip(next)
-            .flat_map(|(&a, &b)| koch_step(a, b))
-            .collect();
+        outline = outline.iter().zip(next).flat_map(|(&a, &b)| koch_step(a, b)).collect();
     }
     ring(&outline)
 }
@@ -217,10 +176,7 @@ fn koch_step(a: Point, b: Point) -> [Point; 4] {
     let third = Point::new((b.x - a.x) / 3.0, (b.y - a.y) / 3.0);
     let (sin, cos) = (libm::sin(-PI / 3.0), libm::cos(PI / 3.0));
     let p = Point::new(a.x + third.x, a.y + third.y);
-    let tip = Point::new(
-        p.x + third.x * cos - third.y * sin,
-        p.y + third.x * sin + third.y * cos,
-    );
+    let tip = Point::new(p.x + third.x * cos - third.y * sin, p.y + third.x * sin + third.y * cos);
     [a, p, tip, Point::new(b.x - third.x, b.y - third.y)]
 }
 
@@ -270,12 +226,8 @@ pub(super) fn thin_annulus(n: usize, _: &mut SplitMix64) -> Pslg {
 pub(super) fn gear(n: usize, _: &mut SplitMix64) -> Pslg {
     let teeth = (n / 8).max(3);
     let profile = [(0.0, 0.8), (0.3, 0.8), (0.4, 1.0), (0.9, 1.0)];
-    let corner = |tooth: usize, (part, radius): (f64, f64)| {
-        polar(radius, TAU * (tooth as f64 + part) / teeth as f64)
-    };
-    let outline: Vec<Point> = (0..teeth)
-        .flat_map(|t| profile.map(|at| corner(t, at)))
-        .collect();
+    let corner = |tooth: usize, (part, radius): (f64, f64)| polar(radius, TAU * (tooth as f64 + part) / teeth as f64);
+    let outline: Vec<Point> = (0..teeth).flat_map(|t| profile.map(|at| corner(t, at))).collect();
     let mut pslg = ring(&outline);
     add_ring(&mut pslg, &circle(4 * teeth, 0.3));
     pslg.holes.push(Point::new(0.0, 0.0));

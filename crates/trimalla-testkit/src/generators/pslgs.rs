@@ -149,22 +149,10 @@ mod tests {
                     let input = pslg(kind, n, seed);
                     assert_eq!(input, pslg(kind, n, seed), "{kind:?}");
                     let size = u32::try_from(input.points.len()).unwrap();
-                    assert!(
-                        input
-                            .points
-                            .iter()
-                            .all(|p| p.x.is_finite() && p.y.is_finite()),
-                        "{kind:?}"
-                    );
-                    assert!(
-                        input.segments.iter().flatten().all(|&v| v < size),
-                        "{kind:?}"
-                    );
+                    assert!(input.points.iter().all(|p| p.x.is_finite() && p.y.is_finite()), "{kind:?}");
+                    assert!(input.segments.iter().flatten().all(|&v| v < size), "{kind:?}");
                     let found = contacts(&input);
-                    assert!(
-                        !kind.is_clean() || found.is_clean(),
-                        "{kind:?} n {n} seed {seed}: {found:?}"
-                    );
+                    assert!(!kind.is_clean() || found.is_clean(), "{kind:?} n {n} seed {seed}: {found:?}");
                 }
             }
             let dirty = (0..3).any(|seed| !contacts(&pslg(kind, 16, seed)).is_clean());
@@ -178,22 +166,14 @@ mod tests {
         assert!(!found.duplicate_points.is_empty() && !found.crossings.is_empty());
         assert!(!found.overlaps.is_empty() && !found.points_inside.is_empty());
         assert!(!found.zero_length.is_empty());
-        let long = contacts(&pslg(PslgKind::LongSegments, 200, 1))
-            .crossings
-            .len();
+        let long = contacts(&pslg(PslgKind::LongSegments, 200, 1)).crossings.len();
         assert!((3_000..8_000).contains(&long), "{long} crossings");
-        assert_eq!(
-            contacts(&pslg(PslgKind::NearParallel, 2, 0)).crossings,
-            [(0, 1)]
-        );
+        assert_eq!(contacts(&pslg(PslgKind::NearParallel, 2, 0)).crossings, [(0, 1)]);
     }
 
     #[test]
     fn near_miss_is_one_ulp_on_each_side() {
         let p = pslg(PslgKind::NearMiss, 0, 0).points;
-        assert_eq!(
-            (orient(p[0], p[1], p[2]), orient(p[0], p[1], p[3])),
-            (1, -1)
-        );
+        assert_eq!((orient(p[0], p[1], p[2]), orient(p[0], p[1], p[3])), (1, -1));
     }
 }

@@ -10,11 +10,7 @@ use crate::oracles::{on_open_segment, orient};
 /// A drawing from lists.
 pub(super) fn lines(points: &[(f64, f64)], segments: &[[u32; 2]]) -> Pslg {
     let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-    Pslg {
-        points,
-        segments: segments.to_vec(),
-        ..Pslg::default()
-    }
+    Pslg { points, segments: segments.to_vec(), ..Pslg::default() }
 }
 
 /// Adds a segment with two new ends.
@@ -30,11 +26,7 @@ fn count(pslg: &Pslg) -> u32 {
 }
 
 /// `n` segments, each with its own two ends, coordinates from a maker.
-pub(super) fn soup(
-    n: usize,
-    rng: &mut SplitMix64,
-    mut coordinate: impl FnMut(&mut SplitMix64) -> f64,
-) -> Pslg {
+pub(super) fn soup(n: usize, rng: &mut SplitMix64, mut coordinate: impl FnMut(&mut SplitMix64) -> f64) -> Pslg {
     let mut pslg = Pslg::default();
     for _ in 0..n {
         let [a, b] = [(); 2].map(|()| Point::new(coordinate(rng), coordinate(rng)));
@@ -50,9 +42,7 @@ pub(super) fn awkward(rng: &mut SplitMix64) -> f64 {
 
 /// Random segments between the 64 points of the grid 0..7, each point once.
 pub(super) fn shared_grid_soup(n: usize, rng: &mut SplitMix64) -> Pslg {
-    let grid: Vec<(f64, f64)> = (0..64)
-        .map(|k| (f64::from(k % 8), f64::from(k / 8)))
-        .collect();
+    let grid: Vec<(f64, f64)> = (0..64).map(|k| (f64::from(k % 8), f64::from(k / 8))).collect();
     let mut pick = || u32::try_from(rng.below(64)).unwrap();
     let segments: Vec<[u32; 2]> = (0..n).map(|_| [pick(), pick()]).collect();
     lines(&grid, &segments)
@@ -64,11 +54,7 @@ pub(super) fn bundle(n: usize, _: &mut SplitMix64) -> Pslg {
     let mut pslg = Pslg::default();
     for i in 0..n {
         let arm = polar(1.0, core::f64::consts::PI * i as f64 / n as f64);
-        add_segment(
-            &mut pslg,
-            Point::new(third - arm.x, third - arm.y),
-            Point::new(third + arm.x, third + arm.y),
-        );
+        add_segment(&mut pslg, Point::new(third - arm.x, third - arm.y), Point::new(third + arm.x, third + arm.y));
     }
     pslg
 }
@@ -85,18 +71,9 @@ pub(super) fn exact_bundle(n: usize, rng: &mut SplitMix64) -> Pslg {
 
 /// `n` random points; then random pairs become segments where they touch nothing but vertices at
 /// their ends.
-pub(super) fn non_crossing(
-    n: usize,
-    rng: &mut SplitMix64,
-    coordinate: impl Fn(&mut SplitMix64) -> f64,
-) -> Pslg {
-    let points: Vec<Point> = (0..n)
-        .map(|_| Point::new(coordinate(rng), coordinate(rng)))
-        .collect();
-    let mut pslg = Pslg {
-        points,
-        ..Pslg::default()
-    };
+pub(super) fn non_crossing(n: usize, rng: &mut SplitMix64, coordinate: impl Fn(&mut SplitMix64) -> f64) -> Pslg {
+    let points: Vec<Point> = (0..n).map(|_| Point::new(coordinate(rng), coordinate(rng))).collect();
+    let mut pslg = Pslg { points, ..Pslg::default() };
     for _ in 0..if n == 0 { 0 } else { 3 * n } {
         let segment = [(); 2].map(|()| u32::try_from(rng.below(n)).unwrap());
         if fits(&pslg, segment) {
@@ -113,9 +90,7 @@ fn fits(pslg: &Pslg, segment: [u32; 2]) -> bool {
         let [p, q] = s.map(|v| pslg.points[v as usize]);
         orient(a, b, p) * orient(a, b, q) < 0 && orient(p, q, a) * orient(p, q, b) < 0
     };
-    a != b
-        && !pslg.points.iter().any(|&p| on_open_segment(p, a, b))
-        && !pslg.segments.iter().any(crosses)
+    a != b && !pslg.points.iter().any(|&p| on_open_segment(p, a, b)) && !pslg.segments.iter().any(crosses)
 }
 
 /// The segment (0, 0)–(4 n, 2 n) and the points (2 i, i) in random order, reversed in direction by
@@ -134,34 +109,18 @@ pub(super) fn points_on_segment(n: usize, rng: &mut SplitMix64) -> Pslg {
 pub(super) fn t_junctions() -> Pslg {
     let exact = [(0.0, 0.0), (2.0, 0.0), (1.0, 0.0), (1.0, 1.0)];
     let rounded = [(10.0, 0.0), (13.0, 1.0), (11.0, 1.0 / 3.0), (11.0, 2.0)];
-    lines(
-        &[exact, rounded].concat(),
-        &[[0, 1], [2, 3], [4, 5], [6, 7]],
-    )
+    lines(&[exact, rounded].concat(), &[[0, 1], [2, 3], [4, 5], [6, 7]])
 }
 
 /// (0,0)–(3,0) with (1,0)–(4,0); (0,1)–(4,1) over (1,1)–(2,1); a chain of `n` half overlaps on y =
 /// 2.
 pub(super) fn collinear_overlaps(n: usize, _: &mut SplitMix64) -> Pslg {
     let mut pslg = lines(
-        &[
-            (0.0, 0.0),
-            (3.0, 0.0),
-            (1.0, 0.0),
-            (4.0, 0.0),
-            (0.0, 1.0),
-            (4.0, 1.0),
-            (1.0, 1.0),
-            (2.0, 1.0),
-        ],
+        &[(0.0, 0.0), (3.0, 0.0), (1.0, 0.0), (4.0, 0.0), (0.0, 1.0), (4.0, 1.0), (1.0, 1.0), (2.0, 1.0)],
         &[[0, 1], [2, 3], [4, 5], [6, 7]],
     );
     for i in 0..n {
-        add_segment(
-            &mut pslg,
-            Point::new(i as f64, 2.0),
-            Point::new(i as f64 + 2.0, 2.0),
-        );
+        add_segment(&mut pslg, Point::new(i as f64, 2.0), Point::new(i as f64 + 2.0, 2.0));
     }
     pslg
 }
@@ -169,18 +128,11 @@ pub(super) fn collinear_overlaps(n: usize, _: &mut SplitMix64) -> Pslg {
 /// One triangle whose sides are given `n` times, both ways, with markers; loops and a segment
 /// between equal points.
 pub(super) fn repeated_segments(n: usize, rng: &mut SplitMix64) -> Pslg {
-    let mut pslg = lines(
-        &[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0), (0.25, 0.25)],
-        &[[0, 0], [0, 3], [4, 4]],
-    );
+    let mut pslg = lines(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0), (0.25, 0.25)], &[[0, 0], [0, 3], [4, 4]]);
     for _ in 0..n {
         let from = u32::try_from(rng.below(3)).unwrap();
         let to = (from + 1) % 3;
-        pslg.segments.push(if rng.below(2) == 0 {
-            [from, to]
-        } else {
-            [to, from]
-        });
+        pslg.segments.push(if rng.below(2) == 0 { [from, to] } else { [to, from] });
     }
     pslg.segment_markers = (0..).take(pslg.segments.len()).collect();
     pslg
@@ -208,14 +160,10 @@ pub(super) fn hanging(n: usize, rng: &mut SplitMix64) -> Pslg {
     for i in 0..n {
         let side = if i % 2 == 0 { 1.0 } else { -1.0 };
         let root = count(&pslg);
-        pslg.points
-            .push(Point::new(i as f64, side * rng.range(0.1, 0.2)));
+        pslg.points.push(Point::new(i as f64, side * rng.range(0.1, 0.2)));
         for k in 0..=rng.below(3) {
             pslg.segments.push([root, count(&pslg)]);
-            pslg.points.push(Point::new(
-                i as f64 + 0.2 * k as f64 - 0.2,
-                side * rng.range(0.5, 1.0),
-            ));
+            pslg.points.push(Point::new(i as f64 + 0.2 * k as f64 - 0.2, side * rng.range(0.5, 1.0)));
         }
     }
     pslg
@@ -225,14 +173,7 @@ pub(super) fn hanging(n: usize, rng: &mut SplitMix64) -> Pslg {
 pub(super) fn gap(_: usize, rng: &mut SplitMix64) -> Pslg {
     let gap = libm::exp10(-(rng.below(7) as f64));
     lines(
-        &[
-            (0.0, 0.0),
-            (1000.0, 0.0),
-            (1000.0, 1000.0),
-            (0.0, 1000.0),
-            (100.0, gap),
-            (900.0, gap),
-        ],
+        &[(0.0, 0.0), (1000.0, 0.0), (1000.0, 1000.0), (0.0, 1000.0), (100.0, gap), (900.0, gap)],
         &[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]],
     )
 }
@@ -241,10 +182,7 @@ pub(super) fn gap(_: usize, rng: &mut SplitMix64) -> Pslg {
 pub(super) fn wedge(_: usize, rng: &mut SplitMix64) -> Pslg {
     let angle: f64 = [0.001, 0.01, 0.1, 1.0, 5.0, 20.0, 59.9, 60.0][rng.below(8)];
     let tip = polar(10.0, angle.to_radians());
-    lines(
-        &[(0.0, 0.0), (1.0, 0.0), (tip.x, tip.y)],
-        &[[0, 1], [1, 2], [2, 0]],
-    )
+    lines(&[(0.0, 0.0), (1.0, 0.0), (tip.x, tip.y)], &[[0, 1], [1, 2], [2, 0]])
 }
 
 /// A square with a free slit, a slit from the boundary (its root inside a side), and a cross.
@@ -264,15 +202,6 @@ pub(super) fn slits() -> Pslg {
             (6.0, 2.0),
             (6.0, 4.0),
         ],
-        &[
-            [0, 1],
-            [1, 2],
-            [2, 3],
-            [3, 0],
-            [4, 5],
-            [6, 7],
-            [8, 9],
-            [10, 11],
-        ],
+        &[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [6, 7], [8, 9], [10, 11]],
     )
 }

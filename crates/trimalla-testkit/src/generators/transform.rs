@@ -9,9 +9,7 @@ use super::rng::SplitMix64;
 #[must_use]
 pub fn rotated(pslg: &Pslg, angle: f64) -> Pslg {
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-    mapped(pslg, |p| {
-        Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos)
-    })
+    mapped(pslg, |p| Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos))
 }
 
 /// The drawing moved, rounded.
@@ -44,16 +42,9 @@ pub fn noisy(pslg: &Pslg, amplitude: f64, seed: u64) -> Pslg {
     let first = crate::oracles::representatives(&pslg.points);
     for (i, &f) in first.iter().enumerate() {
         let p = pslg.points[i];
-        let by = Point::new(
-            rng.range(-amplitude, amplitude),
-            rng.range(-amplitude, amplitude),
-        );
+        let by = Point::new(rng.range(-amplitude, amplitude), rng.range(-amplitude, amplitude));
         let own = f as usize == i;
-        shaken.points[i] = if own {
-            Point::new(p.x + by.x, p.y + by.y)
-        } else {
-            shaken.points[f as usize]
-        };
+        shaken.points[i] = if own { Point::new(p.x + by.x, p.y + by.y) } else { shaken.points[f as usize] };
     }
     shaken
 }
@@ -69,28 +60,12 @@ pub fn permuted(pslg: &Pslg, seed: u64) -> (Pslg, Vec<u32>) {
     for (new, &old) in (0..).zip(&order) {
         new_from_old[old] = new;
     }
-    let mut segments: Vec<[u32; 2]> = pslg
-        .segments
-        .iter()
-        .map(|s| s.map(|v| new_from_old[v as usize]))
-        .collect();
-    segments
-        .iter_mut()
-        .filter(|_| rng.below(2) == 0)
-        .for_each(|s| s.reverse());
+    let mut segments: Vec<[u32; 2]> = pslg.segments.iter().map(|s| s.map(|v| new_from_old[v as usize])).collect();
+    segments.iter_mut().filter(|_| rng.below(2) == 0).for_each(|s| s.reverse());
     rng.shuffle(&mut segments);
     let points = order.iter().map(|&old| pslg.points[old]).collect();
     let (holes, regions) = (pslg.holes.clone(), pslg.regions.clone());
-    (
-        Pslg {
-            points,
-            segments,
-            holes,
-            regions,
-            ..Pslg::default()
-        },
-        new_from_old,
-    )
+    (Pslg { points, segments, holes, regions, ..Pslg::default() }, new_from_old)
 }
 
 /// The drawing with `k` rounded points on each segment, which becomes `k + 1` segments.
@@ -100,43 +75,28 @@ pub fn permuted(pslg: &Pslg, seed: u64) -> (Pslg, Vec<u32>) {
 /// straight side of a real drawing looks like after somebody else resampled it.
 #[must_use]
 pub fn resampled(pslg: &Pslg, k: usize) -> Pslg {
-    let mut out = Pslg {
-        segments: Vec::new(),
-        segment_markers: Vec::new(),
-        ..pslg.clone()
-    };
-    (
-        out.point_markers,
-        out.point_attributes,
-        out.attributes_per_point,
-    ) = (Vec::new(), Vec::new(), 0);
+    let mut out = Pslg { segments: Vec::new(), segment_markers: Vec::new(), ..pslg.clone() };
+    (out.point_markers, out.point_attributes, out.attributes_per_point) = (Vec::new(), Vec::new(), 0);
     for (i, &[a, b]) in pslg.segments.iter().enumerate() {
         let (p, q) = (pslg.points[a as usize], pslg.points[b as usize]);
         let mut last = a;
         for step in 1..=k {
             let t = step as f64 / (k + 1) as f64;
             let next = u32::try_from(out.points.len()).unwrap();
-            out.points.push(Point::new(
-                (1.0 - t) * p.x + t * q.x,
-                (1.0 - t) * p.y + t * q.y,
-            ));
+            out.points.push(Point::new((1.0 - t) * p.x + t * q.x, (1.0 - t) * p.y + t * q.y));
             out.segments.push([last, next]);
             last = next;
         }
         out.segments.push([last, b]);
         let marker = pslg.segment_markers.get(i).copied();
-        out.segment_markers
-            .extend(marker.into_iter().cycle().take(k + 1));
+        out.segment_markers.extend(marker.into_iter().cycle().take(k + 1));
     }
     out
 }
 
 /// The drawing with every coordinate pair mapped.
 fn mapped(pslg: &Pslg, f: impl Fn(Point) -> Point) -> Pslg {
-    let region = |r: &Region| Region {
-        seed: f(r.seed),
-        ..*r
-    };
+    let region = |r: &Region| Region { seed: f(r.seed), ..*r };
     Pslg {
         points: pslg.points.iter().map(|&p| f(p)).collect(),
         holes: pslg.holes.iter().map(|&p| f(p)).collect(),
@@ -156,17 +116,11 @@ mod tests {
         assert_eq!(rotated(&square, 0.3).segments, square.segments);
         assert_eq!(rotated(&square, 0.0), square);
         let fine = resampled(&square, 3);
-        assert_eq!(
-            fine.points.len(),
-            square.points.len() + 3 * square.segments.len()
-        );
+        assert_eq!(fine.points.len(), square.points.len() + 3 * square.segments.len());
         assert_eq!(fine.segments.len(), 4 * square.segments.len());
         assert_eq!(noisy(&square, 1e-3, 5), noisy(&square, 1e-3, 5));
         assert_ne!(noisy(&square, 1e-3, 5), noisy(&square, 1e-3, 6));
-        assert_eq!(
-            moved_to_utm(&square).points[0].y,
-            square.points[0].y + 4_649_776.0
-        );
+        assert_eq!(moved_to_utm(&square).points[0].y, square.points[0].y + 4_649_776.0);
         assert_eq!(scaled(&scaled(&square, 4.0), 0.25), square);
     }
 
@@ -174,12 +128,7 @@ mod tests {
     fn permutation_says_where_points_went() {
         let gear = pslg(PslgKind::Gear, 32, 0);
         let (mixed, new_from_old) = permuted(&gear, 3);
-        assert!(
-            gear.points
-                .iter()
-                .zip(&new_from_old)
-                .all(|(&p, &new)| mixed.points[new as usize] == p)
-        );
+        assert!(gear.points.iter().zip(&new_from_old).all(|(&p, &new)| mixed.points[new as usize] == p));
         assert_eq!(mixed.segments.len(), gear.segments.len());
         assert_ne!(mixed.points, gear.points);
     }

@@ -13,10 +13,7 @@ pub fn doubled_area(points: &[Point], triangles: &[[u32; 3]]) -> RBig {
         let [a, b, c] = t.map(|v| rational(points[v as usize]));
         orient_det(&a, &b, &c)
     };
-    triangles
-        .iter()
-        .map(doubled)
-        .fold(RBig::ZERO, |sum, area| sum + area)
+    triangles.iter().map(doubled).fold(RBig::ZERO, |sum, area| sum + area)
 }
 
 /// Twice the signed area inside a ring, positive where it runs counter-clockwise.
@@ -26,9 +23,7 @@ pub fn doubled_ring_area(ring: &[Point]) -> RBig {
         return RBig::ZERO;
     };
     let origin = rational(first);
-    let fan = ring
-        .windows(2)
-        .map(|w| orient_det(&origin, &rational(w[0]), &rational(w[1])));
+    let fan = ring.windows(2).map(|w| orient_det(&origin, &rational(w[0]), &rational(w[1])));
     fan.fold(RBig::ZERO, |sum, area| sum + area)
 }
 
@@ -47,8 +42,7 @@ mod tests {
 
     #[test]
     fn unit_square() {
-        let square =
-            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
         assert_eq!(doubled_ring_area(&square), RBig::from(2));
         assert_eq!(doubled_area(&square, &[[0, 1, 2]]), RBig::from(1));
         assert!(covers_hull(&square, &[[0, 1, 2], [0, 2, 3]]));

@@ -65,11 +65,7 @@ pub fn check_indexed(mesh: &IndexedMesh, input: Option<&Pslg>) -> Vec<String> {
 
 /// [`check_indexed`] with a choice of the circle test.
 #[must_use]
-pub fn check_indexed_with(
-    mesh: &IndexedMesh,
-    input: Option<&Pslg>,
-    rule: DelaunayRule,
-) -> Vec<String> {
+pub fn check_indexed_with(mesh: &IndexedMesh, input: Option<&Pslg>, rule: DelaunayRule) -> Vec<String> {
     let mut faults = number_faults(mesh, input);
     if !faults.is_empty() {
         return faults;
@@ -78,10 +74,7 @@ pub fn check_indexed_with(
     let edges = Edges::new(&mesh.triangles);
     faults.extend(capped(
         "directed edges are used twice",
-        edges
-            .twice
-            .iter()
-            .map(|e| format!("directed edge {e:?} is used twice")),
+        edges.twice.iter().map(|e| format!("directed edge {e:?} is used twice")),
     ));
     faults.extend(orientation_faults(mesh));
     if !faults.is_empty() {
@@ -108,11 +101,7 @@ struct Edges {
 impl Edges {
     /// Collects the directed edges of all triangles.
     fn new(triangles: &[[u32; 3]]) -> Self {
-        let mut edges = Self {
-            apex: HashMap::new(),
-            twice: Vec::new(),
-            neighbours: BTreeMap::new(),
-        };
+        let mut edges = Self { apex: HashMap::new(), twice: Vec::new(), neighbours: BTreeMap::new() };
         for &t in triangles {
             for k in 0..3 {
                 let (a, b, c) = (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
@@ -159,61 +148,31 @@ fn number_faults(mesh: &IndexedMesh, input: Option<&Pslg>) -> Vec<String> {
     let mut faults = Vec::new();
     let mut column = |name: &str, len: usize, wanted: usize| {
         if len != 0 && len != wanted {
-            faults.push(format!(
-                "column {name} has {len} entries instead of {wanted}"
-            ));
+            faults.push(format!("column {name} has {len} entries instead of {wanted}"));
         }
     };
     column("point_markers", mesh.point_markers.len(), n);
-    column(
-        "point_attributes",
-        mesh.point_attributes.len(),
-        n * mesh.attributes_per_point,
-    );
-    column(
-        "triangle_attributes",
-        mesh.triangle_attributes.len(),
-        mesh.triangles.len() * mesh.attributes_per_triangle,
-    );
-    column(
-        "segment_markers",
-        mesh.segment_markers.len(),
-        mesh.segments.len(),
-    );
+    column("point_attributes", mesh.point_attributes.len(), n * mesh.attributes_per_point);
+    column("triangle_attributes", mesh.triangle_attributes.len(), mesh.triangles.len() * mesh.attributes_per_triangle);
+    column("segment_markers", mesh.segment_markers.len(), mesh.segments.len());
     if mesh.input_points > n {
         faults.push(format!("{} input points of {n} points", mesh.input_points));
     }
-    let wild = mesh
-        .points
-        .iter()
-        .enumerate()
-        .filter(|(_, p)| !p.x.is_finite() || !p.y.is_finite());
-    faults.extend(capped(
-        "points are not finite",
-        wild.map(|(i, p)| format!("point {i} is not finite: {p:?}")),
-    ));
+    let wild = mesh.points.iter().enumerate().filter(|(_, p)| !p.x.is_finite() || !p.y.is_finite());
+    faults.extend(capped("points are not finite", wild.map(|(i, p)| format!("point {i} is not finite: {p:?}"))));
     let far = |ids: &[u32]| ids.iter().any(|&v| v as usize >= n);
-    let bad_corner = mesh
-        .triangles
-        .iter()
-        .enumerate()
-        .filter(|(_, t)| far(*t) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
+    let bad_corner =
+        mesh.triangles.iter().enumerate().filter(|(_, t)| far(*t) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
     faults.extend(capped(
         "triangles have wrong corners",
-        bad_corner
-            .map(|(i, t)| format!("triangle {i} {t:?} repeats a corner or names one out of range")),
+        bad_corner.map(|(i, t)| format!("triangle {i} {t:?} repeats a corner or names one out of range")),
     ));
     let bad_end = mesh.segments.iter().enumerate().filter(|(_, s)| far(*s));
     faults.extend(capped(
         "subsegments have wrong ends",
         bad_end.map(|(i, s)| format!("subsegment {i} {s:?} is out of range")),
     ));
-    let input_far = |p: &Pslg| {
-        p.segments
-            .iter()
-            .flatten()
-            .any(|&v| v as usize >= p.points.len())
-    };
+    let input_far = |p: &Pslg| p.segments.iter().flatten().any(|&v| v as usize >= p.points.len());
     if input.is_some_and(input_far) {
         faults.push("the input itself names a vertex out of range".to_owned());
     }
@@ -247,10 +206,7 @@ fn vertex_faults(mesh: &IndexedMesh, input: Option<&Pslg>) -> Vec<String> {
         ));
     }
     let mut used = vec![false; mesh.points.len()];
-    mesh.triangles
-        .iter()
-        .flatten()
-        .for_each(|&v| used[v as usize] = true);
+    mesh.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
     let first = representatives(&mesh.points);
     let steiner = mesh.input_points.min(mesh.points.len())..mesh.points.len();
     let doubled = steiner.clone().filter(|&v| first[v] as usize != v);
@@ -259,10 +215,7 @@ fn vertex_faults(mesh: &IndexedMesh, input: Option<&Pslg>) -> Vec<String> {
         doubled.map(|v| format!("new vertex {v} equals vertex {}", first[v])),
     ));
     let unused = steiner.filter(|&v| !used[v]);
-    faults.extend(capped(
-        "new vertices are unused",
-        unused.map(|v| format!("new vertex {v} is in no triangle")),
-    ));
+    faults.extend(capped("new vertices are unused", unused.map(|v| format!("new vertex {v} is in no triangle"))));
     faults
 }
 
@@ -287,30 +240,17 @@ fn fan_faults(mesh: &IndexedMesh) -> Vec<String> {
     let mut next: BTreeMap<u32, BTreeMap<u32, u32>> = BTreeMap::new();
     for t in &mesh.triangles {
         for k in 0..3 {
-            next.entry(t[k])
-                .or_default()
-                .insert(t[(k + 1) % 3], t[(k + 2) % 3]);
+            next.entry(t[k]).or_default().insert(t[(k + 1) % 3], t[(k + 2) % 3]);
         }
     }
     let broken = next.iter().filter(|(_, star)| {
         let reached: BTreeSet<u32> = star.values().copied().collect();
-        let open: Vec<u32> = star
-            .keys()
-            .copied()
-            .filter(|v| !reached.contains(v))
-            .collect();
-        let starts = if open.is_empty() {
-            star.keys().take(1).copied().collect()
-        } else {
-            open
-        };
+        let open: Vec<u32> = star.keys().copied().filter(|v| !reached.contains(v)).collect();
+        let starts = if open.is_empty() { star.keys().take(1).copied().collect() } else { open };
         let turned: usize = starts.iter().map(|&start| fan_length(star, start)).sum();
         turned != star.len()
     });
-    capped(
-        "stars are broken",
-        broken.map(|(v, _)| format!("the star of vertex {v} is not made of simple fans")),
-    )
+    capped("stars are broken", broken.map(|(v, _)| format!("the star of vertex {v} is not made of simple fans")))
 }
 
 /// Number of triangles met by turning from `start` until the fan ends or closes.
@@ -333,20 +273,12 @@ fn overlap_faults(mesh: &IndexedMesh) -> Vec<String> {
     if mesh.triangles.len() > OVERLAP_LIMIT {
         return Vec::new();
     }
-    let corners: Vec<[Point; 3]> = mesh
-        .triangles
-        .iter()
-        .map(|t| t.map(|v| mesh.points[v as usize]))
-        .collect();
+    let corners: Vec<[Point; 3]> = mesh.triangles.iter().map(|t| t.map(|v| mesh.points[v as usize])).collect();
     let pairs = (0..corners.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
     let meeting = pairs.filter(|&(i, j)| {
-        !has_separating_side(&corners[i], &corners[j])
-            && !has_separating_side(&corners[j], &corners[i])
+        !has_separating_side(&corners[i], &corners[j]) && !has_separating_side(&corners[j], &corners[i])
     });
-    capped(
-        "pairs of triangles overlap",
-        meeting.map(|(i, j)| format!("triangles {i} and {j} overlap")),
-    )
+    capped("pairs of triangles overlap", meeting.map(|(i, j)| format!("triangles {i} and {j} overlap")))
 }
 
 /// Whether some side of the counter-clockwise `t` has all of `other` on its right or on it.
@@ -355,17 +287,9 @@ fn has_separating_side(t: &[Point; 3], other: &[Point]) -> bool {
 }
 
 /// Part 5: the constrained edges, both directions, and what is wrong with segments.
-fn constrained_edges(
-    mesh: &IndexedMesh,
-    input: Option<&Pslg>,
-    edges: &Edges,
-) -> (BTreeSet<[u32; 2]>, Vec<String>) {
+fn constrained_edges(mesh: &IndexedMesh, input: Option<&Pslg>, edges: &Edges) -> (BTreeSet<[u32; 2]>, Vec<String>) {
     let mut faults = Vec::new();
-    let no_edge = mesh
-        .segments
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| !edges.joins(s[0], s[1]));
+    let no_edge = mesh.segments.iter().enumerate().filter(|(_, s)| !edges.joins(s[0], s[1]));
     faults.extend(capped(
         "subsegments are no edges",
         no_edge.map(|(i, s)| format!("subsegment {i} {s:?} is not an edge of the mesh")),
@@ -383,20 +307,13 @@ fn constrained_edges(
             continue;
         }
         let line = Line::new(&mesh.points, a, b);
-        let pieces = line
-            .chain(edges, a, b)
-            .unwrap_or_else(|| line.all_pieces(edges));
+        let pieces = line.chain(edges, a, b).unwrap_or_else(|| line.all_pieces(edges));
         if let Some(gap) = line.uncovered_inside(mesh, &pieces) {
-            missing.push(format!(
-                "input segment {i} {segment:?} is not covered by edges near {gap:?}"
-            ));
+            missing.push(format!("input segment {i} {segment:?} is not covered by edges near {gap:?}"));
         }
         constrained.extend(pieces.iter().flat_map(|&[a, b]| [[a, b], [b, a]]));
     }
-    faults.extend(capped(
-        "input segments are not covered",
-        missing.into_iter(),
-    ));
+    faults.extend(capped("input segments are not covered", missing.into_iter()));
     let mut orphans = Vec::new();
     for (i, &[a, b]) in mesh.segments.iter().enumerate() {
         if constrained.contains(&[a, b]) || !edges.joins(a, b) {
@@ -406,9 +323,7 @@ fn constrained_edges(
         if lies_on_a_segment(mesh, input, &first, [a, b]) {
             constrained.extend([[a, b], [b, a]]);
         } else if !edges.is_boundary(a, b) {
-            orphans.push(format!(
-                "subsegment {i} [{a}, {b}] lies on no input segment"
-            ));
+            orphans.push(format!("subsegment {i} [{a}, {b}] lies on no input segment"));
         }
     }
     faults.extend(capped("subsegments have no parent", orphans.into_iter()));
@@ -424,10 +339,7 @@ fn lies_on_a_segment(mesh: &IndexedMesh, input: &Pslg, first: &[u32], ends: [u32
         }
         let line = Line::new(&mesh.points, a, b);
         let slack = line.tolerance / line.length_sq.sqrt();
-        let on = |v: u32| {
-            line.parameter(v)
-                .is_some_and(|t| (-slack..=1.0 + slack).contains(&t))
-        };
+        let on = |v: u32| line.parameter(v).is_some_and(|t| (-slack..=1.0 + slack).contains(&t));
         ends.into_iter().all(on)
     })
 }
@@ -457,18 +369,9 @@ impl<'a> Line<'a> {
         let scale = power_of_two_below(half.x.abs().max(half.y.abs()));
         let along = scaled_difference(to, from, scale);
         let length_sq = along.x * along.x + along.y * along.y;
-        let largest = [from.x, from.y, to.x, to.y]
-            .into_iter()
-            .fold(0.0, |m: f64, v| m.max(v.abs()));
+        let largest = [from.x, from.y, to.x, to.y].into_iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         let tolerance = 1e-9 * length_sq.sqrt() + 8.0 * f64::EPSILON * (largest / scale);
-        Self {
-            points,
-            from,
-            scale,
-            along,
-            length_sq,
-            tolerance,
-        }
+        Self { points, from, scale, along, length_sq, tolerance }
     }
 
     /// How far along the segment a vertex is, from 0 to 1; nothing if it is off the line.
@@ -501,40 +404,24 @@ impl<'a> Line<'a> {
     /// All edges of the mesh that lie along the segment, each from start to end.
     fn all_pieces(&self, edges: &Edges) -> Vec<[u32; 2]> {
         let slack = self.tolerance / self.length_sq.sqrt();
-        let on = |v: u32| {
-            self.parameter(v)
-                .filter(|t| (-slack..=1.0 + slack).contains(t))
-        };
-        let starts = edges
-            .neighbours
-            .keys()
-            .filter_map(|&v| on(v).map(|t| (v, t)));
+        let on = |v: u32| self.parameter(v).filter(|t| (-slack..=1.0 + slack).contains(t));
+        let starts = edges.neighbours.keys().filter_map(|&v| on(v).map(|t| (v, t)));
         starts
-            .flat_map(|(v, t)| {
-                edges
-                    .around(v)
-                    .filter(move |&w| on(w).is_some_and(|u| u > t))
-                    .map(move |w| [v, w])
-            })
+            .flat_map(|(v, t)| edges.around(v).filter(move |&w| on(w).is_some_and(|u| u > t)).map(move |w| [v, w]))
             .collect()
     }
 
     /// A point of the segment that no piece covers although it lies inside a triangle.
     fn uncovered_inside(&self, mesh: &IndexedMesh, pieces: &[[u32; 2]]) -> Option<Point> {
         let slack = self.tolerance / self.length_sq.sqrt();
-        let mut spans: Vec<[f64; 2]> = pieces
-            .iter()
-            .map(|p| p.map(|v| self.parameter(v).unwrap_or(0.0)))
-            .collect();
+        let mut spans: Vec<[f64; 2]> = pieces.iter().map(|p| p.map(|v| self.parameter(v).unwrap_or(0.0))).collect();
         spans.push([1.0, 1.0]);
         spans.sort_by(|s, t| s[0].total_cmp(&t[0]));
         let mut reached = 0.0;
         for [start, end] in spans {
             if start > reached + slack {
                 let samples = (1..=GAP_SAMPLES).map(|k| (f64::from(k) * GOLDEN).fract());
-                let inside = samples
-                    .map(|u| self.at(reached + u * (start - reached)))
-                    .find(|&p| lies_inside(mesh, p));
+                let inside = samples.map(|u| self.at(reached + u * (start - reached))).find(|&p| lies_inside(mesh, p));
                 if inside.is_some() {
                     return inside;
                 }
@@ -546,10 +433,7 @@ impl<'a> Line<'a> {
 
     /// The rounded point at a parameter.
     fn at(&self, t: f64) -> Point {
-        Point::new(
-            self.from.x + t * self.along.x * self.scale,
-            self.from.y + t * self.along.y * self.scale,
-        )
+        Point::new(self.from.x + t * self.along.x * self.scale, self.from.y + t * self.along.y * self.scale)
     }
 }
 
@@ -558,10 +442,7 @@ fn scaled_difference(p: Point, q: Point, scale: f64) -> Point {
     if scale < 1.0 {
         return Point::new((p.x - q.x) / scale, (p.y - q.y) / scale);
     }
-    Point::new(
-        (p.x / 2.0 - q.x / 2.0) / (scale / 2.0),
-        (p.y / 2.0 - q.y / 2.0) / (scale / 2.0),
-    )
+    Point::new((p.x / 2.0 - q.x / 2.0) / (scale / 2.0), (p.y / 2.0 - q.y / 2.0) / (scale / 2.0))
 }
 
 /// The largest power of two that is not above a positive value, or the smallest double.
@@ -604,9 +485,7 @@ fn circle_faults(
                 _ => in_circle(pa, pb, pc, pd) > 0,
             };
             if inside {
-                failing.push(format!(
-                    "edge [{a}, {b}] fails the circle test: vertex {d} is inside [{a}, {b}, {c}]"
-                ));
+                failing.push(format!("edge [{a}, {b}] fails the circle test: vertex {d} is inside [{a}, {b}, {c}]"));
             }
         }
     }
@@ -621,12 +500,7 @@ mod tests {
 
     fn mesh(points: &[(f64, f64)], triangles: &[[u32; 3]]) -> IndexedMesh {
         let points: Vec<Point> = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-        IndexedMesh {
-            input_points: points.len(),
-            points,
-            triangles: triangles.to_vec(),
-            ..IndexedMesh::default()
-        }
+        IndexedMesh { input_points: points.len(), points, triangles: triangles.to_vec(), ..IndexedMesh::default() }
     }
 
     const SQUARE: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
@@ -635,10 +509,7 @@ mod tests {
     fn ties_matter_only_to_the_canonical_rule() {
         let other = mesh(&SQUARE, &[[0, 1, 2], [0, 2, 3]]);
         assert!(check_indexed(&other, None).is_empty());
-        assert_eq!(
-            check_indexed_with(&other, None, DelaunayRule::Canonical).len(),
-            1
-        );
+        assert_eq!(check_indexed_with(&other, None, DelaunayRule::Canonical).len(), 1);
         let ours = mesh(&SQUARE, &[[0, 1, 3], [1, 2, 3]]);
         assert!(check_indexed_with(&ours, None, DelaunayRule::Canonical).is_empty());
     }
@@ -647,64 +518,28 @@ mod tests {
     fn each_fault_is_seen() {
         let says = |m: &IndexedMesh, words: &str| {
             let faults = check_indexed(m, None);
-            assert!(
-                faults.iter().any(|f| f.contains(words)),
-                "{words}: {faults:?}"
-            );
+            assert!(faults.iter().any(|f| f.contains(words)), "{words}: {faults:?}");
         };
         says(&mesh(&SQUARE, &[[0, 1, 9]]), "out of range");
         says(&mesh(&SQUARE, &[[0, 1, 1]]), "repeats a corner");
         says(&mesh(&SQUARE, &[[0, 1, 2], [0, 1, 3]]), "used twice");
         says(&mesh(&SQUARE, &[[0, 2, 1]]), "not counter-clockwise");
-        says(
-            &mesh(&[(0.0, 0.0), (f64::NAN, 0.0), (0.0, 1.0)], &[[0, 1, 2]]),
-            "not finite",
-        );
-        says(
-            &mesh(
-                &[(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)],
-                &[[0, 1, 2], [0, 3, 1]],
-            ),
-            "",
-        );
+        says(&mesh(&[(0.0, 0.0), (f64::NAN, 0.0), (0.0, 1.0)], &[[0, 1, 2]]), "not finite");
+        says(&mesh(&[(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)], &[[0, 1, 2], [0, 3, 1]]), "");
     }
 
     #[test]
     fn a_bad_edge_fails_the_circle_test() {
-        let flat = mesh(
-            &[(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)],
-            &[[0, 1, 2], [0, 3, 1]],
-        );
+        let flat = mesh(&[(0.0, 0.0), (4.0, 0.0), (2.0, 1.0), (2.0, -1.0)], &[[0, 1, 2], [0, 3, 1]]);
         let faults = check_indexed(&flat, None);
-        assert_eq!(
-            faults,
-            ["edge [0, 1] fails the circle test: vertex 3 is inside [0, 1, 2]"]
-        );
-        assert!(
-            check_indexed(
-                &IndexedMesh {
-                    segments: vec![[1, 0]],
-                    ..flat
-                },
-                None
-            )
-            .is_empty()
-        );
+        assert_eq!(faults, ["edge [0, 1] fails the circle test: vertex 3 is inside [0, 1, 2]"]);
+        assert!(check_indexed(&IndexedMesh { segments: vec![[1, 0]], ..flat }, None).is_empty());
     }
 
     #[test]
     fn overlap_is_seen_without_shared_edges() {
-        let two = mesh(
-            &[
-                (0.0, 0.0),
-                (4.0, 0.0),
-                (0.0, 4.0),
-                (1.0, 1.0),
-                (5.0, 1.0),
-                (1.0, 5.0),
-            ],
-            &[[0, 1, 2], [3, 4, 5]],
-        );
+        let two =
+            mesh(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (1.0, 1.0), (5.0, 1.0), (1.0, 5.0)], &[[0, 1, 2], [3, 4, 5]]);
         assert_eq!(check_indexed(&two, None), ["triangles 0 and 1 overlap"]);
     }
 
@@ -719,10 +554,7 @@ mod tests {
         assert!(check_indexed(&good, Some(&input)).is_empty());
         let wrong = mesh(&SQUARE, &[[0, 1, 3], [1, 2, 3]]);
         let faults = check_indexed(&wrong, Some(&input));
-        assert!(
-            faults.iter().any(|f| f.contains("not covered")),
-            "{faults:?}"
-        );
+        assert!(faults.iter().any(|f| f.contains("not covered")), "{faults:?}");
         let mut split = mesh(
             &[SQUARE[0], SQUARE[1], SQUARE[2], SQUARE[3], (0.5, 0.5)],
             &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
@@ -741,11 +573,7 @@ mod tests {
         // A notched shape: the segment 1-3 closes the notch and is outside.
         let shape = [(0.0, 0.0), (4.0, 4.0), (2.0, 0.0), (4.0, -4.0)];
         let m = mesh(&shape, &[[0, 2, 1], [0, 3, 2]]);
-        let input = Pslg {
-            points: m.points.clone(),
-            segments: vec![[1, 3]],
-            ..Pslg::default()
-        };
+        let input = Pslg { points: m.points.clone(), segments: vec![[1, 3]], ..Pslg::default() };
         assert!(check_indexed(&m, Some(&input)).is_empty());
     }
 
@@ -754,12 +582,7 @@ mod tests {
         for kind in PointSetKind::ALL {
             let points = point_set(kind, 16, 3);
             let triangles = brute_force_delaunay(&points);
-            let m = IndexedMesh {
-                input_points: points.len(),
-                points,
-                triangles,
-                ..IndexedMesh::default()
-            };
+            let m = IndexedMesh { input_points: points.len(), points, triangles, ..IndexedMesh::default() };
             let faults = check_indexed_with(&m, None, DelaunayRule::Canonical);
             assert!(faults.is_empty(), "{kind:?}: {faults:?}");
         }
@@ -770,12 +593,7 @@ mod tests {
             }
             let triangles = brute_force_cdt(&input.points, &input.segments);
             let points = input.points.clone();
-            let m = IndexedMesh {
-                input_points: points.len(),
-                points,
-                triangles,
-                ..IndexedMesh::default()
-            };
+            let m = IndexedMesh { input_points: points.len(), points, triangles, ..IndexedMesh::default() };
             let faults = check_indexed_with(&m, Some(&input), DelaunayRule::Canonical);
             assert!(faults.is_empty(), "{kind:?}: {faults:?}");
         }

@@ -16,9 +16,7 @@ use core::cmp::Ordering;
 use dashu_ratio::RBig;
 use trimalla::geometry::Point;
 
-use super::delaunay::{
-    canonical, counter_clockwise, distinct, in_circle_perturbed, representatives,
-};
+use super::delaunay::{canonical, counter_clockwise, distinct, in_circle_perturbed, representatives};
 use super::exact::{RPoint, on_open_segment, orient, orient_det, rational};
 
 /// All triangles of the constrained Delaunay triangulation of the convex hull, ties by the
@@ -34,9 +32,7 @@ use super::exact::{RPoint, on_open_segment, orient, orient_det, rational};
 pub fn brute_force_cdt(points: &[Point], segments: &[[u32; 2]]) -> Vec<[u32; 3]> {
     let scene = Scene::new(points, segments);
     let n = scene.ids.len();
-    let sees: Vec<Vec<bool>> = (0..n)
-        .map(|i| (0..n).map(|j| i < j && scene.sees(i, j)).collect())
-        .collect();
+    let sees: Vec<Vec<bool>> = (0..n).map(|i| (0..n).map(|j| i < j && scene.sees(i, j)).collect()).collect();
     let mut triangles = Vec::new();
     for i in 0..n {
         for j in (i + 1..n).filter(|&j| sees[i][j]) {
@@ -63,19 +59,12 @@ impl<'a> Scene<'a> {
     /// Joins equal points and drops constraints that say nothing new.
     fn new(points: &'a [Point], segments: &[[u32; 2]]) -> Self {
         let first = representatives(points);
-        let mut walls: Vec<[u32; 2]> = segments
-            .iter()
-            .map(|s| s.map(|v| first[v as usize]))
-            .collect();
+        let mut walls: Vec<[u32; 2]> = segments.iter().map(|s| s.map(|v| first[v as usize])).collect();
         walls.iter_mut().for_each(|s| s.sort_unstable());
         walls.retain(|[a, b]| a != b);
         walls.sort_unstable();
         walls.dedup();
-        Self {
-            points,
-            ids: distinct(points),
-            walls,
-        }
+        Self { points, ids: distinct(points), walls }
     }
 
     /// The coordinates of a vertex.
@@ -87,10 +76,7 @@ impl<'a> Scene<'a> {
     /// neither a constraint in a single inner point nor a vertex.
     fn sees(&self, i: usize, j: usize) -> bool {
         let (a, b) = (self.at(self.ids[i]), self.at(self.ids[j]));
-        let blocked = self
-            .walls
-            .iter()
-            .any(|w| crosses_properly(a, b, self.at(w[0]), self.at(w[1])));
+        let blocked = self.walls.iter().any(|w| crosses_properly(a, b, self.at(w[0]), self.at(w[1])));
         !blocked && !self.ids.iter().any(|&v| on_open_segment(self.at(v), a, b))
     }
 
@@ -102,10 +88,7 @@ impl<'a> Scene<'a> {
             if !in_circle_perturbed(a, b, c, d) {
                 return true;
             }
-            match [(a, b), (b, c), (c, a)]
-                .into_iter()
-                .find(|&(p, q)| orient(p, q, d) < 0)
-            {
+            match [(a, b), (b, c), (c, a)].into_iter().find(|&(p, q)| orient(p, q, d) < 0) {
                 None => false,
                 Some((p, q)) => !self.sees_through(d, p, q),
             }
@@ -115,36 +98,18 @@ impl<'a> Scene<'a> {
     /// Whether `d` sees some point of the open segment `ab`, which no constraint crosses; `d` is
     /// right of `ab`.
     fn sees_through(&self, d: Point, a: Point, b: Point) -> bool {
-        if self
-            .walls
-            .iter()
-            .any(|w| w.map(|v| self.at(v)).iter().all(|&p| p == a || p == b))
-        {
+        if self.walls.iter().any(|w| w.map(|v| self.at(v)).iter().all(|&p| p == a || p == b)) {
             return false;
         }
         // Seen from d, b is clockwise of a: d, b, a turn left.
-        let inside = |p: Point| {
-            orient(d, b, p) >= 0 && orient(d, p, a) >= 0 && orient(a, b, p) <= 0 && p != d
-        };
-        let mut turns: Vec<Point> = self
-            .ids
-            .iter()
-            .map(|&v| self.at(v))
-            .filter(|&p| inside(p))
-            .collect();
+        let inside = |p: Point| orient(d, b, p) >= 0 && orient(d, p, a) >= 0 && orient(a, b, p) <= 0 && p != d;
+        let mut turns: Vec<Point> = self.ids.iter().map(|&v| self.at(v)).filter(|&p| inside(p)).collect();
         turns.sort_by(|&p, &q| 0.cmp(&orient(d, p, q)));
         turns.dedup_by(|p, q| orient(d, *q, *p) == 0);
         let (d, a, b) = (rational(d), rational(a), rational(b));
         turns.windows(2).any(|pair| {
             let target = between(&d, &rational(pair[0]), &rational(pair[1]), &a, &b);
-            !self.walls.iter().any(|w| {
-                cuts(
-                    &rational(self.at(w[0])),
-                    &rational(self.at(w[1])),
-                    &d,
-                    &target,
-                )
-            })
+            !self.walls.iter().any(|w| cuts(&rational(self.at(w[0])), &rational(self.at(w[1])), &d, &target))
         })
     }
 }
@@ -167,10 +132,7 @@ fn between(d: &RPoint, p: &RPoint, q: &RPoint, a: &RPoint, b: &RPoint) -> RPoint
     let through = [(&p[0] + &q[0]) / &two, (&p[1] + &q[1]) / &two];
     let (from, to) = (orient_det(a, b, d), orient_det(a, b, &through));
     let t = &from / (&from - to);
-    [
-        &d[0] + &t * (&through[0] - &d[0]),
-        &d[1] + &t * (&through[1] - &d[1]),
-    ]
+    [&d[0] + &t * (&through[0] - &d[0]), &d[1] + &t * (&through[1] - &d[1])]
 }
 
 #[cfg(test)]
@@ -185,37 +147,20 @@ mod tests {
 
     #[test]
     fn without_constraints_it_is_delaunay() {
-        let p = points(&[
-            (0.0, 0.0),
-            (2.0, 0.0),
-            (2.0, 1.0),
-            (0.0, 1.0),
-            (1.0, 0.5),
-            (1.0, 3.0),
-        ]);
+        let p = points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (1.0, 0.5), (1.0, 3.0)]);
         assert_eq!(brute_force_cdt(&p, &[]), brute_force_delaunay(&p));
     }
 
     #[test]
     fn a_constraint_takes_the_other_diagonal() {
         let square = points(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
-        assert_eq!(
-            brute_force_cdt(&square, &[[0, 2], [2, 0], [1, 1]]),
-            [[0, 1, 2], [0, 2, 3]]
-        );
+        assert_eq!(brute_force_cdt(&square, &[[0, 2], [2, 0], [1, 1]]), [[0, 1, 2], [0, 2, 3]]);
     }
 
     #[test]
     fn a_wall_hides_a_vertex_inside_the_circle() {
         // The wall 3-4 hides vertex 5 from the triangle 0 1 2, whose circle holds 5.
-        let p = points(&[
-            (0.0, 0.0),
-            (4.0, 0.0),
-            (2.0, 4.0),
-            (-3.0, -0.5),
-            (7.0, -0.5),
-            (2.0, -0.75),
-        ]);
+        let p = points(&[(0.0, 0.0), (4.0, 0.0), (2.0, 4.0), (-3.0, -0.5), (7.0, -0.5), (2.0, -0.75)]);
         let free = brute_force_cdt(&p, &[]);
         let walled = brute_force_cdt(&p, &[[3, 4]]);
         assert!(!free.contains(&[0, 1, 2]), "{free:?}");
@@ -250,23 +195,13 @@ mod tests {
                     continue;
                 }
                 let triangles = brute_force_cdt(&input.points, &input.segments);
-                assert_eq!(
-                    triangles.len(),
-                    delaunay_triangle_count(&input.points),
-                    "{kind:?} seed {seed}"
-                );
-                assert!(
-                    covers_hull(&input.points, &triangles),
-                    "{kind:?} seed {seed}"
-                );
+                assert_eq!(triangles.len(), delaunay_triangle_count(&input.points), "{kind:?} seed {seed}");
+                assert!(covers_hull(&input.points, &triangles), "{kind:?} seed {seed}");
                 let first = representatives(&input.points);
                 for s in &input.segments {
                     let [a, b] = s.map(|v| first[v as usize]);
                     let has = |t: &[u32; 3]| t.contains(&a) && t.contains(&b);
-                    assert!(
-                        a == b || triangles.iter().any(has),
-                        "{kind:?} seed {seed}: segment {s:?} is no edge"
-                    );
+                    assert!(a == b || triangles.iter().any(has), "{kind:?} seed {seed}: segment {s:?} is no edge");
                 }
             }
         }

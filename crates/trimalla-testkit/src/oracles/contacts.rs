@@ -51,11 +51,7 @@ pub fn crossing_pairs(pslg: &Pslg) -> Vec<(usize, usize)> {
 #[must_use]
 pub fn contacts(pslg: &Pslg) -> Contacts {
     let first = representatives(&pslg.points);
-    let spans: Vec<Span> = pslg
-        .segments
-        .iter()
-        .map(|&s| Span::new(&pslg.points, s, &first))
-        .collect();
+    let spans: Vec<Span> = pslg.segments.iter().map(|&s| Span::new(&pslg.points, s, &first)).collect();
     let mut found = Contacts::default();
     for (i, &f) in first.iter().enumerate() {
         if f as usize != i {
@@ -113,12 +109,7 @@ impl Span {
         let [a, b] = segment.map(|v| points[v as usize]);
         let mut key = segment.map(|v| first[v as usize]);
         key.sort_unstable();
-        Self {
-            a,
-            b,
-            key,
-            bounds: [a.x.min(b.x), a.x.max(b.x), a.y.min(b.y), a.y.max(b.y)],
-        }
+        Self { a, b, key, bounds: [a.x.min(b.x), a.x.max(b.x), a.y.min(b.y), a.y.max(b.y)] }
     }
 
     /// Whether the two boxes share a point.
@@ -135,18 +126,13 @@ impl Span {
 
     /// The ends in lexicographic order.
     fn sorted(&self) -> (Point, Point) {
-        if lexicographic(self.a, self.b) == Ordering::Greater {
-            (self.b, self.a)
-        } else {
-            (self.a, self.b)
-        }
+        if lexicographic(self.a, self.b) == Ordering::Greater { (self.b, self.a) } else { (self.a, self.b) }
     }
 }
 
 /// Whether the interiors meet in exactly one point.
 fn crosses(s: &Span, t: &Span) -> bool {
-    orient(s.a, s.b, t.a) * orient(s.a, s.b, t.b) < 0
-        && orient(t.a, t.b, s.a) * orient(t.a, t.b, s.b) < 0
+    orient(s.a, s.b, t.a) * orient(s.a, s.b, t.b) < 0 && orient(t.a, t.b, s.a) * orient(t.a, t.b, s.b) < 0
 }
 
 /// Whether the two segments lie on one line and share more than a point.
@@ -174,14 +160,7 @@ mod tests {
     fn proper_crossing_and_touches() {
         // An X, a T that only touches, a shared end.
         let x = drawing(
-            &[
-                (-1.0, 0.0),
-                (1.0, 0.0),
-                (0.0, -1.0),
-                (0.0, 1.0),
-                (0.5, 0.0),
-                (0.5, 1.0),
-            ],
+            &[(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0), (0.5, 0.0), (0.5, 1.0)],
             &[[0, 1], [2, 3], [4, 5], [3, 5]],
         );
         let found = contacts(&x);
@@ -193,10 +172,8 @@ mod tests {
 
     #[test]
     fn overlaps_repetitions_and_duplicates() {
-        let line = drawing(
-            &[(0.0, 0.0), (3.0, 0.0), (1.0, 0.0), (4.0, 0.0), (0.0, 0.0)],
-            &[[0, 1], [2, 3], [1, 4], [0, 4]],
-        );
+        let line =
+            drawing(&[(0.0, 0.0), (3.0, 0.0), (1.0, 0.0), (4.0, 0.0), (0.0, 0.0)], &[[0, 1], [2, 3], [1, 4], [0, 4]]);
         let found = contacts(&line);
         assert_eq!(found.overlaps, [(0, 1), (1, 2)]);
         assert_eq!(found.repeated, [(0, 2)]);

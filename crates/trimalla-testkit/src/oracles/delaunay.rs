@@ -41,10 +41,7 @@ pub fn brute_force_delaunay(points: &[Point]) -> Vec<[u32; 3]> {
 pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> bool {
     match in_circle(a, b, c, d) {
         0 => {
-            let smallest = [a, b, c, d]
-                .into_iter()
-                .min_by(|&p, &q| lexicographic(p, q))
-                .unwrap();
+            let smallest = [a, b, c, d].into_iter().min_by(|&p, &q| lexicographic(p, q)).unwrap();
             if smallest == d {
                 false
             } else if smallest == a {
@@ -81,21 +78,12 @@ pub fn canonical(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
 pub fn representatives(points: &[Point]) -> Vec<u32> {
     let mut first: HashMap<[u64; 2], u32> = HashMap::new();
     let key = |p: &Point| [p.x, p.y].map(|v| if v == 0.0 { 0 } else { v.to_bits() });
-    points
-        .iter()
-        .zip(0..)
-        .map(|(p, i)| *first.entry(key(p)).or_insert(i))
-        .collect()
+    points.iter().zip(0..).map(|(p, i)| *first.entry(key(p)).or_insert(i)).collect()
 }
 
 /// Indices of the points that stand for themselves.
 pub(super) fn distinct(points: &[Point]) -> Vec<u32> {
-    representatives(points)
-        .into_iter()
-        .zip(0..)
-        .filter(|&(first, i)| first == i)
-        .map(|(_, i)| i)
-        .collect()
+    representatives(points).into_iter().zip(0..).filter(|&(first, i)| first == i).map(|(_, i)| i).collect()
 }
 
 /// The three corners in counter-clockwise order; nothing where they are collinear.
@@ -111,8 +99,7 @@ pub(super) fn counter_clockwise(points: &[Point], [a, b, c]: [u32; 3]) -> Option
 /// Whether no other point is inside the circle of the counter-clockwise triangle.
 fn has_empty_circle(points: &[Point], ids: &[u32], corners: [u32; 3]) -> bool {
     let [a, b, c] = corners.map(|v| points[v as usize]);
-    ids.iter()
-        .all(|d| corners.contains(d) || !in_circle_perturbed(a, b, c, points[*d as usize]))
+    ids.iter().all(|d| corners.contains(d) || !in_circle_perturbed(a, b, c, points[*d as usize]))
 }
 
 #[cfg(test)]
@@ -123,31 +110,20 @@ mod tests {
 
     #[test]
     fn square_diagonal_avoids_the_smallest_point() {
-        let square =
-            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
         assert_eq!(brute_force_delaunay(&square), [[0, 1, 3], [1, 2, 3]]);
     }
 
     #[test]
     fn worked_example_of_five_points() {
-        let five = [
-            (61.0, 17.0),
-            (-23.0, -95.0),
-            (55.0, 60.0),
-            (-77.0, 4.0),
-            (57.0, -114.0),
-        ];
+        let five = [(61.0, 17.0), (-23.0, -95.0), (55.0, 60.0), (-77.0, 4.0), (57.0, -114.0)];
         let five = five.map(|(x, y)| Point::new(x, y));
-        assert_eq!(
-            brute_force_delaunay(&five),
-            canonical(&[[3, 0, 2], [1, 4, 0], [1, 0, 3]])
-        );
+        assert_eq!(brute_force_delaunay(&five), canonical(&[[3, 0, 2], [1, 4, 0], [1, 0, 3]]));
     }
 
     #[test]
     fn duplicates_are_represented_by_the_lowest_index() {
-        let points = [(0.0, 0.0), (-0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
-            .map(|(x, y)| Point::new(x, y));
+        let points = [(0.0, 0.0), (-0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
         assert_eq!(representatives(&points), [0, 0, 2, 2, 4]);
         assert_eq!(brute_force_delaunay(&points), [[0, 2, 4]]);
     }
@@ -158,15 +134,8 @@ mod tests {
             for seed in 0..3 {
                 let points = point_set(kind, 18, seed);
                 let triangles = brute_force_delaunay(&points);
-                assert_eq!(
-                    triangles.len(),
-                    delaunay_triangle_count(&points),
-                    "{kind:?} seed {seed}: {points:?}"
-                );
-                assert!(
-                    covers_hull(&points, &triangles),
-                    "{kind:?} seed {seed}: {points:?}"
-                );
+                assert_eq!(triangles.len(), delaunay_triangle_count(&points), "{kind:?} seed {seed}: {points:?}");
+                assert!(covers_hull(&points, &triangles), "{kind:?} seed {seed}: {points:?}");
             }
         }
     }
@@ -176,10 +145,7 @@ mod tests {
         let points = point_set(PointSetKind::IntegerGrid, 25, 1);
         let reversed: Vec<Point> = points.iter().rev().copied().collect();
         let last = u32::try_from(points.len() - 1).unwrap();
-        let renamed: Vec<[u32; 3]> = brute_force_delaunay(&reversed)
-            .into_iter()
-            .map(|t| t.map(|v| last - v))
-            .collect();
+        let renamed: Vec<[u32; 3]> = brute_force_delaunay(&reversed).into_iter().map(|t| t.map(|v| last - v)).collect();
         assert_eq!(canonical(&renamed), brute_force_delaunay(&points));
     }
 }

@@ -75,29 +75,14 @@ mod tests {
     #[test]
     fn two_triangles_and_one_apart() {
         let e = euler(&[[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
-        assert_eq!(
-            e,
-            Euler {
-                vertices: 7,
-                edges: 8,
-                faces: 3,
-                boundary_edges: 7,
-                components: 2
-            }
-        );
+        assert_eq!(e, Euler { vertices: 7, edges: 8, faces: 3, boundary_edges: 7, components: 2 });
         assert_eq!(e.holes(), 0);
     }
 
     #[test]
     fn a_ring_has_one_hole() {
-        let ring: Vec<[u32; 3]> = (0..3)
-            .flat_map(|i| {
-                [
-                    [i, (i + 1) % 3, i + 3],
-                    [(i + 1) % 3, (i + 1) % 3 + 3, i + 3],
-                ]
-            })
-            .collect();
+        let ring: Vec<[u32; 3]> =
+            (0..3).flat_map(|i| [[i, (i + 1) % 3, i + 3], [(i + 1) % 3, (i + 1) % 3 + 3, i + 3]]).collect();
         assert_eq!(euler(&ring).holes(), 1);
     }
 }

@@ -52,8 +52,7 @@ pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> i32 {
         let (ca, ac) = (cdx * ady, adx * cdy);
         let (ab, ba) = (adx * bdy, bdx * ady);
         let det = al * (bc - cb) + bl * (ca - ac) + cl * (ab - ba);
-        let size =
-            al * (bc.abs() + cb.abs()) + bl * (ca.abs() + ac.abs()) + cl * (ab.abs() + ba.abs());
+        let size = al * (bc.abs() + cb.abs()) + bl * (ca.abs() + ac.abs()) + cl * (ab.abs() + ba.abs());
         if let Some(sign) = certain_sign(det, size) {
             return sign;
         }
@@ -99,22 +98,14 @@ pub fn in_circle_rational(a: Point, b: Point, c: Point, d: Point) -> i32 {
 /// The order of points by `x`, then by `y`; `-0.0` equals `0.0`.
 #[must_use]
 pub fn lexicographic(a: Point, b: Point) -> Ordering {
-    a.x.partial_cmp(&b.x)
-        .unwrap()
-        .then(a.y.partial_cmp(&b.y).unwrap())
+    a.x.partial_cmp(&b.x).unwrap().then(a.y.partial_cmp(&b.y).unwrap())
 }
 
 /// Whether `p` lies on the segment `ab`, at neither of its ends; exact.
 #[must_use]
 pub fn on_open_segment(p: Point, a: Point, b: Point) -> bool {
-    let (low, high) = if lexicographic(a, b) == Ordering::Greater {
-        (b, a)
-    } else {
-        (a, b)
-    };
-    lexicographic(low, p) == Ordering::Less
-        && lexicographic(p, high) == Ordering::Less
-        && orient(a, b, p) == 0
+    let (low, high) = if lexicographic(a, b) == Ordering::Greater { (b, a) } else { (a, b) };
+    lexicographic(low, p) == Ordering::Less && lexicographic(p, high) == Ordering::Less && orient(a, b, p) == 0
 }
 
 /// A point with rational coordinates.
@@ -176,48 +167,20 @@ fn in_circle_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
 /// The values times one common power of two that makes all of them integers.
 fn scaled(values: &[f64]) -> Vec<IBig> {
     let parts: Vec<(i64, i32)> = values.iter().map(|&v| decompose(v)).collect();
-    let lowest = parts
-        .iter()
-        .filter(|(m, _)| *m != 0)
-        .map(|&(_, e)| e)
-        .min()
-        .unwrap_or(0);
+    let lowest = parts.iter().filter(|(m, _)| *m != 0).map(|&(_, e)| e).min().unwrap_or(0);
     let shift = |e: i32| usize::try_from(e - lowest).unwrap();
-    parts
-        .into_iter()
-        .map(|(m, e)| {
-            if m == 0 {
-                IBig::ZERO
-            } else {
-                IBig::from(m) << shift(e)
-            }
-        })
-        .collect()
+    parts.into_iter().map(|(m, e)| if m == 0 { IBig::ZERO } else { IBig::from(m) << shift(e) }).collect()
 }
 
 /// The integers `m`, `e` with `value = m · 2^e`, from the bits of the double.
 fn decompose(value: f64) -> (i64, i32) {
-    assert!(
-        value.is_finite(),
-        "an exact sign needs finite coordinates, not {value}"
-    );
+    assert!(value.is_finite(), "an exact sign needs finite coordinates, not {value}");
     let bits = value.to_bits();
     let biased = i32::try_from((bits >> 52) & 0x7ff).unwrap();
     let fraction = i64::try_from(bits & ((1 << 52) - 1)).unwrap();
-    let magnitude = if biased == 0 {
-        fraction
-    } else {
-        fraction | (1 << 52)
-    };
+    let magnitude = if biased == 0 { fraction } else { fraction | (1 << 52) };
     let exponent = biased.max(1) - 1075;
-    (
-        if value.is_sign_negative() {
-            -magnitude
-        } else {
-            magnitude
-        },
-        exponent,
-    )
+    (if value.is_sign_negative() { -magnitude } else { magnitude }, exponent)
 }
 
 #[cfg(test)]
@@ -235,17 +198,11 @@ mod tests {
         assert_eq!(orient(p(0.0, 0.0), p(0.0, 1.0), p(1.0, 0.0)), -1);
         assert_eq!(orient(p(0.0, 0.0), p(1.0, 1.0), p(3.0, 3.0)), 0);
         // 0.1 + 0.2 is not 0.3: the three points are not collinear in doubles.
-        assert_eq!(
-            orient_rational(p(0.1, 0.1), p(0.2, 0.2), p(0.3, 0.1 + 0.2)),
-            1
-        );
+        assert_eq!(orient_rational(p(0.1, 0.1), p(0.2, 0.2), p(0.3, 0.1 + 0.2)), 1);
         let square = [p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0)];
         assert_eq!(in_circle(square[0], square[1], square[2], square[3]), 0);
         assert_eq!(in_circle(square[0], square[1], square[2], p(0.5, 0.5)), 1);
-        assert_eq!(
-            in_circle(square[0], square[1], square[2], p(0.0, 1.0 + f64::EPSILON)),
-            -1
-        );
+        assert_eq!(in_circle(square[0], square[1], square[2], p(0.0, 1.0 + f64::EPSILON)), -1);
         assert_eq!(in_circle(square[2], square[1], square[0], p(0.5, 0.5)), -1);
     }
 
@@ -253,23 +210,9 @@ mod tests {
     fn extremes_of_the_range() {
         let tiny = f64::from_bits(1);
         assert_eq!(orient(p(0.0, 0.0), p(tiny, 0.0), p(0.0, tiny)), 1);
-        assert_eq!(
-            in_circle(p(0.0, 0.0), p(tiny, 0.0), p(0.0, tiny), p(tiny, tiny)),
-            0
-        );
-        assert_eq!(
-            orient(p(-1e308, -1e308), p(1e308, -1e308), p(1e308, 1e308)),
-            1
-        );
-        assert_eq!(
-            in_circle(
-                p(-1e308, -1e308),
-                p(1e308, -1e308),
-                p(1e308, 1e308),
-                p(-1e308, 1e308)
-            ),
-            0
-        );
+        assert_eq!(in_circle(p(0.0, 0.0), p(tiny, 0.0), p(0.0, tiny), p(tiny, tiny)), 0);
+        assert_eq!(orient(p(-1e308, -1e308), p(1e308, -1e308), p(1e308, 1e308)), 1);
+        assert_eq!(in_circle(p(-1e308, -1e308), p(1e308, -1e308), p(1e308, 1e308), p(-1e308, 1e308)), 0);
     }
 
     #[test]
@@ -286,16 +229,8 @@ mod tests {
                 assert_eq!(orient(a, b, c), sign, "{kind:?} {a:?} {b:?} {c:?}");
                 assert_eq!(orient_scaled(a, b, c), sign, "{kind:?} {a:?} {b:?} {c:?}");
                 let sign = in_circle_rational(a, b, c, d);
-                assert_eq!(
-                    in_circle(a, b, c, d),
-                    sign,
-                    "{kind:?} {a:?} {b:?} {c:?} {d:?}"
-                );
-                assert_eq!(
-                    in_circle_scaled(a, b, c, d),
-                    sign,
-                    "{kind:?} {a:?} {b:?} {c:?} {d:?}"
-                );
+                assert_eq!(in_circle(a, b, c, d), sign, "{kind:?} {a:?} {b:?} {c:?} {d:?}");
+                assert_eq!(in_circle_scaled(a, b, c, d), sign, "{kind:?} {a:?} {b:?} {c:?} {d:?}");
             }
         }
     }

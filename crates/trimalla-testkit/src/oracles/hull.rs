@@ -34,15 +34,9 @@ pub fn convex_hull_size(points: &[Point]) -> usize {
     let corners = convex_hull(points);
     let on_side = |p: Point| {
         let next = corners.iter().skip(1).chain(corners.first());
-        corners
-            .iter()
-            .zip(next)
-            .any(|(&a, &b)| a == p || on_open_segment(p, a, b))
+        corners.iter().zip(next).any(|(&a, &b)| a == p || on_open_segment(p, a, b))
     };
-    distinct_sorted(points)
-        .into_iter()
-        .filter(|&p| on_side(p))
-        .count()
+    distinct_sorted(points).into_iter().filter(|&p| on_side(p)).count()
 }
 
 /// Number of triangles of every triangulation of all the points: `2n − 2 − h`, and 0 where they are
@@ -50,11 +44,7 @@ pub fn convex_hull_size(points: &[Point]) -> usize {
 #[must_use]
 pub fn delaunay_triangle_count(points: &[Point]) -> usize {
     let corners = convex_hull(points).len();
-    if corners < 3 {
-        0
-    } else {
-        2 * distinct_sorted(points).len() - 2 - convex_hull_size(points)
-    }
+    if corners < 3 { 0 } else { 2 * distinct_sorted(points).len() - 2 - convex_hull_size(points) }
 }
 
 /// The points in lexicographic order, each once.
@@ -87,14 +77,9 @@ mod tests {
 
     #[test]
     fn points_inside_a_side_count() {
-        let grid: Vec<(f64, f64)> = (0..9)
-            .map(|i| (f64::from(i % 3), f64::from(i / 3)))
-            .collect();
+        let grid: Vec<(f64, f64)> = (0..9).map(|i| (f64::from(i % 3), f64::from(i / 3))).collect();
         let grid = points(&grid);
-        assert_eq!(
-            convex_hull(&grid),
-            points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)])
-        );
+        assert_eq!(convex_hull(&grid), points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]));
         assert_eq!(convex_hull_size(&grid), 8);
         assert_eq!(delaunay_triangle_count(&grid), 8);
     }

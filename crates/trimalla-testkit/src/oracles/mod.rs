@@ -24,7 +24,7 @@ pub use contacts::{Contacts, contacts, crossing_pairs};
 pub use delaunay::{brute_force_delaunay, canonical, in_circle_perturbed, representatives};
 pub use euler::{Euler, euler};
 pub use exact::{
-    in_circle, in_circle_rational, in_circle_scaled, lexicographic, on_open_segment, orient,
-    orient_rational, orient_scaled,
+    in_circle, in_circle_rational, in_circle_scaled, lexicographic, on_open_segment, orient, orient_rational,
+    orient_scaled,
 };
 pub use hull::{convex_hull, convex_hull_size, delaunay_triangle_count};

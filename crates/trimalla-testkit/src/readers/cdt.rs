@@ -12,21 +12,11 @@ use super::{index, number, text_of};
 pub fn read_cdt(path: &Path) -> Pslg {
     let text = text_of(path);
     let mut tokens = text.split_whitespace();
-    let mut next = || {
-        tokens
-            .next()
-            .unwrap_or_else(|| panic!("{} ends early", path.display()))
-    };
+    let mut next = || tokens.next().unwrap_or_else(|| panic!("{} ends early", path.display()));
     let (n, m) = (index(next()), index(next()));
-    let points = (0..n)
-        .map(|_| Point::new(number(next()), number(next())))
-        .collect();
+    let points = (0..n).map(|_| Point::new(number(next()), number(next()))).collect();
     let segments = (0..m).map(|_| [index(next()), index(next())]).collect();
-    Pslg {
-        points,
-        segments,
-        ..Pslg::default()
-    }
+    Pslg { points, segments, ..Pslg::default() }
 }
 
 /// A stored result of CDT: `data/cdt/expected/*.txt`.
@@ -57,19 +47,13 @@ pub struct CdtExpected {
 #[must_use]
 pub fn read_cdt_expected(path: &Path) -> CdtExpected {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let (input, rest) = stem
-        .split_once("__")
-        .unwrap_or_else(|| panic!("{stem} names no input"));
+    let (input, rest) = stem.split_once("__").unwrap_or_else(|| panic!("{stem} names no input"));
     let mut parts = rest.rsplitn(3, '_');
     let mut part = || parts.next().unwrap_or_default().to_owned();
     let (erased, crossings, variant) = (part(), part(), part());
     let text = text_of(path);
     let mut tokens = text.split_whitespace().map(index);
-    let mut next = || {
-        tokens
-            .next()
-            .unwrap_or_else(|| panic!("{} ends early", path.display()))
-    };
+    let mut next = || tokens.next().unwrap_or_else(|| panic!("{} ends early", path.display()));
     let (mut triangles, mut neighbours) = (Vec::new(), Vec::new());
     for _ in 0..next() {
         triangles.push([next(), next(), next()]);
@@ -84,21 +68,7 @@ pub fn read_cdt_expected(path: &Path) -> CdtExpected {
             (piece, parents)
         })
         .collect();
-    assert!(
-        tokens.next().is_none(),
-        "{} goes on after its end",
-        path.display()
-    );
+    assert!(tokens.next().is_none(), "{} goes on after its end", path.display());
     let input = input.to_owned();
-    CdtExpected {
-        input,
-        variant,
-        crossings,
-        erased,
-        triangles,
-        neighbours,
-        fixed_edges,
-        overlaps,
-        parents,
-    }
+    CdtExpected { input, variant, crossings, erased, triangles, neighbours, fixed_edges, overlaps, parents }
 }

@@ -13,15 +13,8 @@ use super::rings::push_ring;
 /// The rings as listed, closing points too.
 #[must_use]
 pub fn earcut_rings(path: &Path) -> Vec<Vec<Point>> {
-    let list = |v: &Value| {
-        v.as_array()
-            .unwrap_or_else(|| panic!("{v} is no list"))
-            .clone()
-    };
-    list(&json_of(path))
-        .iter()
-        .map(|ring| list(ring).iter().map(point_of).collect())
-        .collect()
+    let list = |v: &Value| v.as_array().unwrap_or_else(|| panic!("{v} is no list")).clone();
+    list(&json_of(path)).iter().map(|ring| list(ring).iter().map(point_of).collect()).collect()
 }
 
 /// All rings as segments.

@@ -68,7 +68,5 @@ impl Reader {
 
 /// The items of a list.
 fn items(list: &Value) -> impl Iterator<Item = &Value> {
-    list.as_array()
-        .unwrap_or_else(|| panic!("{list} is no list"))
-        .iter()
+    list.as_array().unwrap_or_else(|| panic!("{list} is no list")).iter()
 }

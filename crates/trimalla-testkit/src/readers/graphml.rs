@@ -19,10 +19,7 @@ pub fn read_graphml(path: &Path) -> Pslg {
         let (head, body) = tag.split_once('>').unwrap_or((tag, ""));
         match head.split_whitespace().next() {
             Some("node") => {
-                ids.insert(
-                    attribute(head, "id"),
-                    u32::try_from(pslg.points.len()).unwrap(),
-                );
+                ids.insert(attribute(head, "id"), u32::try_from(pslg.points.len()).unwrap());
                 pslg.points.push(Point::new(f64::NAN, f64::NAN));
             }
             Some("data") if !pslg.points.is_empty() => {
@@ -37,21 +34,13 @@ pub fn read_graphml(path: &Path) -> Pslg {
             _ => {}
         }
     }
-    assert!(
-        pslg.points
-            .iter()
-            .all(|p| p.x.is_finite() && p.y.is_finite()),
-        "{}: a node has no place",
-        path.display()
-    );
+    assert!(pslg.points.iter().all(|p| p.x.is_finite() && p.y.is_finite()), "{}: a node has no place", path.display());
     pslg.segments = edges.into_iter().map(|e| e.map(|name| ids[name])).collect();
     pslg
 }
 
 /// The value of an attribute of a tag.
 fn attribute<'a>(head: &'a str, name: &str) -> &'a str {
-    let found = head
-        .split_once(&format!(" {name}=\""))
-        .and_then(|(_, rest)| rest.split_once('"'));
+    let found = head.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split_once('"'));
     found.unwrap_or_else(|| panic!("<{head}> has no {name}")).0
 }

@@ -12,13 +12,8 @@ use super::text_of;
 #[must_use]
 pub fn read_json_points(path: &Path) -> Pslg {
     let json = json_of(path);
-    let list = json
-        .as_array()
-        .unwrap_or_else(|| panic!("{} is no list", path.display()));
-    Pslg {
-        points: list.iter().map(point_of).collect(),
-        ..Pslg::default()
-    }
+    let list = json.as_array().unwrap_or_else(|| panic!("{} is no list", path.display()));
+    Pslg { points: list.iter().map(point_of).collect(), ..Pslg::default() }
 }
 
 /// The whole file as JSON.
@@ -28,10 +23,6 @@ pub(super) fn json_of(path: &Path) -> Value {
 
 /// `[x, y, …]` as a point; further coordinates are dropped.
 pub(super) fn point_of(pair: &Value) -> Point {
-    let at = |k: usize| {
-        pair[k]
-            .as_f64()
-            .unwrap_or_else(|| panic!("{pair} is no point"))
-    };
+    let at = |k: usize| pair[k].as_f64().unwrap_or_else(|| panic!("{pair} is no point"));
     Point::new(at(0), at(1))
 }

@@ -15,16 +15,8 @@ pub fn read_line(path: &Path) -> Pslg {
     let mut tokens = text.split_whitespace();
     let mut pslg = Pslg::default();
     while let Some(count) = tokens.next() {
-        let mut next = || {
-            number(
-                tokens
-                    .next()
-                    .unwrap_or_else(|| panic!("{} ends early", path.display())),
-            )
-        };
-        let block: Vec<Point> = (0..index(count))
-            .map(|_| Point::new(next(), next()))
-            .collect();
+        let mut next = || number(tokens.next().unwrap_or_else(|| panic!("{} ends early", path.display())));
+        let block: Vec<Point> = (0..index(count)).map(|_| Point::new(next(), next())).collect();
         if block.first() == block.last() {
             push_ring(&mut pslg, &block);
         } else {

@@ -43,23 +43,10 @@ pub fn read_meshsuite_tables(path: &Path) -> Vec<MeshSuiteRow> {
 /// One row.
 fn row(line: &str) -> MeshSuiteRow {
     let cells = cells(line);
-    let [
-        appendix,
-        mesh,
-        algorithm,
-        priority,
-        angle,
-        vertices,
-        triangles,
-        program,
-        comment,
-    ] = <[String; 9]>::try_from(cells).unwrap_or_else(|c| panic!("{line:?} has {} cells", c.len()));
+    let [appendix, mesh, algorithm, priority, angle, vertices, triangles, program, comment] =
+        <[String; 9]>::try_from(cells).unwrap_or_else(|c| panic!("{line:?} has {} cells", c.len()));
     let count = |cell: String| {
-        if cell.is_empty() {
-            None
-        } else {
-            Some(cell.parse().unwrap())
-        }
+        if cell.is_empty() { None } else { Some(cell.parse().unwrap()) }
     };
     MeshSuiteRow {
         appendix,

@@ -65,17 +65,10 @@ pub struct NamedInput {
 /// `seeds/` are no inputs.
 #[must_use]
 pub fn all_inputs(data: &Path) -> Vec<NamedInput> {
-    let rows = read_readme(&data.join("README.md"))
-        .into_iter()
-        .filter(|row| row.points.is_some());
+    let rows = read_readme(&data.join("README.md")).into_iter().filter(|row| row.points.is_some());
     rows.map(|row| {
         let (pslg, rings) = read_input(&row.path(data));
-        NamedInput {
-            family: row.family,
-            name: row.name,
-            pslg,
-            rings,
-        }
+        NamedInput { family: row.family, name: row.name, pslg, rings }
     })
     .collect()
 }
@@ -86,11 +79,7 @@ pub fn all_inputs(data: &Path) -> Vec<NamedInput> {
 /// If the folder is no known family or the file does not follow its rules.
 #[must_use]
 pub fn read_input(path: &Path) -> (Pslg, bool) {
-    let family = path
-        .parent()
-        .and_then(Path::file_name)
-        .unwrap_or_default()
-        .to_string_lossy();
+    let family = path.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy();
     let kind = path.extension().unwrap_or_default().to_string_lossy();
     match (&*family, &*kind) {
         ("triangle", "node") => (read_node(path), false),
@@ -123,14 +112,10 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
 
 /// A number, or a panic that names it.
 fn number(token: &str) -> f64 {
-    token
-        .parse()
-        .unwrap_or_else(|e| panic!("{token:?} is no number: {e}"))
+    token.parse().unwrap_or_else(|e| panic!("{token:?} is no number: {e}"))
 }
 
 /// An index, or a panic that names it.
 fn index(token: &str) -> u32 {
-    token
-        .parse()
-        .unwrap_or_else(|e| panic!("{token:?} is no index: {e}"))
+    token.parse().unwrap_or_else(|e| panic!("{token:?} is no index: {e}"))
 }

@@ -54,15 +54,8 @@ pub fn read_poly2tri(path: &Path) -> Pslg {
 
 /// Adds the collected numbers as a ring or as points.
 fn finish(pslg: &mut Pslg, numbers: &mut Vec<f64>, list: List) {
-    assert!(
-        numbers.len() % 2 == 0,
-        "{} numbers are no pairs",
-        numbers.len()
-    );
-    let points: Vec<Point> = numbers
-        .chunks_exact(2)
-        .map(|p| Point::new(p[0], p[1]))
-        .collect();
+    assert!(numbers.len() % 2 == 0, "{} numbers are no pairs", numbers.len());
+    let points: Vec<Point> = numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect();
     numbers.clear();
     match list {
         List::Ring => push_ring(pslg, &points),
@@ -73,20 +66,14 @@ fn finish(pslg: &mut Pslg, numbers: &mut Vec<f64>, list: List) {
 /// The text of a companion file; empty where there is none.
 fn companion(path: &Path, ending: &str) -> String {
     let file = beside(path, ending);
-    if file.is_file() {
-        text_of(&file)
-    } else {
-        String::new()
-    }
+    if file.is_file() { text_of(&file) } else { String::new() }
 }
 
 /// All numbers of a text: what is between characters that no number has, if it has a digit. Keys
 /// such as `X` vanish.
 fn numbers_of(text: &str) -> impl Iterator<Item = f64> {
     let in_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
-    text.split(move |c| !in_number(c))
-        .filter(|t| t.contains(|c: char| c.is_ascii_digit()))
-        .map(number)
+    text.split(move |c| !in_number(c)).filter(|t| t.contains(|c: char| c.is_ascii_digit())).map(number)
 }
 
 #[cfg(test)]

@@ -21,17 +21,8 @@ pub fn read_orient_cases(path: &Path) -> Vec<OrientCase> {
     let case = |line: &str| {
         let tokens: Vec<&str> = line.split_whitespace().collect();
         let at = |k: usize| Point::new(number(tokens[k]), number(tokens[k + 1]));
-        let sign = tokens[7]
-            .parse()
-            .unwrap_or_else(|e| panic!("{line:?} has no sign: {e}"));
-        OrientCase {
-            points: [at(1), at(3), at(5)],
-            sign,
-        }
+        let sign = tokens[7].parse().unwrap_or_else(|e| panic!("{line:?} has no sign: {e}"));
+        OrientCase { points: [at(1), at(3), at(5)], sign }
     };
-    text_of(path)
-        .lines()
-        .filter(|l| !l.trim().is_empty())
-        .map(case)
-        .collect()
+    text_of(path).lines().filter(|l| !l.trim().is_empty()).map(case).collect()
 }

@@ -32,14 +32,8 @@ impl ReadmeRow {
     /// missing.
     #[must_use]
     pub fn counted(&self, words: &str) -> usize {
-        let pieces = self
-            .notes
-            .split([';', ','])
-            .filter_map(|piece| piece.trim().split_once(' '));
-        pieces
-            .filter(|&(_, said)| said == words)
-            .find_map(|(n, _)| n.parse().ok())
-            .unwrap_or(0)
+        let pieces = self.notes.split([';', ',']).filter_map(|piece| piece.trim().split_once(' '));
+        pieces.filter(|&(_, said)| said == words).find_map(|(n, _)| n.parse().ok()).unwrap_or(0)
     }
 }
 
@@ -50,9 +44,7 @@ pub fn read_readme(path: &Path) -> Vec<ReadmeRow> {
     let mut family = String::new();
     for line in text_of(path).lines() {
         if let Some(heading) = line.strip_prefix("## ") {
-            family = heading
-                .split_once('/')
-                .map_or(String::new(), |(folder, _)| folder.to_owned());
+            family = heading.split_once('/').map_or(String::new(), |(folder, _)| folder.to_owned());
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         if family.is_empty() || cells.len() < 11 || !cells[1].starts_with('`') {

@@ -15,11 +15,7 @@ pub(super) fn push_chain(pslg: &mut Pslg, chain: &[Point]) {
 /// segment only where two points are left.
 pub(super) fn push_ring(pslg: &mut Pslg, ring: &[Point]) {
     let closed = ring.len() > 1 && ring.first() == ring.last();
-    let ring = if closed {
-        &ring[..ring.len() - 1]
-    } else {
-        ring
-    };
+    let ring = if closed { &ring[..ring.len() - 1] } else { ring };
     let first = u32::try_from(pslg.points.len()).unwrap();
     push_chain(pslg, ring);
     if ring.len() > 2 {

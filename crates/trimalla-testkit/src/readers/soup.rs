@@ -14,9 +14,5 @@ pub fn read_triangle_soup(path: &Path) -> Vec<[Point; 3]> {
         assert!(v.len() == 6, "{line:?} is no triangle");
         [0, 2, 4].map(|k| Point::new(v[k], v[k + 1]))
     };
-    text_of(path)
-        .lines()
-        .filter(|l| !l.trim().is_empty())
-        .map(triangle)
-        .collect()
+    text_of(path).lines().filter(|l| !l.trim().is_empty()).map(triangle).collect()
 }

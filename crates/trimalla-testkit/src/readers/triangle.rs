@@ -31,22 +31,19 @@ pub fn read_poly(path: &Path) -> Pslg {
     let head = rows.next().unwrap();
     let marked = head.get(1).is_some_and(|m| m != "0");
     for row in rows.by_ref().take(index(&head[0]) as usize) {
-        pslg.segments
-            .push([ids[row[1].as_str()], ids[row[2].as_str()]]);
+        pslg.segments.push([ids[row[1].as_str()], ids[row[2].as_str()]]);
         if marked {
             pslg.segment_markers.push(row[3].parse().unwrap());
         }
     }
     let holes = rows.next().map_or(0, |head| index(&head[0]));
-    pslg.holes
-        .extend(rows.by_ref().take(holes as usize).map(|row| point(&row)));
+    pslg.holes.extend(rows.by_ref().take(holes as usize).map(|row| point(&row)));
     let regions = rows.next().map_or(0, |head| index(&head[0]));
-    pslg.regions
-        .extend(rows.take(regions as usize).map(|row| Region {
-            seed: point(&row),
-            attribute: row.get(3).map_or(0.0, |a| number(a)),
-            max_area: row.get(4).map(|a| number(a)).filter(|&a| a > 0.0),
-        }));
+    pslg.regions.extend(rows.take(regions as usize).map(|row| Region {
+        seed: point(&row),
+        attribute: row.get(3).map_or(0.0, |a| number(a)),
+        max_area: row.get(4).map(|a| number(a)).filter(|&a| a > 0.0),
+    }));
     pslg
 }
 
@@ -58,9 +55,7 @@ pub fn read_poly(path: &Path) -> Pslg {
 pub fn read_ele(path: &Path, base: u32) -> Vec<[u32; 3]> {
     let mut rows = rows(path);
     let count = index(&rows.next().unwrap()[0]);
-    rows.take(count as usize)
-        .map(|row| [1, 2, 3].map(|k| index(&row[k]) - base))
-        .collect()
+    rows.take(count as usize).map(|row| [1, 2, 3].map(|k| index(&row[k]) - base)).collect()
 }
 
 /// Reads a vertex part into points, attributes and markers; gives the index of each id.
@@ -73,11 +68,9 @@ fn vertices(rows: &mut Rows, pslg: &mut Pslg) -> HashMap<String, u32> {
     for (row, i) in rows.by_ref().take(count).zip(0..) {
         ids.insert(row[0].clone(), i);
         pslg.points.push(point(&row));
-        pslg.point_attributes
-            .extend(row[3..3 + attributes].iter().map(|t| number(t)));
+        pslg.point_attributes.extend(row[3..3 + attributes].iter().map(|t| number(t)));
         if marked {
-            pslg.point_markers
-                .push(row[3 + attributes].parse().unwrap());
+            pslg.point_markers.push(row[3 + attributes].parse().unwrap());
         }
     }
     ids
@@ -94,10 +87,6 @@ fn rows(path: &Path) -> Rows {
         let said = line.split('#').next().unwrap_or_default();
         said.split_whitespace().map(str::to_owned).collect()
     };
-    let rows: Vec<Vec<String>> = text_of(path)
-        .lines()
-        .map(tokens)
-        .filter(|r| !r.is_empty())
-        .collect();
+    let rows: Vec<Vec<String>> = text_of(path).lines().map(tokens).filter(|r| !r.is_empty()).collect();
     rows.into_iter()
 }

@@ -39,9 +39,7 @@ pub fn read_wkt(path: &Path) -> (Pslg, bool) {
                 }
                 list.clear();
             }
-            _ if token.starts_with(|c: char| c.is_ascii_alphabetic()) => {
-                word = token.to_ascii_uppercase()
-            }
+            _ if token.starts_with(|c: char| c.is_ascii_alphabetic()) => word = token.to_ascii_uppercase(),
             _ => list.push(token),
         }
     }
@@ -53,22 +51,19 @@ const MARKS: [char; 3] = ['(', ')', ','];
 
 /// Words, numbers, commas and parentheses.
 fn tokens(text: &str) -> impl Iterator<Item = &str> {
-    text.split_inclusive(|c: char| c.is_whitespace() || MARKS.contains(&c))
-        .flat_map(|piece| {
-            let (body, mark) = match piece.char_indices().last() {
-                Some((at, c)) if MARKS.contains(&c) => piece.split_at(at),
-                _ => (piece, ""),
-            };
-            [body.trim(), mark].into_iter().filter(|t| !t.is_empty())
-        })
+    text.split_inclusive(|c: char| c.is_whitespace() || MARKS.contains(&c)).flat_map(|piece| {
+        let (body, mark) = match piece.char_indices().last() {
+            Some((at, c)) if MARKS.contains(&c) => piece.split_at(at),
+            _ => (piece, ""),
+        };
+        [body.trim(), mark].into_iter().filter(|t| !t.is_empty())
+    })
 }
 
 /// The points of `x y , x y , …`.
 fn points_of(list: &[&str]) -> Vec<Point> {
     let pairs = list.split(|&t| t == ",").filter(|pair| !pair.is_empty());
-    pairs
-        .map(|pair| Point::new(number(pair[0]), number(pair[1])))
-        .collect()
+    pairs.map(|pair| Point::new(number(pair[0]), number(pair[1]))).collect()
 }
 
 #[cfg(test)]
@@ -78,26 +73,7 @@ mod tests {
     #[test]
     fn tokens_split_at_marks_and_blanks() {
         let all: Vec<&str> = tokens("MULTIPOINT ((1 -2),\n (3 4e-5))").collect();
-        assert_eq!(
-            all,
-            [
-                "MULTIPOINT",
-                "(",
-                "(",
-                "1",
-                "-2",
-                ")",
-                ",",
-                "(",
-                "3",
-                "4e-5",
-                ")",
-                ")"
-            ]
-        );
-        assert_eq!(
-            points_of(&["1", "2", ",", "3", "4"]),
-            [Point::new(1.0, 2.0), Point::new(3.0, 4.0)]
-        );
+        assert_eq!(all, ["MULTIPOINT", "(", "(", "1", "-2", ")", ",", "(", "3", "4e-5", ")", ")"]);
+        assert_eq!(points_of(&["1", "2", ",", "3", "4"]), [Point::new(1.0, 2.0), Point::new(3.0, 4.0)]);
     }
 }

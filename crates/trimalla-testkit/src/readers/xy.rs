@@ -14,8 +14,5 @@ pub fn read_xy(path: &Path) -> Pslg {
         let mut tokens = line.split_whitespace().map(number);
         Some(Point::new(tokens.next()?, tokens.next()?))
     };
-    Pslg {
-        points: text_of(path).lines().filter_map(point).collect(),
-        ..Pslg::default()
-    }
+    Pslg { points: text_of(path).lines().filter_map(point).collect(), ..Pslg::default() }
 }

@@ -198,7 +198,7 @@ impl ConstrainedDelaunay {
     /// Every two segments cross once; the rest is for rounding.
     fn step_bound(&self) -> u64 {
         let n = self.segments.len() as u64 + 16;
-        n.saturating_mul(n).saturating_mul(16)
+        n.saturating_mul(n).saturating_mul(2)
     }
 
     fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {

@@ -186,7 +186,8 @@ impl<'a> Line<'a> {
         line.scale = power_of_two_scale(reach.x.abs().max(reach.y.abs()));
         line.along = line.local(to);
         let length = line.along.length_sq().sqrt();
-        line.tolerance = (OFF_BY_LENGTH * length + (OFF_BY_COORDINATE * largest + SMALLEST) * shrink * line.scale) * length;
+        line.tolerance =
+            (OFF_BY_LENGTH * length + (OFF_BY_COORDINATE * largest + SMALLEST) * shrink * line.scale) * length;
         line
     }
 

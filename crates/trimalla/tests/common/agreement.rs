@@ -10,9 +10,7 @@ use crate::verdict::none;
 
 /// Every algorithm gives the same triangles, edges, duplicates and dimension, and a clean check.
 pub(crate) fn agreed(points: &[Point]) -> Result<Triangulation, String> {
-    let mut all = AlgorithmKey::ALL
-        .into_iter()
-        .map(|key| checked(key, points));
+    let mut all = AlgorithmKey::ALL.into_iter().map(|key| checked(key, points));
     let first = all.next().ok_or("there are no algorithms")??;
     for other in all {
         alike(&first, &other?)?;
@@ -28,10 +26,7 @@ fn checked(key: AlgorithmKey, points: &[Point]) -> Result<Triangulation, String>
 }
 
 /// The triangles with other names for the vertices, in canonical form.
-pub(crate) fn renamed(
-    triangles: &[[VertexId; 3]],
-    name: impl Fn(VertexId) -> u32,
-) -> Vec<[u32; 3]> {
+pub(crate) fn renamed(triangles: &[[VertexId; 3]], name: impl Fn(VertexId) -> u32) -> Vec<[u32; 3]> {
     let named: Vec<[u32; 3]> = triangles.iter().map(|t| t.map(&name)).collect();
     trimalla_testkit::oracles::canonical(&named)
 }

@@ -13,11 +13,7 @@ pub(crate) fn alike(a: &Triangulation, b: &Triangulation) -> Result<(), String> 
 }
 
 /// Says that two answers differ, and where they first do.
-pub(crate) fn same<T: PartialEq + Debug>(
-    what: &str,
-    left: &[T],
-    right: &[T],
-) -> Result<(), String> {
+pub(crate) fn same<T: PartialEq + Debug>(what: &str, left: &[T], right: &[T]) -> Result<(), String> {
     if left == right {
         return Ok(());
     }

@@ -100,13 +100,28 @@ fn reduced(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Pslg {
         questions += 1;
         questions < QUESTIONS && Instant::now() < until && guarded(fewer, judge).is_err()
     };
-    let mut few = Pslg { points: pslg.points.clone(), segments: pslg.segments.clone(), holes: pslg.holes.clone(), ..Pslg::default() };
+    let mut few = Pslg {
+        points: pslg.points.clone(),
+        segments: pslg.segments.clone(),
+        holes: pslg.holes.clone(),
+        ..Pslg::default()
+    };
     if !objects(&few) {
         return pslg.clone();
     }
     for _ in 0..2 {
-        few = without_runs(few, |p| p.holes.len(), |p, gone| Pslg { holes: kept(&p.holes, gone), ..p.clone() }, &mut objects);
-        few = without_runs(few, |p| p.segments.len(), |p, gone| Pslg { segments: kept(&p.segments, gone), ..p.clone() }, &mut objects);
+        few = without_runs(
+            few,
+            |p| p.holes.len(),
+            |p, gone| Pslg { holes: kept(&p.holes, gone), ..p.clone() },
+            &mut objects,
+        );
+        few = without_runs(
+            few,
+            |p| p.segments.len(),
+            |p, gone| Pslg { segments: kept(&p.segments, gone), ..p.clone() },
+            &mut objects,
+        );
         few = without_runs(few, |p| p.points.len(), without_points, &mut objects);
     }
     few

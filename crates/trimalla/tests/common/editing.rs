@@ -103,15 +103,7 @@ impl<S: Subject> Driver<S> {
         let random = SplitMix64::new(plan.seed);
         let lines = Vec::new();
         let (log, past, tally) = (UndoLog::new(), Vec::new(), Tally::default());
-        let mut driver = Self {
-            plan,
-            subject,
-            log,
-            random,
-            past,
-            lines,
-            tally,
-        };
+        let mut driver = Self { plan, subject, log, random, past, lines, tally };
         driver.check();
         driver.remember();
         driver
@@ -146,9 +138,7 @@ impl<S: Subject> Driver<S> {
     fn take_back(&mut self, dice: &mut SplitMix64) {
         let near = self.past.len().saturating_sub(8);
         let from = if dice.below(8) == 0 { 0 } else { near };
-        let gone = self
-            .past
-            .split_off(from + 1 + dice.below(self.past.len() - from));
+        let gone = self.past.split_off(from + 1 + dice.below(self.past.len() - from));
         self.roll_back();
         if dice.below(4) == 0 {
             self.replay(gone);
@@ -163,10 +153,7 @@ impl<S: Subject> Driver<S> {
         self.subject.rollback(&mut self.log, goal.at);
         if self.subject != goal.state {
             let after = &self.lines[goal.edits..];
-            panic!(
-                "rollback past {after:#?} did not restore {}",
-                self.story(goal.edits)
-            );
+            panic!("rollback past {after:#?} did not restore {}", self.story(goal.edits));
         }
         self.random = goal.random.clone();
         self.lines.truncate(goal.edits);
@@ -175,21 +162,12 @@ impl<S: Subject> Driver<S> {
 
     /// The same edits once more lead to the same states.
     fn replay(&mut self, gone: Vec<Remembered<S>>) {
-        for Remembered {
-            state,
-            random,
-            edits,
-            ..
-        } in gone
-        {
+        for Remembered { state, random, edits, .. } in gone {
             while self.lines.len() < edits {
                 self.edit_unchecked();
             }
             if !self.subject.is_alike(&state) {
-                panic!(
-                    "the same edits after a rollback led elsewhere: {}",
-                    self.story(edits)
-                );
+                panic!("the same edits after a rollback led elsewhere: {}", self.story(edits));
             }
             self.random = random;
             self.remember();
@@ -207,11 +185,7 @@ impl<S: Subject> Driver<S> {
     fn check(&mut self) {
         self.tally.checks += 1;
         let faults = self.subject.faults();
-        assert!(
-            faults.is_empty(),
-            "{faults:#?} after {}",
-            self.story(self.lines.len())
-        );
+        assert!(faults.is_empty(), "{faults:#?} after {}", self.story(self.lines.len()));
     }
 
     /// The first edits in force, as Rust.

@@ -7,22 +7,13 @@ use trimalla::triangulation::IndexedMesh;
 /// The Delaunay mesh of points.
 pub(crate) fn delaunay_mesh(points: &[Point]) -> IndexedMesh {
     let built = Delaunay::new(points).expect("finite points");
-    let triangles = built
-        .canonical()
-        .into_iter()
-        .map(|t| t.map(|v| v.0))
-        .collect();
+    let triangles = built.canonical().into_iter().map(|t| t.map(|v| v.0)).collect();
     mesh(points.to_vec(), triangles)
 }
 
 /// A mesh of nothing but points and triangles.
 pub(crate) fn mesh(points: Vec<Point>, triangles: Vec<[u32; 3]>) -> IndexedMesh {
-    IndexedMesh {
-        input_points: points.len(),
-        points,
-        triangles,
-        ..IndexedMesh::default()
-    }
+    IndexedMesh { input_points: points.len(), points, triangles, ..IndexedMesh::default() }
 }
 
 /// Points from pairs.

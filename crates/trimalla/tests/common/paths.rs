@@ -29,10 +29,7 @@ pub(crate) fn test_files(source: &str) -> Vec<String> {
     let tokens = tokens(source);
     let marks = (0..tokens.len()).filter(|&i| is_test_mark(&tokens[i..]));
     let after = marks.map(|i| &tokens[i + TEST_MARK.len()..]);
-    after
-        .filter(|t| t.len() > 2 && t[0] == "mod" && t[2] == ";")
-        .map(|t| t[1].clone())
-        .collect()
+    after.filter(|t| t.len() > 2 && t[0] == "mod" && t[2] == ";").map(|t| t[1].clone()).collect()
 }
 
 /// The tokens of `#[cfg(test)]`.
@@ -48,9 +45,7 @@ fn is_path_sign(tokens: &[Token]) -> bool {
 
 /// How many `super::` the tokens begin with.
 fn supers(tokens: &[Token]) -> usize {
-    let steps = tokens
-        .chunks(3)
-        .take_while(|t| t[0] == "super" && is_path_sign(&t[1..]));
+    let steps = tokens.chunks(3).take_while(|t| t[0] == "super" && is_path_sign(&t[1..]));
     steps.count()
 }
 
@@ -116,9 +111,7 @@ fn tokens(source: &str) -> Vec<Token> {
             rest = &rest[length..];
             continue;
         }
-        let word = rest
-            .find(|c: char| !c.is_alphanumeric() && c != '_')
-            .unwrap_or(rest.len());
+        let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
         let length = word.max(c.len_utf8());
         if !c.is_whitespace() {
             tokens.push(rest[..length].to_owned());
@@ -138,8 +131,7 @@ fn skipped(text: &str) -> usize {
         quoted(text, '"')
     } else if text.starts_with("r\"") || text.starts_with("r#") {
         raw_string(text)
-    } else if text.starts_with("'\\") || text.chars().nth(2) == Some('\'') && text.starts_with('\'')
-    {
+    } else if text.starts_with("'\\") || text.chars().nth(2) == Some('\'') && text.starts_with('\'') {
         quoted(text, '\'')
     } else {
         0
@@ -186,7 +178,5 @@ fn raw_string(text: &str) -> usize {
     }
     let end = format!("\"{}", "#".repeat(hashes));
     let body = 2 + hashes;
-    text[body..]
-        .find(&end)
-        .map_or(text.len(), |i| body + i + end.len())
+    text[body..].find(&end).map_or(text.len(), |i| body + i + end.len())
 }
