@@ -18,7 +18,7 @@ pub enum Format {
     Neigh,
     /// Area bounds of triangles.
     Area,
-    /// A drawing or mesh in one file of MeshSuite.
+    /// A drawing or mesh in one file of `MeshSuite`.
     MeshSuite,
     /// Triangles by coordinates.
     Soup,

@@ -1,4 +1,4 @@
-//! File formats of trimalla: [Triangle]'s text formats, MeshSuite's and triangle soups in and out,
+//! File formats of trimalla: [Triangle]'s text formats, `MeshSuite`'s and triangle soups in and out,
 //! ParaView files and pictures out.
 //!
 //! # What is where
@@ -22,7 +22,7 @@
 //! | `.edge` | the edges of a mesh | [`edge`] |
 //! | `.neigh` | which triangles share an edge | [`neigh`] |
 //! | `.area` | the largest area that each triangle may have | [`area`] |
-//! | `.mesh` | MeshSuite: vertices, segments, holes, triangles | [`meshsuite`] |
+//! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
 //! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
 //! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
 //! | `.svg` | a picture | [`svg`] |

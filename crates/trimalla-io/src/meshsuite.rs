@@ -1,4 +1,4 @@
-//! `.mesh`: the single file of MeshSuite, a drawing and, where there is one, its triangulation.
+//! `.mesh`: the single file of `MeshSuite`, a drawing and, where there is one, its triangulation.
 //!
 //! ```text
 //! <vertices>
@@ -11,13 +11,13 @@
 //! <number> <vertex> <vertex> <vertex>]
 //! ```
 //! Vertices are numbered from 0 or 1, segments and triangles like them, holes from 0 or 1. A file may end after the vertices or
-//! after the holes and is a drawing then, which MeshSuite triangulates when it loads it. The type of a segment is its marker;
+//! after the holes and is a drawing then, which `MeshSuite` triangulates when it loads it. The type of a segment is its marker;
 //! 1 is written where there are none. The format has no place for attributes, vertex markers and regions.
 //!
 //! Medit's files have the same ending; they start with a word, which is refused where the number of vertices should stand.
 //!
 //! # Source
-//! MeshSuite, section 3.6.1. It says that segments may be missing, not which sections go together; that holes are required
+//! `MeshSuite`, section 3.6.1. It says that segments may be missing, not which sections go together; that holes are required
 //! after segments is ours, as in [`poly`](crate::poly).
 
 use std::io::{self, Write};

@@ -25,7 +25,7 @@ pub struct Numbered<T> {
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
-/// MeshSuite's `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard input.
+/// `MeshSuite`'s `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -67,7 +67,7 @@ const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
 
 /// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own, the
 /// `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh.
-/// Or one file: MeshSuite's `.mesh`, or a `.soup` (or `.txt`) of triangles.
+/// Or one file: `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.

@@ -1,4 +1,4 @@
-//! Formats of one file: area bounds, MeshSuite, soups, ParaView.
+//! Formats of one file: area bounds, `MeshSuite`, soups, ParaView.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 #![allow(clippy::print_stderr, reason = "a skipped test says so")]
 
