@@ -16,13 +16,32 @@ pub enum Format {
     Edge,
     /// Neighbours of triangles.
     Neigh,
+    /// Area bounds of triangles.
+    Area,
+    /// A drawing or mesh in one file of `MeshSuite`.
+    MeshSuite,
+    /// Triangles by coordinates.
+    Soup,
+    /// A mesh for ParaView.
+    Vtu,
     /// A picture.
     Svg,
 }
 
 impl Format {
     /// All formats, in the order in which lists show them.
-    pub const ALL: [Self; 6] = [Self::Node, Self::Ele, Self::Poly, Self::Edge, Self::Neigh, Self::Svg];
+    pub const ALL: [Self; 10] = [
+        Self::Node,
+        Self::Ele,
+        Self::Poly,
+        Self::Edge,
+        Self::Neigh,
+        Self::Area,
+        Self::MeshSuite,
+        Self::Soup,
+        Self::Vtu,
+        Self::Svg,
+    ];
 
     /// The ending of file names, without the dot.
     #[must_use]
@@ -33,6 +52,10 @@ impl Format {
             Self::Poly => "poly",
             Self::Edge => "edge",
             Self::Neigh => "neigh",
+            Self::Area => "area",
+            Self::MeshSuite => "mesh",
+            Self::Soup => "soup",
+            Self::Vtu => "vtu",
             Self::Svg => "svg",
         }
     }
@@ -46,7 +69,22 @@ impl Format {
             Self::Poly => "a planar straight-line graph (Triangle); read and written",
             Self::Edge => "edges of a mesh (Triangle); written",
             Self::Neigh => "neighbours of triangles (Triangle); written",
+            Self::Area => "area bounds of triangles (Triangle); by the library only",
+            Self::MeshSuite => "a drawing or a mesh in one file (MeshSuite); read and written",
+            Self::Soup => "triangles by coordinates (Sanhueza; also read from .txt); read and written",
+            Self::Vtu => "a mesh for ParaView (VTK, XML as plain text); written",
             Self::Svg => "a picture; written",
+        }
+    }
+
+    /// The format in which [`read_mesh`](crate::read_mesh) reads a path: that of its ending, where it holds triangles.
+    /// `.txt` is read as a soup, though never written unasked.
+    #[must_use]
+    pub fn of_mesh(path: &Path) -> Option<Self> {
+        match Self::from_path(path) {
+            None if path.extension()?.eq_ignore_ascii_case("txt") => Some(Self::Soup),
+            Some(format @ (Self::Ele | Self::MeshSuite | Self::Soup)) => Some(format),
+            _ => None,
         }
     }
 

@@ -1,16 +1,18 @@
-//! File formats of trimalla: [Triangle]'s text formats in and out, pictures out.
+//! File formats of trimalla: [Triangle]'s text formats, `MeshSuite`'s and triangle soups in and out,
+//! ParaView files and pictures out.
 //!
 //! # What is where
 //!
 //! | you have, you want | call |
 //! |---|---|
-//! | a path to a drawing (`.poly`, `.node`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
-//! | a path to a mesh (`.ele`) | [`read_mesh`], or [`read_mesh_numbered`] |
+//! | a path to a drawing (`.poly`, `.node`, `.mesh`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
+//! | a path to a mesh (`.ele`, `.mesh`, `.soup`, `.txt`) | [`read_mesh`], or [`read_mesh_numbered`] |
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
 //! | a drawing, and a path | [`write_pslg`] |
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
 //! | several outputs, all of them or none | [`Outputs`] |
-//! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`] |
+//! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
+//! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`], [`meshsuite::read`], [`soup::read`] |
 //!
 //! | format | holds | module |
 //! |---|---|---|
@@ -19,13 +21,17 @@
 //! | `.poly` | vertices or a reference to them, segments, holes, regions | [`poly`] |
 //! | `.edge` | the edges of a mesh | [`edge`] |
 //! | `.neigh` | which triangles share an edge | [`neigh`] |
+//! | `.area` | the largest area that each triangle may have | [`area`] |
+//! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
+//! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
+//! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
 //! | `.svg` | a picture | [`svg`] |
 //!
-//! # What all text formats share
+//! # What all text formats that are read share
 //!
 //! * One record a line; blank lines and comments (`#` to the end of the line) anywhere; LF, CR LF or a lone CR; a byte
 //!   order mark is skipped.
-//! * Records are numbered consecutively, from 0 or 1 as the first vertex says. In memory, indices count from 0.
+//! * Records (those of a soup excepted) are numbered consecutively, from 0 or 1 as the first one says. In memory, indices count from 0.
 //! * Every fault is an error that names file, line and column, what was expected and what was found:
 //!   `A.poly:12:7: expected a vertex index between 1 and 29, found '31'`. Nothing is guessed or skipped in silence:
 //!   a value or record too many is a fault as much as one too few.
@@ -50,20 +56,24 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
+pub mod area;
 mod atomic;
 mod columns;
 pub mod edge;
 pub mod ele;
 mod error;
 mod format;
+pub mod meshsuite;
 pub mod neigh;
 pub mod node;
 mod numbers;
 pub mod poly;
 mod read;
+pub mod soup;
 pub mod svg;
 mod tokens;
 mod topology;
+pub mod vtu;
 mod write;
 
 pub use error::{Fault, IoError, Place};

@@ -7,25 +7,25 @@ use std::path::{Path, PathBuf};
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 
-use crate::ele;
 use crate::error::IoError;
 use crate::format::{Format, companion};
 use crate::node::{self, Nodes};
 use crate::poly::{self, Sections};
+use crate::{ele, meshsuite, soup};
 
 /// What a file holds, and the number that it gives to its first vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbered<T> {
     /// The drawing or mesh; its indices count from 0.
     pub value: T,
-    /// The number of the first vertex in the file: 0 or 1. Hand it to [`WriteOptions`](crate::WriteOptions) to keep it.
+    /// The number of the first vertex in the file: 0 or 1 (1 where vertices have no numbers). Hand it to [`WriteOptions`](crate::WriteOptions) to keep it.
     pub first_index: u32,
     /// The files that were read, the one with the name asked for first; empty for standard input.
     pub files: Vec<PathBuf>,
 }
 
-/// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file, the stem of
-/// one of them, or `-` for standard input.
+/// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
+/// `MeshSuite`'s `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -50,16 +50,24 @@ pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoEr
             let nodes = read_nodes(path, None)?;
             Ok(Numbered { first_index: nodes.first_index, value: nodes.into_pslg(), files: vec![path.to_owned()] })
         }
+        Some(Format::MeshSuite) => {
+            let file = meshsuite::read(&read_file(path, None)?, &name_of(path))?;
+            Ok(Numbered { first_index: file.first_index, value: file.into_pslg(), files: vec![path.to_owned()] })
+        }
         None => match of_stem(path, &[Format::Poly, Format::Node]) {
             Some(file) => read_pslg_numbered(file),
-            None => Err(unknown(path, ".poly or .node")),
+            None => Err(unknown(path, DRAWING_ENDINGS)),
         },
-        Some(_) => Err(unknown(path, ".poly or .node")),
+        Some(_) => Err(unknown(path, DRAWING_ENDINGS)),
     }
 }
 
+const DRAWING_ENDINGS: &str = ".poly, .node or .mesh";
+const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
+
 /// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own, the
 /// `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh.
+/// Or one file: `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -74,10 +82,21 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<IndexedMesh, IoError> {
 pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh>, IoError> {
     let path = path.as_ref();
     match Format::from_path(path) {
+        Some(Format::Node) => return read_group(&companion(path, Format::Ele)),
+        None if of_stem(path, &[Format::Ele]).is_some() => return read_group(&companion(path, Format::Ele)),
+        _ => {}
+    }
+    match Format::of_mesh(path) {
         Some(Format::Ele) => read_group(path),
-        Some(Format::Node) => read_group(&companion(path, Format::Ele)),
-        None if of_stem(path, &[Format::Ele]).is_some() => read_group(&companion(path, Format::Ele)),
-        _ => Err(unknown(path, ".ele")),
+        Some(Format::MeshSuite) => {
+            let file = meshsuite::read_mesh(&read_file(path, None)?, &name_of(path))?;
+            Ok(Numbered { first_index: file.first_index, value: file.into_mesh(), files: vec![path.to_owned()] })
+        }
+        Some(Format::Soup) => {
+            let value = soup::read(&read_file(path, None)?, &name_of(path))?;
+            Ok(Numbered { value, first_index: 1, files: vec![path.to_owned()] })
+        }
+        _ => Err(unknown(path, MESH_ENDINGS)),
     }
 }
 

@@ -17,6 +17,10 @@ pub(crate) struct Token<'a> {
     column: u64,
 }
 
+/// A place of a [`Reader`] within its current line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark(usize);
+
 /// A cursor over the records and fields of one file.
 #[derive(Debug)]
 pub(crate) struct Reader<'a> {
@@ -105,6 +109,17 @@ impl<'a> Reader<'a> {
             None => Ok(()),
             Some(extra) => Err(self.syntax(extra, "the end of the file")),
         }
+    }
+
+    /// The place of the cursor, to be handed to [`since`](Self::since) on the same line.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark(self.pos)
+    }
+
+    /// The text of this line from `mark` to the end of the field read last.
+    pub(crate) fn since(&self, mark: Mark) -> Token<'a> {
+        let column = (mark.0 - self.line_start) as u64 + 1;
+        Token { text: &self.bytes[mark.0..self.pos], line: self.line, column }
     }
 
     /// The error for a field that is not what the format wants.

@@ -11,7 +11,7 @@ use crate::columns::Points;
 use crate::error::IoError;
 use crate::format::{Format, companion};
 use crate::svg::SvgOptions;
-use crate::{edge, ele, neigh, node, poly, svg};
+use crate::{edge, ele, meshsuite, neigh, node, poly, soup, svg, vtu};
 
 /// How files are written.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,6 +104,9 @@ impl Outputs {
     ) -> Result<(), IoError> {
         let path = path.as_ref();
         let format = options.format_for(path, MESH_ENDINGS)?;
+        if format == Format::Area {
+            return Err(IoError::UnknownOutput { path: path.to_owned(), expected: MESH_ENDINGS });
+        }
         if !is_group(path, options) {
             return self.group.add(path, |out| write_mesh_to(out, format, mesh, options));
         }
@@ -114,14 +117,14 @@ impl Outputs {
     }
 
     /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node`
-    /// (the vertices alone) or `.svg`.
+    /// (the vertices alone), `.mesh` or `.svg`.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
     pub fn add_pslg(&mut self, path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -> Result<(), IoError> {
         let path = path.as_ref();
         let format = options.format_for(path, PSLG_ENDINGS)?;
-        if !matches!(format, Format::Poly | Format::Node | Format::Svg) {
+        if !matches!(format, Format::Poly | Format::Node | Format::MeshSuite | Format::Svg) {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
         self.group.add(path, |out| write_pslg_to(out, format, pslg, options))
@@ -136,8 +139,8 @@ impl Outputs {
     }
 }
 
-const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh or .svg";
-const PSLG_ENDINGS: &str = ".poly, .node or .svg";
+const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu or .svg";
+const PSLG_ENDINGS: &str = ".poly, .node, .mesh or .svg";
 
 /// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].
 ///
@@ -153,7 +156,7 @@ pub fn write_mesh(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOpt
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where the mesh cannot be expressed in the format: columns of wrong lengths, indices
-/// without a vertex, numbers that are not finite.
+/// without a vertex, numbers that are not finite; kind `Unsupported` for [`Format::Area`], which holds no mesh.
 pub fn write_mesh_to(
     out: &mut dyn Write,
     format: Format,
@@ -166,6 +169,10 @@ pub fn write_mesh_to(
         Format::Poly => poly::write(out, mesh, options.first_index),
         Format::Edge => edge::write(out, mesh, options.first_index),
         Format::Neigh => neigh::write(out, mesh, options.first_index),
+        Format::MeshSuite => meshsuite::write(out, mesh, options.first_index),
+        Format::Soup => soup::write(out, mesh),
+        Format::Vtu => vtu::write(out, mesh),
+        Format::Area => Err(io::ErrorKind::Unsupported.into()),
         Format::Svg => svg::draw_mesh(out, mesh, &options.svg),
     }
 }
@@ -180,7 +187,7 @@ pub fn write_pslg(path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -
     outputs.commit()
 }
 
-/// Writes a drawing to a stream as `.poly`, `.node` or `.svg`.
+/// Writes a drawing to a stream as `.poly`, `.node`, `.mesh` or `.svg`.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes only.
@@ -189,7 +196,10 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
         Format::Svg => svg::draw_pslg(out, pslg, &options.svg),
-        Format::Ele | Format::Edge | Format::Neigh => Err(io::ErrorKind::Unsupported.into()),
+        Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
+        Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu => {
+            Err(io::ErrorKind::Unsupported.into())
+        }
     }
 }
 

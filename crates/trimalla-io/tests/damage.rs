@@ -3,12 +3,12 @@
 
 mod common;
 
-use common::{EDGE, ELE, NEIGH, NODE, POLY, read_poly, sample_nodes};
+use common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
 use proptest::prelude::*;
-use trimalla_io::{IoError, edge, ele, neigh, node, poly};
+use trimalla_io::{IoError, area, edge, ele, meshsuite, neigh, node, poly, soup};
 
 /// Reads `bytes` as every format; each result as an error or nothing.
-fn read_all(bytes: &[u8]) -> [Result<(), IoError>; 7] {
+fn read_all(bytes: &[u8]) -> [Result<(), IoError>; 11] {
     let range = sample_nodes().range();
     [
         node::read(bytes, "f").map(drop),
@@ -18,6 +18,10 @@ fn read_all(bytes: &[u8]) -> [Result<(), IoError>; 7] {
         ele::read(bytes, "f", range).map(drop),
         edge::read(bytes, "f", range).map(drop),
         neigh::read(bytes, "f").map(drop),
+        area::read(bytes, "f").map(drop),
+        meshsuite::read(bytes, "f").map(drop),
+        meshsuite::read_mesh(bytes, "f").map(drop),
+        soup::read(bytes, "f").map(drop),
     ]
 }
 
@@ -47,11 +51,15 @@ fn split_lines(bytes: &[u8]) -> Vec<&[u8]> {
     lines
 }
 
-const SAMPLES: [&str; 5] = [NODE, ELE, POLY, EDGE, NEIGH];
+const SAMPLES: [&str; 8] = [NODE, ELE, POLY, EDGE, NEIGH, AREA, MESHSUITE, SOUP];
 
 #[test]
 fn samples_are_read() {
-    for (i, sample) in [(0, NODE), (1, POLY), (2, POLY), (2, NODE), (4, ELE), (5, EDGE), (6, NEIGH)] {
+    let (triangle_files, others) = (
+        [(0, NODE), (1, POLY), (2, POLY), (2, NODE), (4, ELE), (5, EDGE), (6, NEIGH)],
+        [(7, AREA), (8, MESHSUITE), (9, MESHSUITE), (10, SOUP)],
+    );
+    for (i, sample) in triangle_files.into_iter().chain(others) {
         assert!(read_all(sample.as_bytes())[i].is_ok(), "{sample}");
     }
 }

@@ -73,8 +73,8 @@ fn what_is_no_file_is_named() {
         ("loop.node", "symbolic links"),
         ("zero.node", "zero.node:1:1: expected text, found a NUL byte"),
         ("none.node", "none.node: no such file"),
-        ("none", "expected a name that ends in .poly or .node"),
-        ("none.svg", "expected a name that ends in .poly or .node"),
+        ("none", "expected a name that ends in .poly, .node or .mesh"),
+        ("none.svg", "expected a name that ends in .poly, .node or .mesh"),
     ] {
         let error = read_pslg(dir.join(name)).unwrap_err();
         assert!(!error.is_output() && error.to_string().contains(expected), "{error}");
@@ -108,7 +108,8 @@ fn a_mesh_is_three_files_and_no_more() {
     files.sort();
     assert_eq!(files, ["m.1.ele", "m.1.node", "m.1.poly"].map(|name| dir.join(name)));
     assert_eq!(files_of_mesh(Path::new("m.svg"), &options()), [PathBuf::from("m.svg")]);
-    for format in Format::ALL {
+    assert!(matches!(write_mesh(dir.join("m.area"), &grid(2), &options()), Err(IoError::UnknownOutput { .. })));
+    for format in Format::ALL.into_iter().filter(|&format| format != Format::Area) {
         let path = dir.join("one").with_extension(format.extension());
         write_mesh(&path, &grid(2), &options()).unwrap();
         assert!(path.is_file());

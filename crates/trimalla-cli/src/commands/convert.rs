@@ -18,8 +18,8 @@ Examples:
   trimalla convert key.1.ele key.1.neigh      which triangles share an edge
   trimalla convert key.1.ele - --format edge  its edges, on standard output
 
-An .ele file, or a stem that has one, is a mesh and is read with its .node and .poly files; all
-else is a drawing. Numbers keep their bits, and records their numbering.";
+An .ele file, or a stem that has one, is a mesh and is read with its .node and .poly files; so
+is a .mesh (MeshSuite) and a .soup or .txt file (triangles by coordinates), each alone. All else is a drawing. Numbers keep their bits, and records their numbering.";
 
 /// Convert a drawing or a mesh to another format, or to a picture
 #[derive(Debug, Args)]
@@ -50,7 +50,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
         let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {
-            Some(Format::Ele | Format::Edge | Format::Neigh) => {
+            Some(Format::Ele | Format::Edge | Format::Neigh | Format::Soup | Format::Vtu) => {
                 failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
             }
             _ => failure,
@@ -64,7 +64,7 @@ fn output_format(options: &Options) -> Option<Format> {
     Format::from_path(&options.output).or(options.format)
 }
 
-/// Whether a path names a mesh: an `.ele` file, or a stem that has one.
+/// Whether a path names a mesh: a file that holds triangles, or the stem of an `.ele` file.
 fn is_mesh(path: &Path) -> bool {
     let beside = || {
         let mut name = path.as_os_str().to_owned();
@@ -72,7 +72,8 @@ fn is_mesh(path: &Path) -> bool {
         Path::new(&name).exists()
     };
     match Format::from_path(path) {
-        Some(format) => format == Format::Ele,
+        Some(format) => matches!(format, Format::Ele | Format::MeshSuite | Format::Soup),
+        None if Format::of_mesh(path).is_some() => true,
         None => path != Path::new("-") && beside(),
     }
 }

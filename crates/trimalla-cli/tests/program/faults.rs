@@ -78,7 +78,7 @@ fn missing_files_are_named() {
     scratch
         .run("mesh key.dxf")
         .expect(3)
-        .says("error: cannot read key.dxf: expected a name that ends in .poly or .node");
+        .says("error: cannot read key.dxf: expected a name that ends in .poly, .node or .mesh");
     scratch
         .run("stats lone.poly")
         .expect(3)

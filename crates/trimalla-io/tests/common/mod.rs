@@ -21,6 +21,13 @@ pub(crate) const POLY: &str = "4 2 0 1\n0 0 0 1\n1 4 0 1\n2 4 4 1\n3 0 4 1\n# ed
 pub(crate) const EDGE: &str = "2 1\n1 1 2 1\n2 3 1 0\n";
 /// A `.neigh` sample for [`ELE`].
 pub(crate) const NEIGH: &str = "2 3\n1 -1 2 -1\n2 -1 -1 1\n";
+/// An `.area` sample for [`ELE`].
+pub(crate) const AREA: &str = "2\n1 0.25 # small\n2 -1\n";
+/// A `MeshSuite` sample with every section.
+pub(crate) const MESHSUITE: &str =
+    "4\n0 0 0\n1 4 0\n2 4 4\n3 0 4e0\n# edges\n2\n0 0 1 5\n1 1 2 -6\n1\n1 9 9\n2\n0 0 1 2\n1 0 2 3\n";
+/// A soup of two triangles, the second clockwise.
+pub(crate) const SOUP: &str = "0 0 4 0 4 4\n# turned\n-0 0 0 4 4 4\n";
 
 /// Reads a `.poly` file that has its own vertices.
 pub(crate) fn read_poly(bytes: &[u8], name: &str) -> Result<Pslg, IoError> {
