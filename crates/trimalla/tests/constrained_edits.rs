@@ -14,6 +14,7 @@
 //!
 //! Where a claim fails the edits that led there are printed as Rust.
 
+#![allow(clippy::print_stdout, reason = "tables for those who look")]
 #[path = "common/alike.rs"]
 mod alike;
 #[path = "common/editing.rs"]

@@ -16,6 +16,7 @@
 //! 5. A drawing times a power of two gives the same mesh times that power, triangle by triangle.
 //! 6. Refining the result again adds nothing.
 
+#![allow(clippy::print_stdout, reason = "tables for those who look")]
 #[path = "common/court.rs"]
 mod court;
 

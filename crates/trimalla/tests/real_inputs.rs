@@ -16,6 +16,7 @@
 //!
 //! With `--nocapture` a table is printed: vertices, triangles, leftovers by reason, milliseconds.
 
+#![allow(clippy::print_stdout, reason = "tables for those who look")]
 #[path = "common/court.rs"]
 mod court;
 
