@@ -1,4 +1,5 @@
 //! All algorithms agree on points, and the checker agrees with them.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::geometry::Point;

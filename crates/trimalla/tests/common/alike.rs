@@ -1,4 +1,5 @@
 //! Two triangulations of the same points, slots aside.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use std::fmt::Debug;
 

@@ -1,6 +1,7 @@
 //! From a failure on a drawing to the fewest segments and points that still show it, as Rust to paste into a test.
 //!
 //! A [`Court`] hears many drawings before it closes, so that one run names everything that is wrong.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use std::fmt::{Debug, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -4,6 +4,7 @@
 //! while small, now and then when large). A rollback goes back to a state drawn from the stack and
 //! must restore it exactly; now and then the edits taken back are made once more, from the same
 //! random numbers, and must lead to the same result.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use trimalla::mesh::{Checkpoint, UndoLog};
 use trimalla_testkit::generators::SplitMix64;

@@ -1,4 +1,5 @@
 //! Triangulations as the plain arrays that files hold.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use trimalla::delaunay::Delaunay;
 use trimalla::geometry::Point;

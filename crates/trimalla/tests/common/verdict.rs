@@ -1,4 +1,5 @@
 //! From a failure to the fewest points that still show it, as Rust to paste into a test.
+#![allow(dead_code, reason = "every test uses a part of it")]
 
 use std::fmt::Debug;
 use std::panic::{AssertUnwindSafe, catch_unwind};
