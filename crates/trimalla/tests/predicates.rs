@@ -1,4 +1,5 @@
 //! Every sign of every predicate, held against big integers and rationals that share no code with it.
+#![allow(clippy::print_stdout, reason = "tables for those who look")]
 
 use core::cmp::Ordering;
 use dashu_int::IBig;
