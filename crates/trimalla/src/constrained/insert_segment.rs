@@ -16,7 +16,7 @@ use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::plan::SegmentPlan;
 use super::provenance::Provenance;
-use crate::geometry::{Point, Segment};
+use crate::geometry::{BoundingBox, Point, Segment};
 use crate::locate::Locus;
 use crate::mesh::{Column, HalfEdgeId, Journal, NoJournal, VertexId};
 
@@ -198,7 +198,7 @@ impl ConstrainedDelaunay {
     /// Every two segments cross once; the rest is for rounding.
     fn step_bound(&self) -> u64 {
         let n = self.segments.len() as u64 + 16;
-        n.saturating_mul(n).saturating_mul(2)
+        n.saturating_mul(n).saturating_mul(16)
     }
 
     fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
@@ -220,7 +220,7 @@ impl ConstrainedDelaunay {
     fn split_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, work: &mut Vec<Piece>, j: &mut J) {
         let (x, y) = (self.t.origin(h), self.t.dest(h));
         let mark = self.t.mark(h);
-        let at = crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h));
+        let at = self.crossing_at(h, piece);
         let v = match self.t.locate_from(h.face(), at) {
             Locus::Vertex(v) => v,
             _ => self.insert_crossing(h, piece, at, j),
@@ -234,6 +234,24 @@ impl ConstrainedDelaunay {
         }
         work.push(Piece { from: v, to: piece.to, mark: piece.mark });
         work.push(Piece { from: piece.from, to: v, mark: piece.mark });
+    }
+
+    /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, as long
+    /// as that is within both.
+    ///
+    /// Pieces are bent by rounding. Crossings computed from pieces of pieces creep along them; those of the segments
+    /// themselves are one point each.
+    fn crossing_at(&self, h: HalfEdgeId, piece: Piece) -> Point {
+        let ends = [piece.from, piece.to].map(|v| self.t.point(v));
+        let edge = self.t.edge_points(h);
+        let whole =
+            |mark| self.constraints.segments(mark).first().map(|&s| self.segments[s as usize].map(|v| self.t.point(v)));
+        let within = |[a, b]: [Point; 2], p| BoundingBox::of([a, b]).is_some_and(|bounds| bounds.contains(p));
+        let of_segments = match (whole(piece.mark), whole(self.t.mark(h))) {
+            (Some([a, b]), Some([c, d])) => Segment::new(a, b).crossing_point(Segment::new(c, d)),
+            _ => None,
+        };
+        of_segments.filter(|&p| within(ends, p) && within(edge, p)).unwrap_or_else(|| crossing_of(ends, edge))
     }
 
     /// Releases constraint `h` and inserts a vertex at `at`, where it lies.
