@@ -16,7 +16,7 @@ use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::plan::SegmentPlan;
 use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Point, Segment};
+use crate::geometry::{BoundingBox, Orientation, Point, Segment, lexicographic, orient2d};
 use crate::locate::Locus;
 use crate::mesh::{Column, HalfEdgeId, Journal, NoJournal, VertexId};
 
@@ -220,9 +220,36 @@ impl ConstrainedDelaunay {
     fn split_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, work: &mut Vec<Piece>, j: &mut J) {
         let (x, y) = (self.t.origin(h), self.t.dest(h));
         let mark = self.t.mark(h);
+        let line =
+            |m: u32| self.constraints.segments(m).first().map(|&s| self.segments[s as usize].map(|v| self.t.point(v)));
+        if let (Some([a, b]), Some([c, d])) = (line(piece.mark), line(mark))
+            && orient2d(a, b, c) == Orientation::Collinear
+            && orient2d(a, b, d) == Orientation::Collinear
+        {
+            let [p, q] = [piece.from, piece.to].map(|v| self.t.point(v));
+            let between = |v: &VertexId| {
+                let r = self.t.point(*v);
+                lexicographic(p, r) == lexicographic(p, q) && lexicographic(r, q) == lexicographic(p, q)
+            };
+            if let Some(v) = [x, y].into_iter().find(between) {
+                work.push(Piece { from: v, to: piece.to, mark: piece.mark });
+                work.push(Piece { from: piece.from, to: v, mark: piece.mark });
+                return;
+            }
+        }
         let at = self.crossing_at(h, piece);
+        let ulp = 4.0 * f64::EPSILON * at.x.abs().max(at.y.abs());
+        let far = |v: VertexId| {
+            let p = self.t.point(v);
+            (p.x - at.x).abs().max((p.y - at.y).abs())
+        };
+        let near = [x, y, piece.from, piece.to]
+            .into_iter()
+            .filter(|&v| far(v) <= ulp)
+            .min_by(|&v, &w| far(v).total_cmp(&far(w)).then(v.cmp(&w)));
         let v = match self.t.locate_from(h.face(), at) {
             Locus::Vertex(v) => v,
+            _ if near.is_some() => near.unwrap_or(x),
             _ => self.insert_crossing(h, piece, at, j),
         };
         if v != x && v != y {
