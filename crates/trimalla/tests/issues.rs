@@ -52,7 +52,6 @@ fn an_edge_that_dangles_with_a_loop_at_its_end_is_joined() {
 
 /// `constrained::insert_segment::split_crossing` computed crossings from split pieces, which are bent.
 #[test]
-#[ignore = "open: crossings of nearly parallel pieces still creep until the bound ends them with an error"]
 fn crossings_do_not_creep() {
     let drawing = issue("crossings-creep");
     let cdt =
@@ -120,7 +119,6 @@ fn vertices_of_the_report_are_those_of_the_mesh() {
 
 /// Two sides of a crack too thin to keep its inside apart were split at one place.
 #[test]
-#[ignore = "open: two sides of a carved crack thinner than rounding may still meet"]
 fn the_two_sides_of_a_carved_crack_stay_apart() {
     let (sketch, _) = read_input(&shared_data_or_skip!().join("poly2tri/sketchup.dat"));
     refined(&sketch, DomainRule::Nesting, RefineOptions::default().with_min_angle_deg(20.0).with_max_vertices(20_000));

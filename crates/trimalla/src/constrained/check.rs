@@ -1,7 +1,6 @@
 //! The checker of the constrained layer.
 
 use super::constrained::{ConstrainedDelaunay, SegmentId};
-use super::provenance::Provenance;
 use crate::geometry::{Orientation, Point, orient2d};
 use crate::mesh::VertexId;
 use crate::triangulation::{Closure, Fault};
@@ -22,10 +21,7 @@ impl ConstrainedDelaunay {
             let bounds = self.bounding_box();
             let largest =
                 bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
-            // Where crossings were split, rounding bends the pieces, small ones by that of the large ones they cross.
-            let added = (self.input_points..self.points().len()).map(VertexId::from_index);
-            let bent = added.into_iter().any(|v| matches!(self.provenance(v), Provenance::Crossing { .. }));
-            let allowed = if bent { f64::INFINITY } else { BEND_ULPS * f64::EPSILON * largest };
+            let allowed = BEND_ULPS * f64::EPSILON * largest;
             for segment in 0..self.segments.len() as SegmentId {
                 faults.extend(self.segment_fault(segment, allowed));
             }
@@ -56,7 +52,7 @@ impl ConstrainedDelaunay {
     /// Exactly on the segment, or as near as the rounding of a split or crossing allows (which may fall on a vertex).
     fn lies_along(&self, [a, b]: [Point; 2], v: VertexId, allowed: f64) -> bool {
         let p = self.point(v);
-        if allowed == f64::INFINITY || orient2d(a, b, p) == Orientation::Collinear {
+        if orient2d(a, b, p) == Orientation::Collinear {
             return true;
         }
         let ab = b - a;

@@ -104,7 +104,7 @@ impl ConstrainedDelaunay {
     ) -> Result<Self, ConstraintError> {
         let t = algorithm.triangulate(points, None)?;
         let mut cdt = Self::from_triangulation(t);
-        cdt.insert_segments(segments, crossings)?;
+        cdt.insert_segments_with(segments, crossings, &mut NoJournal)?;
         Ok(cdt)
     }
 
@@ -129,12 +129,25 @@ impl ConstrainedDelaunay {
         }
     }
 
-    /// Inserts segments, one after the other; with crossings refused, either all go in or the pairs that cross are
-    /// all named.
+    /// Inserts segments, one after the other: either all go in, or none and the error says why; with crossings refused,
+    /// by naming all pairs that cross.
+    ///
+    /// # Errors
+    /// See [`ConstraintError`]. Nothing has changed then.
+    pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
+        self.or_as_before(|cdt, log| cdt.insert_segments_with(segments, crossings, log))
+    }
+
+    /// [`insert_segments`](Self::insert_segments), noting what is overwritten; taking it back is the caller's.
     ///
     /// # Errors
     /// See [`ConstraintError`].
-    pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
+    pub fn insert_segments_with<J: Journal>(
+        &mut self,
+        segments: &[[u32; 2]],
+        crossings: Crossings,
+        j: &mut J,
+    ) -> Result<(), ConstraintError> {
         for (i, ends) in segments.iter().enumerate() {
             if let Some(&v) = ends.iter().find(|&&v| v as usize >= self.t.points.len()) {
                 return Err(ConstraintError::NoSuchVertex {
@@ -146,7 +159,7 @@ impl ConstrainedDelaunay {
         }
         let first = self.segments.len();
         for (i, &[a, b]) in segments.iter().enumerate() {
-            match self.insert_segment(VertexId(a), VertexId(b), crossings) {
+            match self.insert_segment_with(VertexId(a), VertexId(b), crossings, j) {
                 Ok(_) => {}
                 Err(ConstraintError::Crossing(pairs)) if first == 0 => {
                     let all = crossing_pairs(&self.t.points, segments);

@@ -1,24 +1,14 @@
 //! Inserting a segment: piece by piece between the vertices on it, crossings as told.
 //!
-//! Where crossings are split, the work is a list of pieces still to be put in:
-//!
-//! 1. Take a piece. Plan it up to the first vertex on its way; the rest goes back on the list.
-//! 2. If the plan crosses no constraint, apply it.
-//! 3. Otherwise take the first constraint crossed, compute the crossing point, rounded. If that is a
-//!    vertex, use the vertex. Else release the constraint and insert the point where it lies.
-//!    Both the constraint and the piece go back on the list, parted at that vertex.
-//!
-//! Rounding bends what is parted by an ulp, and a bent piece may cross what its straight one did
-//! not: the list takes care of that too. A bound on its steps ends it in any case.
+//! Where crossings are split, `split_crossings` takes over.
 
 use super::apply::apply;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::plan::SegmentPlan;
-use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Orientation, Point, Segment, lexicographic, orient2d};
-use crate::locate::Locus;
-use crate::mesh::{Column, HalfEdgeId, Journal, NoJournal, VertexId};
+use super::split_crossings::Piece;
+use crate::geometry::{Point, Segment};
+use crate::mesh::{Column, Journal, NoJournal, UndoLog, VertexId};
 
 /// What to do where segments cross inside both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,23 +20,14 @@ pub enum Crossings {
     Split,
 }
 
-/// A stretch of constraint that is still to be put in.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    from: VertexId,
-    to: VertexId,
-    /// Its class.
-    mark: u32,
-}
-
 impl ConstrainedDelaunay {
     /// Inserts the segment between two used vertices (or duplicates of such).
     ///
     /// A segment between a vertex and itself is nothing, and gets a name all the same.
     ///
     /// # Errors
-    /// [`ConstraintError::Crossing`] names the segments crossed, and nothing has changed;
-    /// [`ConstraintError::UnusedVertex`], [`ConstraintError::LeavesDomain`] likewise.
+    /// [`ConstraintError::Crossing`] names the segments crossed; [`ConstraintError::UnusedVertex`],
+    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`]. Nothing has changed then.
     ///
     /// # Complexity
     /// Expected linear in the edges crossed, and in the degrees of the vertices on the way.
@@ -56,13 +37,32 @@ impl ConstrainedDelaunay {
         b: VertexId,
         crossings: Crossings,
     ) -> Result<SegmentId, ConstraintError> {
-        self.insert_segment_with(a, b, crossings, &mut NoJournal)
+        match crossings {
+            Crossings::Refuse => self.insert_segment_with(a, b, crossings, &mut NoJournal),
+            // Splitting may end in an error midway: what was done by then is taken back.
+            Crossings::Split => self.or_as_before(|cdt, log| cdt.insert_segment_with(a, b, crossings, log)),
+        }
+    }
+
+    /// Does something that is taken back if it ends in an error.
+    pub(super) fn or_as_before<T>(
+        &mut self,
+        act: impl FnOnce(&mut Self, &mut UndoLog) -> Result<T, ConstraintError>,
+    ) -> Result<T, ConstraintError> {
+        let mut log = UndoLog::new();
+        let here = log.checkpoint();
+        let result = act(self, &mut log);
+        if result.is_err() {
+            self.rollback(&mut log, here);
+        }
+        result
     }
 
     /// [`insert_segment`](Self::insert_segment), noting what is overwritten.
     ///
     /// # Errors
-    /// See [`insert_segment`](Self::insert_segment).
+    /// See [`insert_segment`](Self::insert_segment); but where crossings are split, taking back what was done is the
+    /// caller's.
     pub fn insert_segment_with<J: Journal>(
         &mut self,
         a: VertexId,
@@ -147,7 +147,7 @@ impl ConstrainedDelaunay {
     }
 
     /// Puts one uncrossed piece in.
-    fn apply_piece<J: Journal>(&mut self, plan: &SegmentPlan, mark: u32, j: &mut J) {
+    pub(super) fn apply_piece<J: Journal>(&mut self, plan: &SegmentPlan, mark: u32, j: &mut J) {
         let mark = match plan.existing {
             Some(h) => self.joined(self.t.mark(h), mark, j),
             None => mark,
@@ -163,136 +163,6 @@ impl ConstrainedDelaunay {
         mark
     }
 
-    /// The list of pieces, worked off.
-    fn work_off<J: Journal>(&mut self, first: Piece, segment: SegmentId, j: &mut J) -> Result<(), ConstraintError> {
-        let bound = self.step_bound();
-        let mut work = vec![first];
-        let mut steps = 0;
-        while let Some(piece) = work.pop() {
-            steps += 1;
-            if piece.from == piece.to {
-                continue;
-            }
-            let leaves = ConstraintError::LeavesDomain {
-                segment: segment as usize,
-                from: self.t.point(piece.from),
-                to: self.t.point(piece.to),
-            };
-            let plan = self.t.plan_towards(piece.from, piece.to).map_err(|_| leaves)?;
-            match plan.constrained.first() {
-                None => {
-                    work.push(Piece { from: plan.to, ..piece });
-                    self.apply_piece(&plan, piece.mark, j);
-                }
-                Some(&h) => {
-                    if steps > bound {
-                        return Err(ConstraintError::CrossingsExhausted { pair: self.pair_at(h, piece), steps });
-                    }
-                    self.split_crossing(h, piece, &mut work, j);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Every two segments cross once; the rest is for rounding.
-    fn step_bound(&self) -> u64 {
-        let n = self.segments.len() as u64 + 16;
-        n.saturating_mul(n).saturating_mul(16)
-    }
-
-    fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
-        let name = |mark| self.constraints.segments(mark).first().copied().unwrap_or(0) as usize;
-        let at = crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h));
-        let (a, b) = (name(self.t.mark(h)), name(piece.mark));
-        CrossingPair { segments: [a.min(b), a.max(b)], at }
-    }
-
-    /// Parts constraint `h` and the piece that crosses it at one vertex; both go back on the list.
-    ///
-    /// ```text
-    ///            y                       y
-    ///            |                       |  c
-    ///     from ──┼──── to     ──>  from ─ v ─── to      v: the crossing point, rounded, or the vertex there
-    ///            | h                     |
-    ///            x                       x
-    /// ```
-    fn split_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, work: &mut Vec<Piece>, j: &mut J) {
-        let (x, y) = (self.t.origin(h), self.t.dest(h));
-        let mark = self.t.mark(h);
-        let line =
-            |m: u32| self.constraints.segments(m).first().map(|&s| self.segments[s as usize].map(|v| self.t.point(v)));
-        if let (Some([a, b]), Some([c, d])) = (line(piece.mark), line(mark))
-            && orient2d(a, b, c) == Orientation::Collinear
-            && orient2d(a, b, d) == Orientation::Collinear
-        {
-            let [p, q] = [piece.from, piece.to].map(|v| self.t.point(v));
-            let between = |v: &VertexId| {
-                let r = self.t.point(*v);
-                lexicographic(p, r) == lexicographic(p, q) && lexicographic(r, q) == lexicographic(p, q)
-            };
-            if let Some(v) = [x, y].into_iter().find(between) {
-                work.push(Piece { from: v, to: piece.to, mark: piece.mark });
-                work.push(Piece { from: piece.from, to: v, mark: piece.mark });
-                return;
-            }
-        }
-        let at = self.crossing_at(h, piece);
-        let ulp = 4.0 * f64::EPSILON * at.x.abs().max(at.y.abs());
-        let far = |v: VertexId| {
-            let p = self.t.point(v);
-            (p.x - at.x).abs().max((p.y - at.y).abs())
-        };
-        let near = [x, y, piece.from, piece.to]
-            .into_iter()
-            .filter(|&v| far(v) <= ulp)
-            .min_by(|&v, &w| far(v).total_cmp(&far(w)).then(v.cmp(&w)));
-        let v = match self.t.locate_from(h.face(), at) {
-            Locus::Vertex(v) => v,
-            _ if near.is_some() => near.unwrap_or(x),
-            _ => self.insert_crossing(h, piece, at, j),
-        };
-        if v != x && v != y {
-            if self.t.half_edge_between(x, y).is_some() {
-                self.release(x, y, j);
-            }
-            work.push(Piece { from: x, to: v, mark });
-            work.push(Piece { from: v, to: y, mark });
-        }
-        work.push(Piece { from: v, to: piece.to, mark: piece.mark });
-        work.push(Piece { from: piece.from, to: v, mark: piece.mark });
-    }
-
-    /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, as long
-    /// as that is within both.
-    ///
-    /// Pieces are bent by rounding. Crossings computed from pieces of pieces creep along them; those of the segments
-    /// themselves are one point each.
-    fn crossing_at(&self, h: HalfEdgeId, piece: Piece) -> Point {
-        let ends = [piece.from, piece.to].map(|v| self.t.point(v));
-        let edge = self.t.edge_points(h);
-        let whole =
-            |mark| self.constraints.segments(mark).first().map(|&s| self.segments[s as usize].map(|v| self.t.point(v)));
-        let within = |[a, b]: [Point; 2], p| BoundingBox::of([a, b]).is_some_and(|bounds| bounds.contains(p));
-        let of_segments = match (whole(piece.mark), whole(self.t.mark(h))) {
-            (Some([a, b]), Some([c, d])) => Segment::new(a, b).crossing_point(Segment::new(c, d)),
-            _ => None,
-        };
-        of_segments.filter(|&p| within(ends, p) && within(edge, p)).unwrap_or_else(|| crossing_of(ends, edge))
-    }
-
-    /// Releases constraint `h` and inserts a vertex at `at`, where it lies.
-    fn insert_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, at: Point, j: &mut J) -> VertexId {
-        let pair = self.pair_at(h, piece);
-        let near = self.t.outgoing(self.t.origin(h));
-        self.release(self.t.origin(h), self.t.dest(h), j);
-        let start = near.map_or(h.face(), HalfEdgeId::face);
-        let locus = self.t.locate_from(start, at);
-        let v = self.insert_vertex_at(at, locus, j);
-        self.set_provenance(v, Provenance::Crossing { segments: pair.segments.map(|s| s as u32) }, j);
-        v
-    }
-
     /// Unmarks an edge and legalises it.
     pub(super) fn release<J: Journal>(&mut self, x: VertexId, y: VertexId, j: &mut J) {
         if let Some(h) = self.t.half_edge_between(x, y) {
@@ -305,6 +175,6 @@ impl ConstrainedDelaunay {
 
 /// The point where two lines cross that are known to, rounded; the middle of the second where they are too close to
 /// parallel for numbers.
-fn crossing_of([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
+pub(super) fn crossing_of([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Segment::new(a, b).crossing_point(Segment::new(c, d)).unwrap_or_else(|| Point::midpoint(c, d))
 }

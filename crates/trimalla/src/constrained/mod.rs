@@ -17,7 +17,9 @@ mod plan;
 mod provenance;
 mod pseudo_polygon;
 mod remove_segment;
+mod split_crossings;
 mod split_subsegment;
+mod straighten;
 #[cfg(test)]
 mod tests;
 

@@ -43,8 +43,14 @@ impl ConstrainedDelaunay {
     /// [`remove_segment`](Self::remove_segment), noting what is overwritten.
     pub fn remove_segment_with<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> bool {
         let chain = self.chain(segment);
+        self.take_name_off(&chain, segment, j);
+        !chain.is_empty()
+    }
+
+    /// Takes a segment's name off edges; those that only it constrained are free again, and legalised.
+    pub(super) fn take_name_off<J: Journal>(&mut self, edges: &[HalfEdgeId], segment: SegmentId, j: &mut J) {
         let before = self.constraints.len();
-        for &h in &chain {
+        for &h in edges {
             let mut mark = self.constraints.without_segment(self.t.mark(h), segment);
             let bounds = self.t.is_boundary(h) || self.t.is_boundary(self.t.twin(h));
             if mark == 0 && self.t.closure() == Closure::Domain && bounds {
@@ -53,10 +59,9 @@ impl ConstrainedDelaunay {
             self.t.mesh.set_mark(h, mark, j);
         }
         self.note_classes(before, j);
-        for &h in &chain {
+        for &h in edges {
             self.lawson.push(h);
         }
         self.lawson.legalise_all(&mut self.t, j);
-        !chain.is_empty()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::constrained::ConstrainedDelaunay;
 use super::provenance::Provenance;
-use crate::geometry::{Point, Segment};
+use crate::geometry::{BoundingBox, Point, Segment};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
 /// Why a subsegment cannot be split at a parameter.
@@ -18,7 +18,8 @@ pub enum SplitError {
 impl ConstrainedDelaunay {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
-    /// It is computed from the ends of the input segment, so repeated halving does not drift.
+    /// It is computed from the ends of the input segment, so repeated halving does not drift; where crossings have bent
+    /// the segment so far that this is no point between the subsegment's own ends, from those.
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
@@ -27,9 +28,13 @@ impl ConstrainedDelaunay {
             return (Point::lerp(self.t.point(a), self.t.point(b), t), Provenance::Free);
         };
         let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
-        let t = ta + (tb - ta) * t;
+        let along = ta + (tb - ta) * t;
         let [start, end] = self.segments[segment as usize].map(|v| self.t.point(v));
-        (Point::lerp(start, end, t), Provenance::OnSegment { segment, t })
+        let [p, q] = self.t.edge_points(h);
+        let on_segment = Point::lerp(start, end, along);
+        let between = BoundingBox::around(p).including(q).contains(on_segment);
+        let point = if between { on_segment } else { Point::lerp(p, q, t) };
+        (point, Provenance::OnSegment { segment, t: along })
     }
 
     /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
@@ -43,7 +48,7 @@ impl ConstrainedDelaunay {
         }
         match self.provenance(v) {
             Provenance::OnSegment { segment: s, t } | Provenance::Shell { segment: s, t, .. } if s == segment => t,
-            _ => projected(self.t.point(a), self.t.point(b), self.t.point(v)),
+            _ => Segment::new(self.t.point(a), self.t.point(b)).nearest_parameter(self.t.point(v)),
         }
     }
 
@@ -52,7 +57,7 @@ impl ConstrainedDelaunay {
         match self.segments_of(h).first() {
             Some(&segment) => {
                 let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
-                Provenance::OnSegment { segment, t: projected(a, b, p) }
+                Provenance::OnSegment { segment, t: Segment::new(a, b).nearest_parameter(p) }
             }
             None => Provenance::Free,
         }
@@ -109,12 +114,4 @@ impl ConstrainedDelaunay {
         }
         if self.t.may_split_edge(h, p) { Ok(()) } else { Err(SplitError::Crowded) }
     }
-}
-
-/// Where the foot of `p` lies on the segment from `a` to `b`, between 0 and 1.
-fn projected(a: Point, b: Point, p: Point) -> f64 {
-    let length_sq = Segment::new(a, b).length_sq();
-    let (ab, ap) = (b - a, p - a);
-    let t = ab.dot(ap) / length_sq;
-    if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.5 }
 }

@@ -121,6 +121,15 @@ impl Vector {
     }
 }
 
+impl Sub for Vector {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y)
+    }
+}
+
 impl Sub for Point {
     type Output = Vector;
 

@@ -76,6 +76,35 @@ impl Segment {
         BoundingBox::around(self.start).including(self.end)
     }
 
+    /// The parameter of the point nearest to `p`, rounded: 0 at the start, 1 at the end, 0 for a segment of one point.
+    #[must_use]
+    pub fn nearest_parameter(self, p: Point) -> f64 {
+        let frame = Frame::new(p, self.ends());
+        let (a, b) = (frame.local(self.start), frame.local(self.end));
+        let t = -(a.dot(b - a)) / (b - a).length_sq();
+        if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) }
+    }
+
+    /// The distance from `p` to the nearest point of the segment, rounded.
+    ///
+    /// # Guarantees
+    /// Infinite only if the distance itself passes `f64::MAX`. The error is a few last places of the distance from `p`
+    /// to the nearer end.
+    #[must_use]
+    pub fn distance(self, p: Point) -> f64 {
+        let frame = Frame::new(p, self.ends());
+        let (a, b) = (frame.local(self.start), frame.local(self.end));
+        let ab = b - a;
+        let nearest = if a.dot(ab) >= 0.0 {
+            a.length_sq().sqrt()
+        } else if b.dot(ab) <= 0.0 {
+            b.length_sq().sqrt()
+        } else {
+            a.cross(b).abs() / ab.length_sq().sqrt()
+        };
+        frame.length(nearest)
+    }
+
     /// The only point that two segments share: rounded where they cross, exact where an end lies on the other segment.
     ///
     /// # Guarantees
@@ -171,6 +200,20 @@ mod tests {
         assert_eq!(two.crossing_point(one), Some(two.start));
         assert_eq!(one.crossing_point(one), None);
         assert_eq!(one.crossing_point(segment(0.0, 1.0, 1.0, 1.0)), None);
+    }
+
+    #[test]
+    fn the_nearest_point_is_inside_or_an_end_at_every_size() {
+        for s in [1e-300, 1.0, 1e300] {
+            let base = segment(0.0, 0.0, 4.0 * s, 0.0);
+            for (x, y, t, distance) in [(1.0, 3.0, 0.25, 3.0), (-3.0, 4.0, 0.0, 5.0), (7.0, -4.0, 1.0, 5.0)] {
+                let p = Point::new(x * s, y * s);
+                assert_eq!(base.nearest_parameter(p), t);
+                assert!((base.distance(p) / s - distance).abs() < 1e-14);
+            }
+        }
+        let point = segment(1.0, 1.0, 1.0, 1.0);
+        assert_eq!((point.nearest_parameter(point.start), point.distance(Point::new(4.0, 5.0))), (0.0, 5.0));
     }
 
     #[test]
