@@ -1,7 +1,7 @@
 //! The checker of the constrained layer.
 
 use super::constrained::{ConstrainedDelaunay, SegmentId};
-use crate::geometry::{Orientation, Point, orient2d};
+use crate::geometry::{Orientation, Point, math, orient2d};
 use crate::mesh::VertexId;
 use crate::triangulation::{Closure, Fault};
 
@@ -21,7 +21,7 @@ impl ConstrainedDelaunay {
             let bounds = self.bounding_box();
             let largest =
                 bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
-            let allowed = BEND_ULPS * f64::EPSILON * largest;
+            let allowed = BEND_ULPS * math::last_place(largest);
             for segment in 0..self.segments.len() as SegmentId {
                 faults.extend(self.segment_fault(segment, allowed));
             }

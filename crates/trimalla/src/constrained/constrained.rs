@@ -1,5 +1,6 @@
 //! The type `ConstrainedDelaunay`.
 
+use std::collections::BTreeSet;
 use std::ops::Deref;
 
 use super::constraints::Constraints;
@@ -56,6 +57,8 @@ pub struct ConstrainedDelaunay {
     /// Where the vertices after the input come from.
     pub(crate) provenance: Provenances,
     pub(crate) input_points: usize,
+    /// Border edges with something outside within rounding of them, lower vertex first; empty before carving.
+    pub(crate) crowded: BTreeSet<[VertexId; 2]>,
     pub(crate) last: FaceId,
     pub(crate) filling: Filling,
 }
@@ -70,13 +73,14 @@ impl Deref for ConstrainedDelaunay {
     }
 }
 
-/// Equal arrays, classes, segments and provenances; scratch space does not count.
+/// Equal arrays, classes, segments, provenances and crowded border edges; scratch space does not count.
 impl PartialEq for ConstrainedDelaunay {
     fn eq(&self, other: &Self) -> bool {
         self.t == other.t
             && self.constraints == other.constraints
             && self.segments == other.segments
             && self.provenance == other.provenance
+            && self.crowded == other.crowded
     }
 }
 
@@ -124,6 +128,7 @@ impl ConstrainedDelaunay {
             regions: Vec::new(),
             provenance: Provenances::default(),
             input_points,
+            crowded: BTreeSet::new(),
             last: FaceId(0),
             filling: Filling::default(),
         }
@@ -307,6 +312,9 @@ impl ConstrainedDelaunay {
                     self.t.undo(entry);
                 }
             }
+        }
+        if self.t.closure() == Closure::Hull {
+            self.crowded.clear();
         }
     }
 

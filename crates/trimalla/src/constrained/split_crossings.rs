@@ -24,7 +24,7 @@ use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::insert_segment::crossing_of;
 use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Point, Segment};
+use crate::geometry::{BoundingBox, Point, Segment, math};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
@@ -157,7 +157,7 @@ impl ConstrainedDelaunay {
             ends.into_iter().min_by(|(d, v), (e, w)| d.total_cmp(e).then(v.cmp(w))).unwrap_or(ends[0])
         };
         let ((d, v), (e, w)) = (nearest(of_edge), nearest(of_line));
-        if d.min(e) > REACH_ULPS * f64::EPSILON * largest {
+        if d.min(e) > REACH_ULPS * math::last_place(largest) {
             return Meeting::Point(self.crossing_at(h, piece));
         }
         if d <= e { Meeting::EndOfConstraint(v) } else { Meeting::EndOfPiece(w) }

@@ -10,8 +10,8 @@ use crate::mesh::{HalfEdgeId, Journal, VertexId};
 pub enum SplitError {
     /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
     TooShort,
-    /// The rounded point lies where one of the four triangles would not be counter-clockwise: another vertex or
-    /// constraint is closer than rounding.
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or the edge bounds the
+    /// domain and what is outside is too near: another vertex or constraint is closer than rounding.
     Crowded,
 }
 
@@ -112,6 +112,11 @@ impl ConstrainedDelaunay {
         if p == x || p == y {
             return Err(SplitError::TooShort);
         }
-        if self.t.may_split_edge(h, p) { Ok(()) } else { Err(SplitError::Crowded) }
+        let (a, b) = (self.t.origin(h), self.t.dest(h));
+        if self.t.may_split_edge(h, p) && !self.crowded.contains(&[a.min(b), a.max(b)]) {
+            Ok(())
+        } else {
+            Err(SplitError::Crowded)
+        }
     }
 }

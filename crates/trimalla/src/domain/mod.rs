@@ -14,6 +14,7 @@
 mod build;
 mod carve;
 mod contours;
+mod crowded;
 mod error;
 mod flood;
 mod indexed;

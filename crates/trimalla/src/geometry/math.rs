@@ -102,6 +102,12 @@ pub fn power_of_two_scale(largest: f64) -> f64 {
     f64::from_bits((2046 - biased) << 52)
 }
 
+/// The distance from a number to the next, at most: relative for normal numbers, the least positive number for others.
+#[must_use]
+pub fn last_place(largest: f64) -> f64 {
+    (f64::EPSILON * largest.abs()).max(f64::from_bits(1))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

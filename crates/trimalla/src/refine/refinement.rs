@@ -9,7 +9,7 @@ use super::encroachment::Region;
 use super::options::{OptionError, RefineOptions};
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
-use super::split_segments::{Encroached, bits};
+use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Provenance};
@@ -50,8 +50,6 @@ pub struct Refinement {
     pub(super) encroached: VecDeque<Encroached>,
     /// Subsegments whose split failed although it had seemed possible.
     pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
-    /// Vertices of the input and those that split segments, by their bits.
-    pub(super) border_points: BTreeSet<[u64; 2]>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
     pub(super) log: UndoLog,
@@ -115,7 +113,6 @@ impl Refinement {
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
-            border_points: cdt.used_vertices().map(|v| bits(cdt.point(v))).collect(),
             given_up: Vec::new(),
             log: UndoLog::new(),
             joined: 0,

@@ -92,7 +92,6 @@ impl Refinement {
             }
             self.vertices += 1;
             self.report.segments_split += 1;
-            self.border_points.insert(bits(self.cdt.point(v)));
             self.look_around(v);
             return true;
         }
@@ -122,9 +121,6 @@ impl Refinement {
             if ends.contains(&apex) {
                 provenance = Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
             }
-        }
-        if on_border && self.border_points.contains(&bits(point)) {
-            return Err(Reason::PrecisionFloor); // The other side of a crack was split there.
         }
         match self.cdt.can_split(h, point) {
             Ok(()) => Ok(Cut { point, provenance }),
@@ -221,11 +217,6 @@ impl Refinement {
         self.look_at_faces(&faces);
         true
     }
-}
-
-/// The bits of a point, of either zero the positive one.
-pub(super) fn bits(p: Point) -> [u64; 2] {
-    [p.x, p.y].map(|c| (c + 0.0).to_bits())
 }
 
 /// The greatest power of two not above a positive number, and its exponent.
