@@ -152,3 +152,17 @@ fn an_absurd_number_of_attributes_is_an_error() {
     };
     assert!(matches!(mesh(&pslg, &options), Err(Error::Domain(DomainError::Column { .. }))));
 }
+
+/// `constrained::split_subsegment::point_on_subsegment` trusted the far ends of a bent segment, and the parameter of a vertex
+/// on a long segment overflowed.
+#[test]
+fn a_bent_segment_is_split_between_the_ends_of_its_pieces() {
+    refined(&issue("bent-segment-huge"), DomainRule::Nesting, RefineOptions::default().with_max_vertices(500));
+}
+
+/// Nothing proved on the outside of a carved border that a rounded split crosses no other border.
+#[test]
+fn borders_with_something_within_rounding_outside_are_not_split() {
+    let none = RefineOptions::default().with_min_angle_deg(0.0).with_max_vertices(500);
+    refined(&issue("crack-within-rounding"), DomainRule::Hull, none);
+}
