@@ -163,6 +163,6 @@ fn a_bent_segment_is_split_between_the_ends_of_its_pieces() {
 /// Nothing proved on the outside of a carved border that a rounded split crosses no other border.
 #[test]
 fn borders_with_something_within_rounding_outside_are_not_split() {
-    let none = RefineOptions::default().with_min_angle_deg(0.0).with_max_vertices(500);
-    refined(&issue("crack-within-rounding"), DomainRule::Hull, none);
+    let fine = RefineOptions::default().with_max_area(1e-4).with_max_vertices(20_000);
+    refined(&issue("crack-within-rounding"), DomainRule::Nesting, fine);
 }

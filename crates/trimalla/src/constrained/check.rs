@@ -1,12 +1,12 @@
 //! The checker of the constrained layer.
 
 use super::constrained::{ConstrainedDelaunay, SegmentId};
-use crate::geometry::{Orientation, Point, math, orient2d};
+use crate::geometry::{Orientation, Point, Segment, math, orient2d};
 use crate::mesh::VertexId;
 use crate::triangulation::{Closure, Fault};
 
-/// Crossings bend segments by their rounding, that of small ones by that of the large ones they cross; this many units in
-/// the last place of the drawing's largest coordinate are allowed.
+/// Splits and crossings bend a segment by their rounding: this many units in the last place of its largest coordinate are
+/// allowed.
 const BEND_ULPS: f64 = 16.0;
 
 impl ConstrainedDelaunay {
@@ -18,12 +18,8 @@ impl ConstrainedDelaunay {
     pub fn check(&self) -> Vec<Fault> {
         let mut faults = self.t.check_delaunay();
         if faults.is_empty() {
-            let bounds = self.bounding_box();
-            let largest =
-                bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
-            let allowed = BEND_ULPS * math::last_place(largest);
             for segment in 0..self.segments.len() as SegmentId {
-                faults.extend(self.segment_fault(segment, allowed));
+                faults.extend(self.segment_fault(segment));
             }
         }
         faults
@@ -36,7 +32,7 @@ impl ConstrainedDelaunay {
     }
 
     /// I13: a segment is a chain of edges from its start to its end, along it. In a carved domain parts may be missing.
-    fn segment_fault(&self, segment: SegmentId, allowed: f64) -> Option<Fault> {
+    fn segment_fault(&self, segment: SegmentId) -> Option<Fault> {
         let [a, b] = self.segments[segment as usize];
         let chain = self.chain(segment);
         let end = chain.last().map_or(a, |&h| self.dest(h));
@@ -45,19 +41,15 @@ impl ConstrainedDelaunay {
         }
         let ends = [a, b].map(|v| self.point(v));
         let inner = chain.iter().map(|&h| self.dest(h)).filter(|&v| v != b);
-        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v, allowed));
+        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v));
         off.map(|vertex| Fault::OffSegment { segment, vertex })
     }
 
     /// Exactly on the segment, or as near as the rounding of a split or crossing allows (which may fall on a vertex).
-    fn lies_along(&self, [a, b]: [Point; 2], v: VertexId, allowed: f64) -> bool {
+    fn lies_along(&self, ends: [Point; 2], v: VertexId) -> bool {
         let p = self.point(v);
-        if orient2d(a, b, p) == Orientation::Collinear {
-            return true;
-        }
-        let ab = b - a;
-        let off = ab.cross(p - a).abs() / ab.length_sq().sqrt();
-        // What overflows is no proof of a fault.
-        off.is_nan() || off <= allowed
+        let segment = Segment::new(ends[0], ends[1]);
+        orient2d(ends[0], ends[1], p) == Orientation::Collinear
+            || segment.distance(p) <= BEND_ULPS * math::last_place(segment.largest_coordinate())
     }
 }

@@ -12,7 +12,7 @@ pub enum Provenance {
     Free,
     /// On input segment `segment`, at this parameter from its start (0) to its end (1).
     OnSegment {
-        /// The input segment; the lowest one where several overlap.
+        /// The input segment; where several overlap, the one with the smallest coordinates.
         segment: u32,
         /// The parameter.
         t: f64,

@@ -150,17 +150,20 @@ impl ConstrainedDelaunay {
         let (edge, line) = ([self.t.origin(h), self.t.dest(h)], [piece.from, piece.to]);
         let [p, q] = edge.map(at);
         let [a, b] = line.map(at);
-        let largest = [p, q, a, b].iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-        let of_edge = edge.map(|v| (Segment::new(a, b).distance(at(v)), v));
-        let of_line = line.map(|v| (Segment::new(p, q).distance(at(v)), v));
-        let nearest = |ends: [(f64, VertexId); 2]| {
-            ends.into_iter().min_by(|(d, v), (e, w)| d.total_cmp(e).then(v.cmp(w))).unwrap_or(ends[0])
+        let reach =
+            |ends: [Point; 2]| REACH_ULPS * math::last_place(Segment::new(ends[0], ends[1]).largest_coordinate());
+        let nearest = |ends: [VertexId; 2], line: [Point; 2]| {
+            let [d, e] = ends.map(|v| Segment::new(line[0], line[1]).distance(at(v)));
+            let (d, v) = if e < d || e == d && ends[1] < ends[0] { (e, ends[1]) } else { (d, ends[0]) };
+            (d <= reach(line)).then_some((d, v))
         };
-        let ((d, v), (e, w)) = (nearest(of_edge), nearest(of_line));
-        if d.min(e) > REACH_ULPS * math::last_place(largest) {
-            return Meeting::Point(self.crossing_at(h, piece));
+        // Leading an edge through a vertex bends it: by no more than its own rounding.
+        match (nearest(edge, [a, b]), nearest(line, [p, q])) {
+            (Some((d, v)), Some((e, _))) if d <= e => Meeting::EndOfConstraint(v),
+            (Some((_, v)), None) => Meeting::EndOfConstraint(v),
+            (_, Some((_, w))) => Meeting::EndOfPiece(w),
+            (None, None) => Meeting::Point(self.crossing_at(h, piece)),
         }
-        if d <= e { Meeting::EndOfConstraint(v) } else { Meeting::EndOfPiece(w) }
     }
 
     /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, as long
@@ -171,8 +174,7 @@ impl ConstrainedDelaunay {
     fn crossing_at(&self, h: HalfEdgeId, piece: Piece) -> Point {
         let ends = [piece.from, piece.to].map(|v| self.t.point(v));
         let edge = self.t.edge_points(h);
-        let whole =
-            |mark| self.constraints.segments(mark).first().map(|&s| self.segments[s as usize].map(|v| self.t.point(v)));
+        let whole = |mark| self.finest_segment(mark).map(|s| self.segments[s as usize].map(|v| self.t.point(v)));
         let within = |[a, b]: [Point; 2], p| BoundingBox::of([a, b]).is_some_and(|bounds| bounds.contains(p));
         let of_segments = match (whole(piece.mark), whole(self.t.mark(h))) {
             (Some([a, b]), Some([c, d])) => Segment::new(a, b).crossing_point(Segment::new(c, d)),

@@ -24,7 +24,7 @@ impl ConstrainedDelaunay {
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
         let (a, b) = (self.t.origin(h), self.t.dest(h));
-        let Some(&segment) = self.segments_of(h).first() else {
+        let Some(segment) = self.finest_segment(self.t.mark(h)) else {
             return (Point::lerp(self.t.point(a), self.t.point(b), t), Provenance::Free);
         };
         let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
@@ -35,6 +35,22 @@ impl ConstrainedDelaunay {
         let between = BoundingBox::around(p).including(q).contains(on_segment);
         let point = if between { on_segment } else { Point::lerp(p, q, t) };
         (point, Provenance::OnSegment { segment, t: along })
+    }
+
+    /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
+    ///
+    /// Where segments overlap their common points are as good as those of the finest.
+    pub(super) fn finest_segment(&self, mark: u32) -> Option<u32> {
+        let extent = |s: &u32| {
+            let [a, b] = self.segments[*s as usize].map(|v| self.t.point(v));
+            Segment::new(a, b).largest_coordinate()
+        };
+        let class = self.constraints.segments(mark);
+        if let [only] = class {
+            Some(*only)
+        } else {
+            class.iter().copied().min_by(|s, r| extent(s).total_cmp(&extent(r)))
+        }
     }
 
     /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
@@ -54,8 +70,8 @@ impl ConstrainedDelaunay {
 
     /// The provenance of a point on a constrained edge.
     pub(super) fn provenance_on(&self, h: HalfEdgeId, p: Point) -> Provenance {
-        match self.segments_of(h).first() {
-            Some(&segment) => {
+        match self.finest_segment(self.t.mark(h)) {
+            Some(segment) => {
                 let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
                 Provenance::OnSegment { segment, t: Segment::new(a, b).nearest_parameter(p) }
             }

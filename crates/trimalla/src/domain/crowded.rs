@@ -17,42 +17,50 @@
 use std::collections::BTreeSet;
 
 use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::{Point, Segment, math};
+use crate::geometry::{Segment, math};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// How far from its edge a split may fall, many times over, in last places of the largest coordinate at work.
 const REACH_ULPS: f64 = 64.0;
 
-/// The edges between kept and removed faces, lower vertex first, with a vertex outside too near to them.
+/// The edges between kept and removed faces, lower vertex first, with a vertex outside too near to them, and the border
+/// edges at those vertices.
 ///
 /// # Complexity
 /// The degrees of the vertices on the border.
 pub(super) fn crowded(cdt: &ConstrainedDelaunay, keep: &[bool]) -> BTreeSet<[VertexId; 2]> {
     let kept = |f: FaceId| cdt.is_real(f) && keep[f.index()];
-    let border = cdt.real_faces().filter(|&f| kept(f)).flat_map(FaceId::half_edges);
-    let border = border.filter(|&h| !kept(cdt.twin(h).face()));
-    border
-        .filter(|&h| is_crowded(cdt, h, kept))
-        .map(|h| {
-            let (a, b) = (cdt.origin(h), cdt.dest(h));
-            [a.min(b), a.max(b)]
-        })
-        .collect()
+    let is_border = |h: HalfEdgeId| kept(h.face()) && !kept(cdt.twin(h).face());
+    let name = |h: HalfEdgeId| {
+        let (a, b) = (cdt.origin(h), cdt.dest(h));
+        [a.min(b), a.max(b)]
+    };
+    let mut crowded = BTreeSet::new();
+    for h in cdt.real_faces().flat_map(FaceId::half_edges).filter(|&h| is_border(h)) {
+        let near = near_outside(cdt, h, kept);
+        if near.is_empty() {
+            continue;
+        }
+        crowded.insert(name(h));
+        let beside = near.into_iter().flat_map(|v| cdt.edges_around(v));
+        crowded.extend(beside.filter(|&g| is_border(g) || is_border(cdt.twin(g))).map(name));
+    }
+    crowded
 }
 
-/// Whether a neighbour of an end of border edge `h`, across removed faces, is within rounding of it.
-fn is_crowded(cdt: &ConstrainedDelaunay, h: HalfEdgeId, kept: impl Fn(FaceId) -> bool) -> bool {
+/// The neighbours of the ends of border edge `h`, across removed faces, that are within rounding of it.
+fn near_outside(cdt: &ConstrainedDelaunay, h: HalfEdgeId, kept: impl Fn(FaceId) -> bool) -> Vec<VertexId> {
     let [a, b] = cdt.edge_points(h);
-    let whole = cdt.segments_of(h).first().map_or([a, b], |&s| cdt.segments()[s as usize].map(|v| cdt.point(v)));
-    let largest = |p: Point| p.x.abs().max(p.y.abs());
-    let reach = REACH_ULPS * math::last_place([a, b].into_iter().chain(whole).map(largest).fold(0.0, f64::max));
     let edge = Segment::new(a, b);
-    let near = |v: VertexId| v.is_finite() && edge.distance(cdt.point(v)) <= reach;
+    let whole = cdt.segments_of(h).first().map_or([a, b], |&s| cdt.segments()[s as usize].map(|v| cdt.point(v)));
+    let largest = edge.largest_coordinate().max(Segment::new(whole[0], whole[1]).largest_coordinate());
+    let reach = REACH_ULPS * math::last_place(largest);
+    let near = |v: &VertexId| v.is_finite() && edge.distance(cdt.point(*v)) <= reach;
     // Outside, h's twin b→a has its face on the left: around b counter-clockwise from it, around a clockwise.
-    let twin = cdt.twin(h);
-    let around_b = std::iter::successors(Some(twin), |&s| Some(cdt.ccw(s))).take_while(|s| !kept(s.face()));
-    let around_a = std::iter::successors(Some(h), |&s| Some(cdt.cw(s))).skip(1);
-    let around_a = around_a.take_while(|s| !kept(s.face()));
+    let around_b = std::iter::successors(Some(cdt.twin(h)), |&s| Some(cdt.ccw(s)));
+    let around_b = around_b.take_while(|s| !kept(s.face())).map(|s| cdt.apex(s));
+    let around_a = std::iter::successors(Some(cdt.cw(h)), |&s| Some(cdt.cw(s)));
+    let around_a = around_a.take_while(|s| !kept(s.face())).map(|s| cdt.dest(s));
     let bound = cdt.face_slots();
-    around_b.take(bound).any(|s| near(cdt.apex(s))) || around_a.take(bound).any(|s| near(cdt.dest(s)))
+    around_b.take(bound).chain(around_a.take(bound)).filter(near).collect()
 }

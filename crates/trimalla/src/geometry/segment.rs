@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::frame::Frame;
-use super::predicates::{SegmentContact, on_segment, segment_contact};
+use super::predicates::{SegmentContact, crossing_parameter, on_segment, segment_contact};
 use super::{BoundingBox, Point, Vector, lexicographically_less};
 
 /// A straight segment between two points, which may coincide.
@@ -112,7 +112,7 @@ impl Segment {
     /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both.
     ///
     /// # Source
-    /// The parameter is the ratio of the distances of the ends from the other line, which are added, never subtracted.
+    /// The parameter is the exact ratio of the distances of the ends from the other line, rounded once.
     #[must_use]
     pub fn crossing_point(self, other: Self) -> Option<Point> {
         match segment_contact(self.start, self.end, other.start, other.end) {
@@ -134,12 +134,7 @@ impl Segment {
             Ordering::Greater => false,
         };
         let (one, two) = if finer { (two, one) } else { (one, two) };
-        let frame = Frame::new(two.start, [two.end, one.start, one.end]);
-        let direction = frame.local(two.end);
-        let distance = |p: Point| direction.cross(frame.local(p)).abs();
-        let (from_start, from_end) = (distance(one.start), distance(one.end));
-        let t = from_start / (from_start + from_end);
-        let point = one.at(if t.is_nan() { 0.5 } else { t });
+        let point = one.at(crossing_parameter(two.ends(), one.ends()));
         two.bounding_box().clamp(one.bounding_box().clamp(point))
     }
 
@@ -154,7 +149,9 @@ impl Segment {
         if lexicographically_less(self.end, self.start) { self.reversed() } else { self }
     }
 
-    fn largest_coordinate(self) -> f64 {
+    /// The largest magnitude of a coordinate of its ends: what the rounding of its points is in proportion to.
+    #[must_use]
+    pub fn largest_coordinate(self) -> f64 {
         let [a, b] = self.ends();
         a.x.abs().max(a.y.abs()).max(b.x.abs()).max(b.y.abs())
     }

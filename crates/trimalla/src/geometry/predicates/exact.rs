@@ -74,6 +74,28 @@ impl ExactSum {
         self.positive.iter().rev().cmp(self.negative.iter().rev())
     }
 
+    /// The magnitude of the sum, rounded: a number in [1, 2) and the power of two that it is multiplied by; 0 for 0.
+    pub(in crate::geometry) fn magnitude(&self) -> (f64, i32) {
+        let (more, less) = match self.sign() {
+            Ordering::Less => (&self.negative, &self.positive),
+            _ => (&self.positive, &self.negative),
+        };
+        let mut limbs = *more;
+        let mut borrow = false;
+        for (limb, taken) in limbs.iter_mut().zip(less) {
+            let (first, under) = limb.overflowing_sub(*taken);
+            let (second, under_again) = first.overflowing_sub(u64::from(borrow));
+            (*limb, borrow) = (second, under || under_again);
+        }
+        let Some(top) = limbs.iter().rposition(|&limb| limb != 0) else { return (0.0, 0) };
+        let below = top.checked_sub(1).map_or(0, |k| limbs[k]);
+        let zeros = limbs[top].leading_zeros();
+        let wide = (u128::from(limbs[top]) << 64 | u128::from(below)) << zeros;
+        // The leading bit of `wide` is set: its upper 64 bits are more than a number holds.
+        let mantissa = (wide >> 64) as u64 as f64 / (1_u64 << 63) as f64;
+        (mantissa, 64 * top as i32 + 63 - zeros as i32 - LOWEST)
+    }
+
     fn add_signed<const N: usize>(&mut self, factors: [Difference; N], negative: bool) {
         const { assert!(N <= MAX_FACTORS) };
         for choice in 0..1_u32 << N {
@@ -183,6 +205,20 @@ mod tests {
         assert_eq!(sign(&[huge, tiny, minus_huge]), Ordering::Greater);
         assert_eq!(sign(&[huge, tiny, minus_huge, minus_tiny, minus_tiny]), Ordering::Less);
         assert_eq!(sign(&[huge; 1000]), Ordering::Greater);
+    }
+
+    #[test]
+    fn magnitudes_are_those_of_the_sum() {
+        let mut sum = ExactSum::new();
+        assert_eq!(sum.magnitude(), (0.0, 0));
+        sum.add([Difference::new(1e300, 1.0)]);
+        sum.subtract([Difference::number(1e300)]);
+        assert_eq!(sum.magnitude(), (1.0, 0));
+        sum.subtract([Difference::number(11.0)]);
+        assert_eq!(sum.magnitude(), (1.5, 3));
+        sum.add([Difference::number(12.0)]);
+        sum.add([Difference::number(5e-324), Difference::number(5e-324)]);
+        assert_eq!(sum.magnitude(), (1.0, -2148));
     }
 
     #[test]

@@ -25,6 +25,7 @@ pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
 pub(in crate::geometry) use exact::{Difference, ExactSum};
+pub(in crate::geometry) use orient::crossing_parameter;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
 pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};
 

@@ -99,10 +99,24 @@ fn adaptive_sign(a: Point, b: Point, c: Point) -> Option<Ordering> {
 
 /// The sign by summing exact products.
 fn summed_sign(a: Point, b: Point, c: Point) -> Ordering {
+    summed(a, b, c).sign()
+}
+
+/// Twice the signed area of the triangle, exactly.
+fn summed(a: Point, b: Point, c: Point) -> ExactSum {
     let mut sum = ExactSum::new();
     sum.add([Difference::new(a.x, c.x), Difference::new(b.y, c.y)]);
     sum.subtract([Difference::new(a.y, c.y), Difference::new(b.x, c.x)]);
-    sum.sign()
+    sum
+}
+
+/// Where between `p` and `q` the line through `a` and `b` passes, as the parameter from `p`, of points on different sides of
+/// it: the exact ratio of their distances from the line, rounded.
+pub(in crate::geometry) fn crossing_parameter([a, b]: [Point; 2], [p, q]: [Point; 2]) -> f64 {
+    let ((from_p, p_exponent), (from_q, q_exponent)) = (summed(a, b, p).magnitude(), summed(a, b, q).magnitude());
+    let exponent = q_exponent.saturating_sub(p_exponent).clamp(-1022, 1023);
+    let power = f64::from_bits(u64::from((1023 + exponent).unsigned_abs()) << 52);
+    1.0 / (1.0 + from_q / from_p * power)
 }
 
 /// Tells whether `a`, `b`, `c` make a strict left turn. Exact.
