@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use trimalla::constrained::{ConstraintError, CrossingPair};
-use trimalla::domain::{DomainError, Pslg, Warning};
+use trimalla::domain::{DomainError, OpenEnd, Pslg, Warning};
 use trimalla::geometry::Point;
 
 use crate::console::count;
@@ -33,7 +33,9 @@ impl<'a> Names<'a> {
         }
         let failure = Failure::bad_input(self.describe_error(error));
         match error {
-            DomainError::OpenOutline => failure.hint("close the outline, or keep the convex hull with --domain hull"),
+            DomainError::OpenOutline { .. } => {
+                failure.hint("close the outline, or keep the convex hull with --domain hull")
+            }
             DomainError::NothingNested => failure.hint("close the outline, or use --domain seeds or --domain hull"),
             DomainError::SeedLeaks { .. } => failure.hint("close the outline of the hole, or move the seed into it"),
             DomainError::SeedOnSegment { .. } => failure.hint("move the seed to one side of the segment"),
@@ -50,9 +52,7 @@ impl<'a> Names<'a> {
                 1 | 2 => format!("{} span no triangle", count(*points, "vertex")),
                 n => format!("all {n} vertices lie on one line"),
             }),
-            DomainError::OpenOutline => {
-                self.of_file("the domain is empty: the outside reaches every triangle without crossing a segment")
-            }
+            DomainError::OpenOutline { end } => self.open_outline(*end),
             DomainError::SeedLeaks { seed, at } => self.of_seed(
                 "hole",
                 *seed,
@@ -67,6 +67,14 @@ impl<'a> Names<'a> {
             }
             other => self.of_file(other),
         }
+    }
+
+    fn open_outline(&self, end: Option<OpenEnd>) -> String {
+        let text = "the domain is empty: the outside comes in without crossing a segment";
+        let Some(OpenEnd { vertex, at }) = end else { return self.of_file(text) };
+        let number = self.drawing.number(vertex.index());
+        let text = format!("{text}; just one ends at vertex {number}, {at}");
+        self.at(self.records().vertices.get(vertex.index()), text)
     }
 
     fn describe_constraint(&self, fault: &ConstraintError) -> String {

@@ -107,11 +107,7 @@ impl Target {
                 .hint("for example: -o - --format poly"));
         }
         if options.format.is_none() {
-            return Err(IoError::UnknownOutput {
-                path: path.to_owned(),
-                expected: ".node, .ele, .poly, .edge, .neigh or .svg",
-            }
-            .into());
+            return Err(IoError::UnknownOutput { path: path.to_owned(), expected: io::MESH_ENDINGS }.into());
         }
         let files = files_of_mesh(path, &options);
         Ok(Self { path: path.to_owned(), options, files })

@@ -20,6 +20,8 @@ pub(crate) struct Record {
 /// The records of a drawing, section by section; empty where the file cannot be read again.
 #[derive(Debug, Default)]
 pub(crate) struct Records {
+    /// Empty where the vertices are in a file of their own.
+    pub(crate) vertices: Vec<Record>,
     pub(crate) segments: Vec<Record>,
     pub(crate) holes: Vec<Record>,
     pub(crate) regions: Vec<Record>,
@@ -33,8 +35,8 @@ impl Records {
 
     fn in_text(text: &str) -> Self {
         let mut records = records(text);
-        drop(section(&mut records)); // the vertices
-        Self { segments: section(&mut records), holes: section(&mut records), regions: section(&mut records) }
+        let mut next = || section(&mut records);
+        Self { vertices: next(), segments: next(), holes: next(), regions: next() }
     }
 }
 
@@ -72,6 +74,7 @@ mod tests {
     fn records_keep_their_lines_past_comments_blanks_and_all_line_ends() {
         let text = "\u{feff}# top\r\n2 2 0 0\r1 0 0\n\n2 1 1 # two\n1 0\n  1 1 2\n1\n0 .5 .5\n";
         let found = Records::in_text(text);
+        assert_eq!(found.vertices, [record(3, "1"), record(5, "2")]);
         assert_eq!(found.segments, [record(7, "1")]);
         assert_eq!(found.holes, [record(9, "0")]);
         assert_eq!(found.regions, []);

@@ -139,7 +139,8 @@ impl Outputs {
     }
 }
 
-const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu or .svg";
+/// The endings by which [`write_mesh`] knows formats, in words.
+pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu or .svg";
 const PSLG_ENDINGS: &str = ".poly, .node, .mesh or .svg";
 
 /// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].

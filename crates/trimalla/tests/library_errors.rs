@@ -12,7 +12,7 @@
 use proptest::prelude::*;
 use trimalla::constrained::{ConstraintError, Crossings};
 use trimalla::delaunay::{AlgorithmKey, BuildError};
-use trimalla::domain::{self, DomainError, DomainRule, Pslg, Region};
+use trimalla::domain::{self, DomainError, DomainRule, OpenEnd, Pslg, Region};
 use trimalla::geometry::{Angle, Point};
 use trimalla::mesh::VertexId;
 use trimalla::quality::{against_input, below_bound};
@@ -121,14 +121,21 @@ fn what_spans_no_triangle_is_flat() {
 fn outlines_that_are_open_have_no_inside() {
     let mut open = square();
     open.segments.pop();
-    assert_eq!(refused_domain(&open, DomainRule::Seeds).0, DomainError::OpenOutline);
+    let end = |v, at| Some(OpenEnd { vertex: VertexId(v), at });
+    assert_eq!(
+        refused_domain(&open, DomainRule::Seeds).0,
+        DomainError::OpenOutline { end: end(0, Point::new(0.0, 0.0)) }
+    );
     assert_eq!(refused_domain(&open, DomainRule::Nesting).0, DomainError::NothingNested);
     let mut gap = square();
     gap.points.push(Point::new(0.0, 4.0 - f64::EPSILON));
     gap.segments[3] = [4, 0];
     // The corner and the point an ulp beside it are not joined.
     gap.points[4] = Point::new(0.0, f64::from_bits(4.0_f64.to_bits() - 1));
-    assert_eq!(refused_domain(&gap, DomainRule::Seeds).0, DomainError::OpenOutline);
+    assert_eq!(
+        refused_domain(&gap, DomainRule::Seeds).0,
+        DomainError::OpenOutline { end: end(3, Point::new(0.0, 4.0)) }
+    );
 }
 
 #[test]

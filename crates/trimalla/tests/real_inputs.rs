@@ -110,8 +110,9 @@ fn judge(name: &str, input: &NamedInput) -> Verdict {
     let without = WITHOUT_DOMAIN.iter().find(|(n, _)| *n == input.name).map(|w| w.1);
     let (cdt, _) = match (built, without) {
         (Ok(built), None) => built,
-        (Err(DomainError::OpenOutline | DomainError::SeedTakesAll { .. }), Some("open"))
-        | (Err(DomainError::NothingNested), Some("nested")) => return Ok(()),
+        (Err(DomainError::OpenOutline { .. }), Some("open")) | (Err(DomainError::NothingNested), Some("nested")) => {
+            return Ok(());
+        }
         (Ok(_), Some(_)) => return Err("there should be no domain".to_owned()),
         (Err(e), _) => return Err(e.to_string()),
     };

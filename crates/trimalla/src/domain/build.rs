@@ -1,6 +1,6 @@
 //! From a drawing to a carved triangulation.
 
-use super::error::{DomainError, Warning};
+use super::error::{DomainError, OpenEnd, Warning};
 use super::flood::{depths, flood};
 use super::pslg::Pslg;
 use super::regions;
@@ -8,7 +8,7 @@ use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::geometry::Point;
 use crate::locate::Locus;
-use crate::mesh::{FaceId, NoJournal};
+use crate::mesh::{FaceId, NoJournal, VertexId};
 
 /// What belongs to the domain of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -110,7 +110,10 @@ fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, Dom
         }
     }
     if cdt.real_faces().all(|f| outside[f.index()]) {
-        return Err(if rule == DomainRule::Nesting { DomainError::NothingNested } else { DomainError::OpenOutline });
+        return Err(match rule {
+            DomainRule::Nesting => DomainError::NothingNested,
+            _ => DomainError::OpenOutline { end: open_end(cdt, &outside) },
+        });
     }
     Ok(outside)
 }
@@ -132,12 +135,24 @@ fn remove_holes(
             SeedPlace::Face(f) => {
                 flood(cdt, [f], &mut removed);
                 if cdt.real_faces().all(|f| removed[f.index()]) {
-                    return Err(DomainError::SeedTakesAll { seed, at });
+                    // Had the outline been closed, the seed might have left something.
+                    return Err(match open_end(cdt, &outside) {
+                        None => DomainError::SeedTakesAll { seed, at },
+                        end => DomainError::OpenOutline { end },
+                    });
                 }
             }
         }
     }
     Ok(removed)
+}
+
+/// The lowest vertex on the outside at which just one segment ends.
+fn open_end(cdt: &ConstrainedDelaunay, outside: &[bool]) -> Option<OpenEnd> {
+    let ends = |v: VertexId| cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).count();
+    let is_outside = |v: VertexId| cdt.star(v).any(|h| outside[h.face().index()] && cdt.is_real(h.face()));
+    let vertex = cdt.used_vertices().find(|&v| ends(v) == 1 && is_outside(v))?;
+    Some(OpenEnd { vertex, at: cdt.point(vertex) })
 }
 
 /// Where a seed lies.

@@ -47,7 +47,7 @@ impl Contours {
         }
         let removed = self.right_of_contours(&cdt);
         let keep: Vec<bool> = removed.into_iter().map(|r| !r).collect();
-        if cdt.carve(&keep, &mut NoJournal) { Ok(cdt) } else { Err(DomainError::OpenOutline) }
+        if cdt.carve(&keep, &mut NoJournal) { Ok(cdt) } else { Err(DomainError::OpenOutline { end: None }) }
     }
 
     /// The contours as segments, ring after ring, the outer one first.

@@ -2,6 +2,7 @@
 
 use crate::constrained::ConstraintError;
 use crate::geometry::Point;
+use crate::mesh::VertexId;
 
 /// Why a domain cannot be made from a drawing.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -16,11 +17,12 @@ pub enum DomainError {
         /// How many points there are.
         points: usize,
     },
-    /// Nothing is left inside.
-    #[error(
-        "the domain is empty: every triangle can be reached from outside without crossing a segment; close the outline, or keep the convex hull"
-    )]
-    OpenOutline,
+    /// Nothing is left inside: the outside comes in without crossing a segment, and hole seeds take the rest.
+    #[error("the domain is empty: the outside comes in without crossing a segment{}; close the outline, or keep the convex hull", at_open_end(*.end))]
+    OpenOutline {
+        /// A vertex that the outside reaches, at which just one segment ends; the lowest of them.
+        end: Option<OpenEnd>,
+    },
     /// Nothing is left inside under the nesting rule.
     #[error("the domain is empty: no triangle lies behind an odd number of segments")]
     NothingNested,
@@ -88,6 +90,19 @@ pub enum DomainError {
         /// The length needed.
         expected: usize,
     },
+}
+
+/// A vertex at which just one segment ends: where an outline may have a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OpenEnd {
+    /// The vertex.
+    pub vertex: VertexId,
+    /// Where it lies.
+    pub at: Point,
+}
+
+fn at_open_end(end: Option<OpenEnd>) -> String {
+    end.map_or_else(String::new, |OpenEnd { vertex, at }| format!(": just one ends at vertex {vertex}, {at}"))
 }
 
 /// Something odd about a drawing that did not keep it from being meshed.

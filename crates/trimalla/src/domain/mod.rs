@@ -25,5 +25,5 @@ mod tests;
 
 pub use build::{DomainRule, build, triangulate};
 pub use contours::Contours;
-pub use error::{DomainError, Warning};
+pub use error::{DomainError, OpenEnd, Warning};
 pub use pslg::{Pslg, Region};

@@ -50,7 +50,12 @@ fn leaks_and_empty_domains_are_errors() {
     let refused = |pslg: &Pslg, rule| build(pslg, rule, Crossings::Refuse, AlgorithmKey::Incremental).unwrap_err();
     let mut open = squares(&[4.0]);
     open.segments.remove(0);
-    assert_eq!(refused(&open, DomainRule::Seeds), DomainError::OpenOutline);
+    let end = Some(OpenEnd { vertex: VertexId(0), at: Point::new(-4.0, -4.0) });
+    assert_eq!(refused(&open, DomainRule::Seeds), DomainError::OpenOutline { end });
+    let mut holed = squares(&[4.0, 3.0]);
+    holed.segments.remove(0);
+    holed.holes.push(Point::new(0.0, 0.5));
+    assert_eq!(refused(&holed, DomainRule::Seeds), DomainError::OpenOutline { end });
     let mut leaking = squares(&[4.0]);
     leaking.holes.push(Point::new(1.0, 0.5));
     assert!(matches!(refused(&leaking, DomainRule::Seeds), DomainError::SeedTakesAll { seed: 0, .. }));
