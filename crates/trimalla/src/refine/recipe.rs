@@ -92,6 +92,7 @@ step! {
     Select, 2, ShortestEdge, {
         ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
         SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
+        SmallestCircumradius = "smallest-circumradius", "the bad triangle with the smallest circumcircle first", "MeshSuite";
         First = "first", "the bad triangle that has waited longest first", "MeshSuite";
     }
 }

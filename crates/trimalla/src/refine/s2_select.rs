@@ -32,6 +32,19 @@ impl SelectStep for SmallestAngle {
     }
 }
 
+/// `smallest-circumradius`: the triangle with the smallest circumcircle first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SmallestCircumradius;
+
+impl SelectStep for SmallestCircumradius {
+    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
+        // The product of the sides over four times the area, squared and without the factor.
+        let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));
+        let [p, q, r] = [ruler.length_sq(a, b), ruler.length_sq(b, c), ruler.length_sq(c, a)];
+        (p / doubled_area) * (q / doubled_area) * r
+    }
+}
+
 /// `first`: the triangle that has waited longest first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct First;
@@ -48,6 +61,7 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {
     match recipe.select {
         Select::ShortestEdge => Arc::new(ShortestEdge),
         Select::SmallestAngle => Arc::new(SmallestAngle),
+        Select::SmallestCircumradius => Arc::new(SmallestCircumradius),
         Select::First => Arc::new(First),
     }
 }
