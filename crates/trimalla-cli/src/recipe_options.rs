@@ -2,7 +2,8 @@
 
 use clap::{ArgAction, Args};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, LeppRule, PlacePoint, Prepare, Preset, Recipe, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Insert, LeppRule, PlacePoint, Prepare, Preset, Recipe, Recover, Select,
+    Terminal,
 };
 
 use crate::args::one_of;
@@ -41,6 +42,16 @@ pub(crate) struct RecipeOptions {
           value_parser = one_of(PlacePoint::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
     point: Option<PlacePoint>,
 
+    /// Step 4: how the vertex goes in [default: the preset's]
+    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
+          value_parser = one_of(Insert::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
+    insert: Option<Insert>,
+
+    /// Step 5: what becomes of segments inside the domain meanwhile [default: the preset's]
+    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
+          value_parser = one_of(Recover::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
+    recover: Option<Recover>,
+
     /// Step 3, LEPP: where paths end, besides at a mutual longest edge
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
           value_parser = one_of(LeppRule::ALL.map(|c| (c.key(), lepp_summary(c), c))))]
@@ -71,6 +82,8 @@ impl RecipeOptions {
         recipe.select = self.select.unwrap_or(recipe.select);
         recipe.until_destroyed = self.until_destroyed.unwrap_or(recipe.until_destroyed);
         recipe.point = self.point.unwrap_or(recipe.point);
+        recipe.insert = self.insert.unwrap_or(recipe.insert);
+        recipe.recover = self.recover.unwrap_or(recipe.recover);
         recipe.lepp_rule = self.lepp_stop.unwrap_or(recipe.lepp_rule);
         recipe.centroid = self.centroid.unwrap_or(recipe.centroid);
         recipe.constrained_second = self.constrained_second.unwrap_or(recipe.constrained_second);

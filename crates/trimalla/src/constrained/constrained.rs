@@ -9,7 +9,9 @@ use super::error::ConstraintError;
 use super::insert_segment::Crossings;
 use super::provenance::{Provenance, Provenances};
 use super::pseudo_polygon::Filling;
-use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, Lawson, RemoveError, insert_at, remove_vertex};
+use crate::delaunay::{
+    AlgorithmKey, BuildError, Cavity, Delaunay, Inserted, Lawson, RemoveError, insert_at, remove_vertex,
+};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{Checkpoint, Column, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
@@ -49,6 +51,7 @@ pub struct RegionRule {
 pub struct ConstrainedDelaunay {
     pub(crate) t: Triangulation,
     pub(crate) lawson: Lawson,
+    pub(crate) cavity: Cavity,
     pub(crate) constraints: Constraints,
     /// Ends of each segment, duplicates replaced by their representatives.
     pub(crate) segments: Vec<[VertexId; 2]>,
@@ -123,6 +126,7 @@ impl ConstrainedDelaunay {
         Self {
             t,
             lawson: Lawson::default(),
+            cavity: Cavity::default(),
             constraints: Constraints::default(),
             segments: Vec::new(),
             regions: Vec::new(),

@@ -5,6 +5,7 @@
 //! overlapping segments share edges, and crossing segments are refused or split, as [`Crossings`] says.
 
 mod apply;
+mod by_cavity;
 mod check;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
 mod constrained;

@@ -13,6 +13,7 @@
 //! test afterwards.
 
 mod algorithm;
+mod cavity;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
 mod delaunay;
 mod divide_and_conquer;
@@ -25,6 +26,7 @@ mod remove;
 mod tests;
 
 pub use algorithm::{Algorithm, AlgorithmKey, DivideAndConquer, Incremental};
+pub(crate) use cavity::Cavity;
 pub use delaunay::{BuildError, Delaunay, Inserted};
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;

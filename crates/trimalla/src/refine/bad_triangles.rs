@@ -54,9 +54,11 @@ impl Test {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Waiting {
     patience: f64,
-    /// Sorted: the order of equally patient triangles, and what tells whether the slot still holds this one.
+    /// Sorted: the order of equally patient triangles.
     vertices: [VertexId; 3],
     face: FaceId,
+    /// The look that put it here; only the newest look at a slot counts.
+    look: u32,
 }
 
 impl Eq for Waiting {}
@@ -76,6 +78,9 @@ impl PartialOrd for Waiting {
 
 /// Bad triangles by patience. Triangles that are gone stay until they come up.
 ///
+/// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
+/// matter whether a triangle that went and came again got its old slot back.
+///
 /// Patience is cut into steps of an eighth of an octave, each with a heap of its own: the order is that of one
 /// heap, but the work goes on in a small one, near in memory.
 #[derive(Clone, Debug, Default)]
@@ -84,6 +89,9 @@ pub(super) struct Queue {
     /// No step below this one holds anything.
     lowest: usize,
     len: usize,
+    /// The newest look at each slot; 0 where there was nothing bad.
+    looks: Vec<u32>,
+    last_look: u32,
 }
 
 impl Queue {
@@ -98,9 +106,22 @@ impl Queue {
         if step >= self.steps.len() {
             self.steps.resize_with(step + 1, BinaryHeap::new);
         }
-        self.steps[step].push(Waiting { patience, vertices: sorted(cdt.face_vertices(face)), face });
+        if face.index() >= self.looks.len() {
+            self.looks.resize(cdt.face_slots(), 0);
+        }
+        self.last_look = self.last_look.wrapping_add(1).max(1);
+        self.looks[face.index()] = self.last_look;
+        let vertices = sorted(cdt.face_vertices(face));
+        self.steps[step].push(Waiting { patience, vertices, face, look: self.last_look });
         self.lowest = if self.len == 0 { step } else { self.lowest.min(step) };
         self.len += 1;
+    }
+
+    /// Notes that there is nothing bad in a slot now.
+    pub(super) fn pass(&mut self, face: FaceId) {
+        if let Some(look) = self.looks.get_mut(face.index()) {
+            *look = 0;
+        }
     }
 
     /// The least patient triangle that is still there.
@@ -114,7 +135,8 @@ impl Queue {
                 continue;
             };
             self.len -= 1;
-            if cdt.is_real(waiting.face) && sorted(cdt.face_vertices(waiting.face)) == waiting.vertices {
+            let newest = self.looks.get(waiting.face.index()) == Some(&waiting.look);
+            if newest && cdt.is_real(waiting.face) && sorted(cdt.face_vertices(waiting.face)) == waiting.vertices {
                 return Some(waiting.face);
             }
         }

@@ -132,6 +132,7 @@ step! {
     /// Step 4: how the point goes in.
     Insert, 4, Flip, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
+        Cavity = "cavity", "faces whose circle holds the point go, a fan takes their place", "Bowyer81";
         Partition = "partition", "the face or edge is split, and nothing else", "Rivara97";
     }
 }

@@ -385,6 +385,8 @@ impl Refinement {
             let patience = self.select.patience(corners, self.ruler, self.joined);
             self.joined += 1;
             self.queue.push(&self.cdt, f, patience);
+        } else {
+            self.queue.pass(f);
         }
     }
 

@@ -33,6 +33,30 @@ impl InsertStep for Flip {
     }
 }
 
+/// `cavity`: every face whose circle holds the point away, a fan in their place.
+///
+/// # Source
+/// `[Bowyer81]`, `[Watson81]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cavity;
+
+impl InsertStep for Cavity {
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+        cdt.insert_by_cavity(p, locus, log)
+    }
+
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError> {
+        cdt.split_by_cavity(h, p, provenance, log)
+    }
+}
+
 /// `partition`: the face or edge is split and nothing else; what is not Delaunay stays so.
 ///
 /// # Source
@@ -65,6 +89,7 @@ impl InsertStep for Partition {
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {
     match recipe.insert {
         Insert::Flip => Arc::new(Flip),
+        Insert::Cavity => Arc::new(Cavity),
         Insert::Partition => Arc::new(Partition),
     }
 }

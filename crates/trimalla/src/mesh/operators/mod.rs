@@ -10,6 +10,7 @@
 //! | [`attach_outside`](HalfEdgeMesh::attach_outside) | a run of ghosts → real faces around a new vertex | [`detach_outside`](HalfEdgeMesh::detach_outside) |
 //! | [`carve`](HalfEdgeMesh::carve) | faces outside the domain → ghosts along its border | rollback |
 //! | [`refill`](HalfEdgeMesh::refill) | a cavity's faces → others with the same rim | rollback |
+//! | [`fill_star`](HalfEdgeMesh::fill_star) | a cavity's faces → a fan around a new vertex | rollback |
 //!
 //! Operators move constraint marks along with the edges they move, keep every vertex's half-edge
 //! valid, and write through the journal alone. They look at no coordinate: whoever calls one has
@@ -23,6 +24,8 @@ mod flip;
 mod outside;
 mod refill;
 mod split;
+mod star;
 mod unsplit;
 
 pub(crate) use refill::Side;
+pub(crate) use star::RimEdge;

@@ -1,0 +1,56 @@
+//! Insertion and splits by cavity: what [`Cavity`] does, with segments and provenance.
+
+use super::constrained::ConstrainedDelaunay;
+use super::provenance::Provenance;
+use super::split_subsegment::SplitError;
+use crate::geometry::{Orientation, Point};
+use crate::locate::Locus;
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
+
+impl ConstrainedDelaunay {
+    /// Inserts a point whose place is known, by cavity; `None`, and nothing changed, where rounding leaves no room.
+    pub(crate) fn insert_by_cavity<J: Journal>(&mut self, p: Point, locus: Locus, j: &mut J) -> Option<VertexId> {
+        let provenance = match locus {
+            Locus::Edge(h) => self.provenance_on(h, p),
+            _ => Provenance::Free,
+        };
+        if !self.cavity.find(&self.t, p, locus) {
+            return None;
+        }
+        Some(self.fill_cavity(p, provenance, j))
+    }
+
+    /// Splits a subsegment by cavity.
+    ///
+    /// # Errors
+    /// [`SplitError`]; nothing has changed then.
+    pub(crate) fn split_by_cavity<J: Journal>(
+        &mut self,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        j: &mut J,
+    ) -> Result<VertexId, SplitError> {
+        self.can_split(h, p)?;
+        let straight = self.t.side_of(h, p) == Orientation::Collinear;
+        if !self.cavity.find(&self.t, p, Locus::Edge(h)) {
+            return Err(SplitError::Crowded);
+        }
+        let v = self.fill_cavity(p, provenance, j);
+        if !straight {
+            // The bend may have spoilt spokes that were legal beside the straight edge.
+            for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
+                self.lawson.push(e);
+            }
+            self.lawson.legalise_all(&mut self.t, j);
+        }
+        Ok(v)
+    }
+
+    fn fill_cavity<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
+        let v = self.add_vertex(p, provenance, j);
+        self.cavity.fill(&mut self.t, v, j);
+        self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
+        v
+    }
+}
