@@ -29,6 +29,7 @@ pub(crate) fn of_meshing(
         "seconds": seconds,
         "complete": report.complete(),
         "stop": stop_key(report.stop),
+        "lost_segments": report.lost_segments,
         "warnings": warnings,
     })
 }

@@ -60,6 +60,9 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
         0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
         n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
     }
+    if !report.lost_segments.is_empty() {
+        lines.row("lost", format_args!("{} (no chain of edges)", count(report.lost_segments.len(), "segment")));
+    }
 }
 
 /// The smallest and the largest angle.

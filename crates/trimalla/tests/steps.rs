@@ -4,8 +4,12 @@ use std::path::Path;
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
-use trimalla::refine::{Insert, NoObserver, Preset, RefineOptions, Refinement};
+use trimalla::domain::{DomainRule, Pslg, Region, build};
+use trimalla::geometry::Point;
+use trimalla::quality::against_input;
+use trimalla::refine::{Insert, NoObserver, Preset, Recover, RefineOptions, Refinement, Report};
+use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
+use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
 use trimalla_testkit::readers::read_poly;
 
 fn shape(name: &str) -> Pslg {
@@ -36,6 +40,81 @@ fn flips_and_cavities_agree() {
                 (cdt.points().to_vec(), cdt.canonical(), report.leftovers.len())
             });
             assert!(meshes[0] == meshes[1], "{name}, {preset}");
+        }
+    }
+}
+
+/// A square with a long segment inside, between rows of vertices: no edge of the Delaunay triangulation.
+fn fenced() -> Pslg {
+    let mut points: Vec<Point> =
+        [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0], [1.0, 4.0], [7.0, 4.5]].map(Point::from).to_vec();
+    points.extend((2..7).flat_map(|i| [Point::new(f64::from(i), 3.9), Point::new(f64::from(i) + 0.3, 4.8)]));
+    Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]], ..Pslg::default() }
+}
+
+fn recovered(drawing: &Pslg, recover: Recover, preset: Preset) -> (IndexedMesh, Report) {
+    let mut options = RefineOptions::of(preset).with_min_angle_deg(25.0).with_max_vertices(5000);
+    options.recipe.recover = recover;
+    let mut refinement = begun(drawing, options);
+    refinement.run(&mut NoObserver);
+    let (cdt, report) = refinement.finish();
+    assert_eq!(cdt.check(), [], "{recover}");
+    let mesh = cdt.to_indexed(drawing);
+    assert_eq!(check_mesh(&mesh), [], "{recover}");
+    (mesh, report)
+}
+
+/// What the three ways to recover say they do, they do, and they differ.
+#[test]
+fn each_way_to_recover_does_what_it_says() {
+    let drawing = fenced();
+    let [whole, split, none] = [Recover::WholeEdge, Recover::BySplitting, Recover::None]
+        .map(|recover| recovered(&drawing, recover, Preset::OffCenter));
+    for (mesh, report) in [&whole, &split] {
+        assert_eq!(report.lost_segments, [0; 0]);
+        assert_eq!(against_input(mesh, &drawing).faults, []);
+        assert!(report.complete(), "{:?}", report.reasons());
+    }
+    assert_eq!(none.1.lost_segments, [4], "the long segment is in the way of better edges");
+    assert!(!none.1.complete());
+    assert!(!against_input(&none.0, &drawing).faults.is_empty());
+    assert!(whole.0.triangles != split.0.triangles && split.0.triangles != none.0.triangles);
+    // Without walls the triangulation is Delaunay throughout.
+    let unlocked = IndexedMesh { segments: vec![], segment_markers: vec![], ..none.0 };
+    assert_eq!(check_mesh_delaunay(&unlocked, &[]), []);
+}
+
+/// By splitting alone, the mesh is conforming: Delaunay although its segments are no walls.
+#[test]
+fn splitting_makes_a_conforming_triangulation() {
+    let drawing = fenced();
+    let mut options = RefineOptions::default().with_min_angle_deg(0.0);
+    options.recipe.recover = Recover::BySplitting;
+    options.recipe.prepare = trimalla::refine::Prepare::None;
+    let mut refinement = begun(&drawing, options);
+    refinement.run(&mut NoObserver);
+    let (cdt, report) = refinement.finish();
+    let mesh = cdt.to_indexed(&drawing);
+    assert!(report.segments_split > 0 && report.points_inserted == 0);
+    assert_eq!(against_input(&mesh, &drawing).faults, []);
+    let unlocked = IndexedMesh { segments: vec![], segment_markers: vec![], ..mesh };
+    assert_eq!(check_indexed_with(&unlocked, None, DelaunayRule::Delaunay), Vec::<String>::new());
+}
+
+/// Segments that part regions stay, or attributes would run over.
+#[test]
+fn regions_keep_their_segments() {
+    let mut drawing = fenced();
+    drawing.points.extend([[0.0, 6.0], [8.0, 6.0]].map(Point::from));
+    let n = drawing.points.len() as u32;
+    drawing.segments = vec![[0, 1], [1, n - 1], [n - 1, 2], [2, 3], [3, n - 2], [n - 2, 0], [4, 5], [n - 2, n - 1]];
+    drawing.regions = vec![Region { seed: Point::new(4.0, 7.0), attribute: 7.0, max_area: Some(0.25) }];
+    for recover in [Recover::None, Recover::BySplitting] {
+        let (mesh, report) = recovered(&drawing, recover, Preset::LeppCentroid);
+        assert!(!report.lost_segments.contains(&7), "{recover}");
+        for (t, attribute) in mesh.triangles.iter().zip(&mesh.triangle_attributes) {
+            let above = t.iter().all(|&v| mesh.points[v as usize].y >= 6.0);
+            assert_eq!(*attribute, if above { 7.0 } else { 0.0 }, "{recover}");
         }
     }
 }

@@ -200,6 +200,11 @@ impl ConstrainedDelaunay {
         self.constraints.segments(self.t.mark(h))
     }
 
+    /// The input segments of a class of edges.
+    pub(crate) fn segments_of_class(&self, mark: u32) -> &[SegmentId] {
+        self.constraints.segments(mark)
+    }
+
     /// Where a vertex comes from.
     #[must_use]
     pub fn provenance(&self, v: VertexId) -> Provenance {

@@ -33,11 +33,11 @@ const REACH_ULPS: f64 = 4.0;
 
 /// A stretch of constraint that is still to be put in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
-    pub(super) from: VertexId,
-    pub(super) to: VertexId,
+pub(crate) struct Piece {
+    pub(crate) from: VertexId,
+    pub(crate) to: VertexId,
     /// Its class.
-    pub(super) mark: u32,
+    pub(crate) mark: u32,
 }
 
 /// Where two edges that cross are parted.

@@ -23,14 +23,18 @@ impl ConstrainedDelaunay {
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
-        let (a, b) = (self.t.origin(h), self.t.dest(h));
-        let Some(segment) = self.finest_segment(self.t.mark(h)) else {
-            return (Point::lerp(self.t.point(a), self.t.point(b), t), Provenance::Free);
+        self.point_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
+    }
+
+    /// The same for two vertices on segments of class `mark`, whether there is an edge between them or not.
+    pub(super) fn point_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> (Point, Provenance) {
+        let [p, q] = [a, b].map(|v| self.t.point(v));
+        let Some(segment) = self.finest_segment(mark) else {
+            return (Point::lerp(p, q, t), Provenance::Free);
         };
         let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
         let along = ta + (tb - ta) * t;
         let [start, end] = self.segments[segment as usize].map(|v| self.t.point(v));
-        let [p, q] = self.t.edge_points(h);
         let on_segment = Point::lerp(start, end, along);
         let between = BoundingBox::around(p).including(q).contains(on_segment);
         let point = if between { on_segment } else { Point::lerp(p, q, t) };

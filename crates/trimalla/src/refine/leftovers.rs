@@ -17,6 +17,7 @@ impl Refinement {
     /// Linear.
     #[must_use]
     pub fn finish(mut self) -> (ConstrainedDelaunay, Report) {
+        self.claim_segments();
         self.given_up.sort_unstable();
         let leftovers = self.leftovers();
         let mut report = std::mem::take(&mut self.report);

@@ -140,6 +140,8 @@ step! {
 step! {
     /// Step 5: what becomes of interior segments meanwhile.
     Recover, 5, WholeEdge, {
+        None = "none", "segments inside are let go, and what is missing in the end is reported", "MeshSuite";
+        BySplitting = "by-splitting", "segments inside are let go, and in the end split until they are chains of edges", "MeshSuite";
         WholeEdge = "whole-edge", "segments are edges that nothing removes", "Vigo97";
     }
 }

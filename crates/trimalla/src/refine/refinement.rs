@@ -12,7 +12,7 @@ use super::ruler::Ruler;
 use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::{ConstrainedDelaunay, Provenance, Released};
 use crate::geometry::Point;
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -36,7 +36,7 @@ pub struct Refinement {
     select: Arc<dyn SelectStep + Send + Sync>,
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
     pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
-    recover: Arc<dyn RecoverStep + Send + Sync>,
+    pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
     pub(super) ruler: Ruler,
     pub(super) test: Test,
@@ -52,6 +52,8 @@ pub struct Refinement {
     pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
+    /// Pieces of segments that are not locked.
+    pub(super) released: Vec<Released>,
     pub(super) log: UndoLog,
     /// How many triangles joined the queue.
     joined: u64,
@@ -80,6 +82,8 @@ pub enum StepOutcome {
     Subsegment,
     /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
     Triangle,
+    /// Segments that had been let go were brought back.
+    Recovered,
     /// Nothing is left to do.
     Finished,
     /// The vertex budget is used up.
@@ -114,6 +118,7 @@ impl Refinement {
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
             given_up: Vec::new(),
+            released: Vec::new(),
             log: UndoLog::new(),
             joined: 0,
             current: None,
@@ -127,9 +132,16 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Step 1 for the input, and every bad triangle into the queue.
+    /// Segments that are not locked let go; step 1 for the input; every bad triangle into the queue.
     fn start(&mut self) {
-        debug_assert!(self.recover.locks_segments(), "whole-edge is the only way to recover so far");
+        if !self.recover.locks_segments() {
+            self.released = self.cdt.release_inner_segments();
+        }
+        self.look_at_everything();
+    }
+
+    /// Queues every subsegment that needs a split, and every bad triangle.
+    pub(super) fn look_at_everything(&mut self) {
         self.queue_all_encroached();
         let faces: Vec<FaceId> = self.cdt.real_faces().collect();
         for f in faces {
@@ -159,7 +171,7 @@ impl Refinement {
             match self.step() {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
-                StepOutcome::Subsegment | StepOutcome::Triangle => {}
+                StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered => {}
             }
         };
         self.report.stop = stop;
@@ -179,7 +191,9 @@ impl Refinement {
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;
         }
-        let Some(face) = self.next_face() else { return StepOutcome::Finished };
+        let Some(face) = self.next_face() else {
+            return if self.recover_segments() { StepOutcome::Recovered } else { StepOutcome::Finished };
+        };
         let name = sorted(self.cdt.face_vertices(face));
         match self.treat(face) {
             Ok(()) if self.options.recipe.until_destroyed => self.current = Some((face, name)),

@@ -108,6 +108,9 @@ pub struct Report {
     pub max_angle_deg: f64,
     /// Triangles that stayed bad, by index.
     pub leftovers: Vec<Leftover>,
+    /// Input segments that are no chains of edges in the mesh: only where the recipe lets them go and does not recover
+    /// them.
+    pub lost_segments: Vec<u32>,
     /// Why it ended.
     pub stop: StopReason,
     /// Points inserted inside triangles.
@@ -121,10 +124,10 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether every leftover is forced by the input's own angles.
+    /// Whether every leftover is forced by the input's own angles, and no segment was lost.
     #[must_use]
     pub fn complete(&self) -> bool {
-        self.leftovers.iter().all(|l| l.reason.is_forced())
+        self.leftovers.iter().all(|l| l.reason.is_forced()) && self.lost_segments.is_empty()
     }
 
     /// How many triangles stayed bad for each reason that occurs.

@@ -1,9 +1,18 @@
 //! Step 5: what becomes of interior segments.
+//!
+//! | key | while points go in | in the end |
+//! |---|---|---|
+//! | `whole-edge` | segments are edges that no flip crosses | they are there |
+//! | `by-splitting` | segments inside are let go | those missing are halved until they are chains of edges |
+//! | `none` | segments inside are let go | what is missing is reported |
 
 use std::sync::Arc;
 
 use super::recipe::{Recipe, Recover};
+use super::refinement::Refinement;
 use super::steps::RecoverStep;
+use crate::constrained::SplitLimits;
+use crate::geometry::Point;
 
 /// `whole-edge`: segments are edges that nothing removes; there is nothing to recover.
 ///
@@ -18,9 +27,71 @@ impl RecoverStep for WholeEdge {
     }
 }
 
+/// `by-splitting`: what was let go is split until it is edges again.
+///
+/// # Source
+/// `[MeshSuite]` 2.6.1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BySplitting;
+
+impl RecoverStep for BySplitting {
+    fn locks_segments(&self) -> bool {
+        false
+    }
+
+    fn splits_back(&self) -> bool {
+        true
+    }
+}
+
+/// `none`: what was let go stays as it is; the report names what is missing.
+///
+/// # Source
+/// `[MeshSuite]` 4.2, its LEPP algorithms.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nothing;
+
+impl RecoverStep for Nothing {
+    fn locks_segments(&self) -> bool {
+        false
+    }
+}
+
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
     match recipe.recover {
         Recover::WholeEdge => Arc::new(WholeEdge),
+        Recover::BySplitting => Arc::new(BySplitting),
+        Recover::None => Arc::new(Nothing),
+    }
+}
+
+impl Refinement {
+    /// Brings segments back that were let go, if the recipe does so; says whether the loop has to go on.
+    pub(super) fn recover_segments(&mut self) -> bool {
+        if self.released.is_empty() || !self.recover.splits_back() {
+            return false;
+        }
+        let released = std::mem::take(&mut self.released);
+        let (ruler, floor_sq) = (self.ruler, self.floor_sq);
+        let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
+        let vertices = self.options.limits.max_vertices.saturating_sub(self.vertices);
+        let inserted = self.cdt.recover_by_splitting(released, &SplitLimits { vertices, may_part: &may_part });
+        self.vertices += inserted;
+        self.insertions += inserted as u64;
+        self.report.segments_split += inserted as u64;
+        self.look_at_everything();
+        true
+    }
+
+    /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
+    pub(super) fn claim_segments(&mut self) {
+        self.recover_segments();
+        let missing = self.cdt.claim(&self.released);
+        let mut lost: Vec<u32> =
+            missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark)).copied().collect();
+        lost.sort_unstable();
+        lost.dedup();
+        self.report.lost_segments = lost;
     }
 }

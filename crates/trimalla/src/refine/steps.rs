@@ -98,7 +98,15 @@ pub trait InsertStep {
 }
 
 /// Step 5: what becomes of interior segments.
+///
+/// The border of the domain, and segments that part two regions, are always locked.
 pub trait RecoverStep {
     /// Whether interior segments are locked while points go in.
     fn locks_segments(&self) -> bool;
+
+    /// Whether segments that were not locked are brought back by splitting when no triangle is bad any more; the loop then
+    /// goes on with them locked.
+    fn splits_back(&self) -> bool {
+        false
+    }
 }

@@ -1,0 +1,130 @@
+//! Segments inside the domain let go, and brought back by splitting.
+//!
+//! ```text
+//!      x ─── y            a ─ ─ ─ ─ b crosses x–y: the segment is not there.
+//!     / ╲   / ╲           Its middle goes in; of its halves, those that are no edges are halved again,
+//!    a ─ ╲ ─ ─ b          until the segment is a chain of edges.
+//!     ╲   ╲ / ╱
+//! ```
+//!
+//! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in for one
+//! segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
+//!
+//! # Source
+//! `[MeshSuite]` 2.6.1, recovery by unions.
+
+use super::constrained::ConstrainedDelaunay;
+use super::split_crossings::Piece;
+use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
+
+/// A stretch of segments that was let go.
+pub(crate) type Released = Piece;
+
+/// Where splitting stops.
+pub(crate) struct SplitLimits<'a> {
+    /// No more vertices than this.
+    pub(crate) vertices: usize,
+    /// Whether two ends are far enough apart to be parted.
+    pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
+}
+
+impl ConstrainedDelaunay {
+    /// Lets go of every segment inside the domain; those that part two regions stay.
+    ///
+    /// Returns what was let go, in the order of its vertices. The triangulation is Delaunay across it afterwards.
+    pub(crate) fn release_inner_segments(&mut self) -> Vec<Released> {
+        let is_inner = |h: &HalfEdgeId| {
+            let (f, g) = (h.face(), self.t.twin(*h).face());
+            self.t.is_marked(*h) && self.t.is_real(f) && self.t.is_real(g) && self.t.region(f) == self.t.region(g)
+        };
+        let inner: Vec<HalfEdgeId> = self.t.edges().filter(is_inner).collect();
+        let mut released: Vec<Released> = Vec::with_capacity(inner.len());
+        for &h in &inner {
+            let (a, b) = (self.t.origin(h), self.t.dest(h));
+            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.t.mark(h) });
+            self.t.mesh.set_mark(h, 0, &mut NoJournal);
+        }
+        for h in inner {
+            self.lawson.push(h);
+        }
+        self.lawson.legalise_all(&mut self.t, &mut NoJournal);
+        released.sort_unstable_by_key(|piece| [piece.from, piece.to]);
+        released
+    }
+
+    /// Marks what is there of the segments let go; returns the pieces that are no edges.
+    pub(crate) fn claim(&mut self, released: &[Released]) -> Vec<Released> {
+        let mut missing = Vec::new();
+        for &piece in released {
+            match self.t.half_edge_between(piece.from, piece.to) {
+                Some(h) => {
+                    let mark = self.constraints.joined(self.t.mark(h), piece.mark);
+                    self.t.mesh.set_mark(h, mark, &mut NoJournal);
+                }
+                None => missing.push(piece),
+            }
+        }
+        missing
+    }
+
+    /// Splits what was let go until it is edges, and marks those; returns how many vertices went in.
+    ///
+    /// What the limits leave missing goes in as whole edges, so that in the end every segment is a chain of edges.
+    pub(crate) fn recover_by_splitting(&mut self, released: Vec<Released>, limits: &SplitLimits<'_>) -> usize {
+        let (mut pieces, mut inserted) = (released, 0);
+        // Each round but the last puts a vertex in.
+        loop {
+            let before = inserted;
+            let mut next = Vec::with_capacity(pieces.len());
+            for piece in pieces {
+                let room = inserted < limits.vertices;
+                match self.parted(piece, room, limits) {
+                    Some((v, is_new)) => {
+                        inserted += usize::from(is_new);
+                        next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
+                    }
+                    None => next.push(piece),
+                }
+            }
+            pieces = next;
+            if inserted == before {
+                break;
+            }
+        }
+        for piece in self.claim(&pieces) {
+            // Nothing crosses it that it did not cross before it was let go, but for rounding.
+            let _ = self.work_off(piece, 0, &mut NoJournal);
+        }
+        inserted
+    }
+
+    /// The vertex that parts a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.
+    fn parted(&mut self, piece: Piece, room: bool, limits: &SplitLimits<'_>) -> Option<(VertexId, bool)> {
+        if self.t.half_edge_between(piece.from, piece.to).is_some() {
+            return None;
+        }
+        // A vertex exactly on the way parts it for nothing.
+        let plan = self.t.plan_towards(piece.from, piece.to).ok()?;
+        if plan.to != piece.to {
+            return Some((plan.to, false));
+        }
+        let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, 0.5);
+        let [a, b] = [piece.from, piece.to].map(|v| self.t.point(v));
+        if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) {
+            return None;
+        }
+        let start = self.t.outgoing(piece.from).map_or(self.last, HalfEdgeId::face);
+        match self.t.locate_from(start, p) {
+            Locus::Vertex(v) => Some((v, false)).filter(|_| v != piece.from && v != piece.to),
+            Locus::Edge(h) if self.t.is_marked(h) => None,
+            locus @ (Locus::Face(_) | Locus::Edge(_)) => {
+                let v = self.insert_vertex_at(p, locus, &mut NoJournal);
+                self.set_provenance(v, provenance, &mut NoJournal);
+                Some((v, true))
+            }
+            _ => None,
+        }
+    }
+}
