@@ -314,7 +314,7 @@ fn options() -> impl Strategy<Value = MeshOptions> {
                 algorithm,
             },
             refine: RefineOptions {
-                criteria: Criteria { min_angle: Angle::from_degrees(degrees), max_area },
+                criteria: Criteria { min_angle: Angle::from_degrees(degrees), max_area, max_aspect_ratio: None },
                 protect,
                 limits: Limits { max_vertices: BUDGET, length_floor },
                 ..RefineOptions::of(preset)

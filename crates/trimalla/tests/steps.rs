@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use trimalla::constrained::Crossings;
+use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, Region, build};
-use trimalla::geometry::Point;
-use trimalla::quality::against_input;
+use trimalla::geometry::{Point, Triangle};
+use trimalla::mesh::FaceId;
+use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{Insert, NoObserver, Preset, Recover, RefineOptions, Refinement, Report};
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
@@ -117,4 +118,33 @@ fn regions_keep_their_segments() {
             assert_eq!(*attribute, if above { 7.0 } else { 0.0 }, "{recover}");
         }
     }
+}
+
+/// The aspect ratio is a criterion of its own, and one that the caller makes too.
+#[test]
+fn aspect_ratios_and_tests_of_the_caller_are_met() {
+    let drawing = shape("key");
+    for ratio in [1.5, 2.0, 4.0] {
+        let options =
+            RefineOptions::default().with_min_angle_deg(0.0).with_max_aspect_ratio(ratio).with_max_vertices(50_000);
+        let mut refinement = begun(&drawing, options);
+        refinement.run(&mut NoObserver);
+        let (cdt, report) = refinement.finish();
+        assert!(report.complete(), "{ratio}: {:?}", report.reasons());
+        let worst = cdt.real_faces().map(|f| aspect_ratio(&triangle(&cdt, f))).fold(0.0, f64::max);
+        assert!(worst <= ratio && worst > 0.6 * ratio, "{worst} where {ratio} is allowed");
+    }
+    let fine = |t: Triangle, _: f64| t.centroid().y > 0.0 && t.area() > 1.0;
+    let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(fine);
+    refinement.run(&mut NoObserver);
+    let (cdt, report) = refinement.finish();
+    assert_eq!((report.leftovers.len(), cdt.check()), (0, vec![]));
+    assert!(cdt.real_faces().all(|f| !fine(triangle(&cdt, f), 0.0)));
+    let coarse = cdt.real_faces().map(|f| triangle(&cdt, f).area()).fold(0.0, f64::max);
+    assert!(coarse > 1.0, "below the axis triangles stay large");
+}
+
+fn triangle(cdt: &ConstrainedDelaunay, f: FaceId) -> Triangle {
+    let [a, b, c] = cdt.face_points(f);
+    Triangle::new(a, b, c)
 }

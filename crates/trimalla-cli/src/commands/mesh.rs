@@ -66,6 +66,10 @@ pub(crate) struct Options {
     #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
     max_area: Option<f64>,
 
+    /// The largest aspect ratio that a triangle may have: circumradius over twice the inradius, 1 for equilateral triangles [default: no limit]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true, help_heading = "Refinement")]
+    max_aspect: Option<f64>,
+
     #[command(flatten)]
     recipe: RecipeOptions,
 
@@ -108,7 +112,11 @@ impl Options {
             domain: self.drawing.domain_options(self.triangulator),
             refine: RefineOptions {
                 recipe: self.recipe.recipe(),
-                criteria: Criteria { min_angle: Angle::from_degrees(self.min_angle), max_area: self.max_area },
+                criteria: Criteria {
+                    min_angle: Angle::from_degrees(self.min_angle),
+                    max_area: self.max_area,
+                    max_aspect_ratio: self.max_aspect,
+                },
                 protect: self.protect,
                 limits: Limits { max_vertices: self.max_vertices, length_floor: self.length_floor },
             },

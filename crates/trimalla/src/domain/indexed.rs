@@ -1,8 +1,8 @@
 //! From a triangulation to plain arrays.
 
+use super::attributes::Attributes;
 use super::pslg::Pslg;
-use crate::constrained::{ConstrainedDelaunay, Provenance};
-use crate::geometry::Point;
+use crate::constrained::ConstrainedDelaunay;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::IndexedMesh;
 
@@ -13,8 +13,8 @@ impl ConstrainedDelaunay {
     /// The mesh as plain arrays: vertices with markers and attributes, triangles, subsegments with markers.
     ///
     /// Input vertices come first, in order, bit for bit, also those that are unused; Steiner vertices follow in the
-    /// order of their slots. Attributes are interpolated along the input segment; free vertices take those of the
-    /// nearest input vertex near by.
+    /// order of their slots. Attributes are interpolated linearly: along the input segment, or in the triangulation of the
+    /// input alone.
     ///
     /// # Complexity
     /// Linear.
@@ -37,7 +37,7 @@ impl ConstrainedDelaunay {
             ..IndexedMesh::default()
         };
         mesh.point_markers = self.point_markers(&kept, &segments, &segment_markers, pslg);
-        mesh.point_attributes = self.point_attributes(&kept, pslg);
+        mesh.point_attributes = Attributes::new(self, pslg).of(&kept);
         if !self.regions.is_empty() {
             let attribute = |f: FaceId| self.region_rule(f).map_or(0.0, |rule| rule.attribute);
             mesh.attributes_per_triangle = 1;
@@ -86,46 +86,5 @@ impl ConstrainedDelaunay {
                 _ => at[v.index()],
             })
             .collect()
-    }
-
-    fn point_attributes(&self, kept: &[VertexId], pslg: &Pslg) -> Vec<f64> {
-        let n = pslg.attributes_per_point;
-        if n == 0 {
-            return Vec::new();
-        }
-        let mut rows: Vec<f64> = Vec::with_capacity(kept.len() * n);
-        for &v in kept {
-            for k in 0..n {
-                rows.push(self.attribute(v, k, pslg));
-            }
-        }
-        rows
-    }
-
-    /// Attribute `k` of a vertex: given, interpolated along its segment, or that of an input vertex near by.
-    fn attribute(&self, v: VertexId, k: usize, pslg: &Pslg) -> f64 {
-        let given =
-            |v: VertexId| pslg.point_attributes.get(v.index() * pslg.attributes_per_point + k).copied().unwrap_or(0.0);
-        if v.index() < self.input_points {
-            return given(v);
-        }
-        match self.provenance(v) {
-            Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. } => {
-                let [a, b] = self.segments[segment as usize].map(given);
-                a + t * (b - a)
-            }
-            Provenance::Crossing { segments: [s, _] } => {
-                let [a, b] = self.segments[s as usize].map(given);
-                a + self.parameter(s, v) * (b - a)
-            }
-            _ => self.nearest_input(v).map_or(0.0, given),
-        }
-    }
-
-    /// The nearest input vertex among the neighbours of a vertex and theirs.
-    fn nearest_input(&self, v: VertexId) -> Option<VertexId> {
-        let near = self.neighbours(v).flat_map(|w| self.neighbours(w)).filter(|w| w.index() < self.input_points);
-        let key = |w: &VertexId| Point::distance_sq(self.point(*w), self.point(v));
-        near.min_by(|a, b| key(a).total_cmp(&key(b)).then(a.cmp(b)))
     }
 }

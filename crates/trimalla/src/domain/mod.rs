@@ -11,6 +11,7 @@
 //!
 //! [`Contours`] names an outer ring and hole rings instead, by orientation.
 
+mod attributes;
 mod build;
 mod carve;
 mod contours;

@@ -132,3 +132,23 @@ fn holes_that_touch_leave_pinched_vertices() {
     pslg.holes.extend([at(-1.0, 0.0), at(1.0, 0.0)]);
     assert_eq!(area_of(&pslg, DomainRule::Seeds), 60.0);
 }
+
+#[test]
+fn attributes_of_a_linear_function_stay_linear() {
+    let mut pslg = squares(&[4.0, 1.5]);
+    pslg.holes.push(Point::new(0.0, 0.0));
+    let height = |p: Point| [2.0 * p.x - p.y + 3.0, 7.0];
+    pslg.attributes_per_point = 2;
+    pslg.point_attributes = pslg.points.iter().flat_map(|&p| height(p)).collect();
+    let options = crate::MeshOptions {
+        refine: crate::refine::RefineOptions::default().with_max_area(0.2),
+        ..crate::MeshOptions::default()
+    };
+    let (mesh, _) = crate::mesh(&pslg, &options).expect("a mesh");
+    assert!(mesh.points.len() > 100);
+    for (p, row) in mesh.points.iter().zip(mesh.point_attributes.chunks(2)) {
+        assert!((row[0] - height(*p)[0]).abs() < 1e-12 && row[1] == 7.0, "{p}: {row:?}");
+    }
+    // Given rows keep their bits.
+    assert_eq!(mesh.point_attributes[..16], pslg.point_attributes[..]);
+}

@@ -2,28 +2,47 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::sync::Arc;
 
 use super::options::Criteria;
 use crate::constrained::{ConstrainedDelaunay, RegionRule};
-use crate::geometry::{Point, triangle_angles_at_least};
+use crate::geometry::{Point, Triangle, triangle_angles_at_least};
 use crate::mesh::{FaceId, VertexId};
+use crate::quality::aspect_ratio;
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Badness {
     /// An angle is below the bound.
     Angle,
+    /// The aspect ratio is above the bound.
+    AspectRatio,
     /// The area is above the bound.
     Area,
+    /// The caller's own test refuses it.
+    Asked,
 }
 
+impl Badness {
+    /// Whether splitting the triangle into smaller ones of its shape is no help.
+    pub(super) fn is_of_shape(self) -> bool {
+        matches!(self, Self::Angle | Self::AspectRatio)
+    }
+}
+
+/// A test of the caller's own: whether a triangle, counter-clockwise, with the attribute of its region (0 without), must
+/// be refined.
+pub type UserTest = dyn Fn(Triangle, f64) -> bool + Send + Sync;
+
 /// The criteria, ready to be tested.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone)]
 pub(super) struct Test {
     /// Squared cosine of the angle bound; `None` where no bound is asked for.
     cos_sq: Option<f64>,
     /// Twice the area bound.
     doubled_area: f64,
+    max_aspect_ratio: f64,
+    asked: Option<Arc<UserTest>>,
 }
 
 impl Test {
@@ -32,10 +51,17 @@ impl Test {
         Self {
             cos_sq: bounded.then(|| criteria.min_angle.cos_sq()),
             doubled_area: criteria.max_area.map_or(f64::INFINITY, |a| 2.0 * a),
+            max_aspect_ratio: criteria.max_aspect_ratio.unwrap_or(f64::INFINITY),
+            asked: None,
         }
     }
 
-    /// What is wrong with a triangle of a region; the area first. Angles are certified exactly.
+    /// The same with a test of the caller's own.
+    pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
+        Self { asked: Some(asked), ..self }
+    }
+
+    /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
     #[inline]
     pub(super) fn badness(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let in_region = region.and_then(|r| r.max_area).map_or(f64::INFINITY, |area| 2.0 * area);
@@ -43,10 +69,18 @@ impl Test {
         if doubled_area < f64::INFINITY && (b - a).cross(c - a) > doubled_area {
             return Some(Badness::Area);
         }
+        if self.asked.as_ref().is_some_and(|test| test(Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute))) {
+            return Some(Badness::Asked);
+        }
         match self.cos_sq {
             Some(cos_sq) if !triangle_angles_at_least(a, b, c, cos_sq) => Some(Badness::Angle),
-            _ => None,
+            _ => self.aspect_badness([a, b, c]),
         }
+    }
+
+    fn aspect_badness(&self, [a, b, c]: [Point; 3]) -> Option<Badness> {
+        let bounded = self.max_aspect_ratio < f64::INFINITY;
+        (bounded && aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio).then_some(Badness::AspectRatio)
     }
 }
 

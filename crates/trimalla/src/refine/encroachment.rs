@@ -25,7 +25,7 @@ impl Region {
     /// # Source
     /// The lens: `[Chew93]`, `[Shewchuk02]`; the disk: `[Ruppert95]`. From 45 degrees on the lens is the disk.
     pub(super) fn new(kind: Encroachment, criteria: &Criteria) -> Self {
-        let doubled = 2.0 * criteria.min_angle.radians();
+        let doubled = 2.0 * criteria.effective_min_angle().radians();
         let cos = crate::geometry::math::cos(doubled);
         let cos_sq = match kind {
             Encroachment::Lens if cos > 0.0 => cos * cos,

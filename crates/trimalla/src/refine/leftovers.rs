@@ -32,7 +32,7 @@ impl Refinement {
     fn leftovers(&self) -> Vec<Leftover> {
         let bad = |(triangle, f): (usize, FaceId)| {
             let corners = self.cdt.corners(f);
-            self.test.badness(corners, self.cdt.region_rule(f))?;
+            self.badness(f)?;
             let [a, b, c] = corners;
             let min_angle_deg = Triangle::new(a, b, c).min_angle().degrees();
             Some(Leftover { triangle, min_angle_deg, reason: self.reason_of(f) })

@@ -44,6 +44,7 @@ pub mod steps;
 #[cfg(test)]
 mod tests;
 
+pub use bad_triangles::UserTest;
 pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use recipe::{

@@ -1,20 +1,39 @@
 //! What is asked of a refinement, and where it stops.
 
 use super::recipe::{Preset, Recipe};
-use crate::geometry::Angle;
+use crate::geometry::{Angle, math};
 
 /// What makes a triangle bad.
+///
+/// A test of the caller's own goes to [`Refinement::with_test`](super::Refinement::with_test).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
     /// The smallest angle a triangle may have; 0 asks for none.
     pub min_angle: Angle,
     /// The largest area a triangle may have, in squared coordinate units.
     pub max_area: Option<f64>,
+    /// The largest aspect ratio a triangle may have: circumradius over twice the inradius, 1 for equilateral triangles.
+    pub max_aspect_ratio: Option<f64>,
 }
 
 impl Default for Criteria {
     fn default() -> Self {
-        Self { min_angle: Angle::from_degrees(30.0), max_area: None }
+        Self { min_angle: Angle::from_degrees(30.0), max_area: None, max_aspect_ratio: None }
+    }
+}
+
+impl Criteria {
+    /// The angle that no good triangle falls below: what placement and protecting regions are computed for.
+    ///
+    /// With s the sine of half the smallest angle, R/2r is least where the two other angles are equal, and then
+    /// 1 / (4 s (1 − s)): a bound on it bounds s.
+    #[must_use]
+    pub fn effective_min_angle(&self) -> Angle {
+        let of_ratio = self.max_aspect_ratio.map_or(0.0, |ratio| {
+            let half_sine = (1.0 - (1.0 - 1.0 / ratio).max(0.0).sqrt()) / 2.0;
+            2.0 * math::asin(half_sine)
+        });
+        if of_ratio > self.min_angle.radians() { Angle::from_radians(of_ratio) } else { self.min_angle }
     }
 }
 
@@ -98,6 +117,13 @@ impl RefineOptions {
         self
     }
 
+    /// Asks for triangles whose circumradius is at most this many times twice their inradius.
+    #[must_use]
+    pub fn with_max_aspect_ratio(mut self, ratio: f64) -> Self {
+        self.criteria.max_aspect_ratio = Some(ratio);
+        self
+    }
+
     /// Stops at this many vertices.
     #[must_use]
     pub fn with_max_vertices(mut self, vertices: usize) -> Self {
@@ -125,6 +151,10 @@ impl RefineOptions {
             Some(a) if !(a > 0.0 && a.is_finite()) => return Err(OptionError::MaxArea(a)),
             _ => {}
         }
+        match self.criteria.max_aspect_ratio {
+            Some(r) if !(r >= 1.0 && r.is_finite()) => return Err(OptionError::MaxAspectRatio(r)),
+            _ => {}
+        }
         match self.limits.length_floor {
             Some(l) if !(l >= 0.0 && l.is_finite()) => Err(OptionError::LengthFloor(l)),
             _ => Ok(()),
@@ -142,6 +172,9 @@ pub enum OptionError {
     /// Areas are positive.
     #[error("the maximum area must be positive and finite, not {0}")]
     MaxArea(f64),
+    /// An equilateral triangle has aspect ratio 1, every other one more.
+    #[error("the maximum aspect ratio must be at least 1 and finite, not {0}")]
+    MaxAspectRatio(f64),
     /// Lengths are not negative.
     #[error("the length floor must not be negative or infinite, not {0}")]
     LengthFloor(f64),

@@ -13,8 +13,8 @@ use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Provenance, Released};
-use crate::geometry::Point;
-use crate::locate::{Locus, Walk};
+use crate::geometry::{Point, Triangle};
+use crate::locate::Locus;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
@@ -54,6 +54,8 @@ pub struct Refinement {
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
     /// Pieces of segments that are not locked.
     pub(super) released: Vec<Released>,
+    /// Places proposed for the triangle at work.
+    places: Vec<Proposal>,
     pub(super) log: UndoLog,
     /// How many triangles joined the queue.
     joined: u64,
@@ -105,7 +107,7 @@ impl Refinement {
         let mut refinement = Self {
             prepare: s1_prepare::step(&recipe, region),
             select: s2_select::step(&recipe),
-            point: s3_point::step(&recipe, options.criteria.min_angle.radians()),
+            point: s3_point::step(&recipe, options.criteria.effective_min_angle().radians()),
             insert: s4_insert::step(&recipe),
             recover: s5_recover::step(&recipe),
             region,
@@ -119,6 +121,7 @@ impl Refinement {
             unsplittable: BTreeSet::new(),
             given_up: Vec::new(),
             released: Vec::new(),
+            places: Vec::new(),
             log: UndoLog::new(),
             joined: 0,
             current: None,
@@ -147,6 +150,32 @@ impl Refinement {
         for f in faces {
             self.look_at_bad(f);
         }
+    }
+
+    /// Asks for more: triangles that the caller's own test refuses are bad, too.
+    ///
+    /// The test gets the triangle, counter-clockwise, and the attribute of its region (0 without). It must answer the same
+    /// for the same triangle, or the result depends on when it is asked; whatever it answers, the limits end the work.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::refine::{NoObserver, RefineOptions, Refinement};
+    /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, Pslg, build}, geometry::Point};
+    /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
+    /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
+    /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
+    /// // Small triangles near the left side.
+    /// let fine = |t: trimalla::geometry::Triangle, _| t.centroid().x < 1.0 && t.area() > 0.05;
+    /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(fine);
+    /// refinement.run(&mut NoObserver);
+    /// # assert!(refinement.finish().1.triangles > 20);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_test(mut self, test: impl Fn(Triangle, f64) -> bool + Send + Sync + 'static) -> Self {
+        self.test = self.test.clone().with_asked(Arc::new(test));
+        self.look_at_everything();
+        self
     }
 
     /// The triangulation as it is now.
@@ -228,26 +257,29 @@ impl Refinement {
 
     /// Treats a bad triangle; the error says why it is given up.
     fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
-        if self.is_across_small_input_angle(face)
-            && self.test.badness(self.cdt.corners(face), self.cdt.region_rule(face)) != Some(Badness::Area)
-        {
+        let of_shape = self.badness(face).is_some_and(Badness::is_of_shape);
+        if of_shape && self.is_across_small_input_angle(face) {
             return Err(Reason::AcrossSmallInputAngle);
         }
-        let corners = self.cdt.corners(face);
-        let angle_only = self.test.badness(corners, self.cdt.region_rule(face)) == Some(Badness::Angle);
-        if angle_only && self.is_beyond_help(corners) {
+        if of_shape && self.is_beyond_help(self.cdt.corners(face)) {
             return Err(Reason::StrategyCannotImprove);
         }
-        let proposal = self.point.propose(self.view(), face).ok_or(Reason::PrecisionFloor)?;
-        match proposal {
+        let mut places = std::mem::take(&mut self.places);
+        places.clear();
+        self.point.propose(self.view(), face, &mut places);
+        let mut refused = Reason::PrecisionFloor;
+        // Nothing changes until one is taken, so that the loci stay right.
+        let taken = places.iter().any(|&place| self.try_place(place).map_err(|reason| refused = reason).is_ok());
+        self.places = places;
+        if taken { Ok(()) } else { Err(refused) }
+    }
+
+    /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
+    fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
+        match place {
             Proposal::Split(h) => self.split_instead(&[h]),
             Proposal::OnEdge { edge, point } => self.try_on_edge(edge, point),
-            Proposal::Free { point, from } => match self.cdt.walk_within(from, point) {
-                Walk::Blocked(h) => self.split_instead(&[h]),
-                Walk::Arrived(Locus::Edge(h)) if self.cdt.is_marked(h) => self.split_instead(&[h]),
-                Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => self.try_point(point, locus),
-                Walk::Arrived(_) => Err(Reason::PrecisionFloor),
-            },
+            Proposal::Free { point, locus } => self.try_point(point, locus),
         }
     }
 
@@ -392,10 +424,15 @@ impl Refinement {
         }
     }
 
+    /// What is wrong with a face.
+    pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
+        self.test.badness(self.cdt.corners(f), self.cdt.region_rule(f))
+    }
+
     /// Queues a face if it is bad.
     fn look_at_bad(&mut self, f: FaceId) {
         let corners = self.cdt.corners(f);
-        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
+        if self.badness(f).is_some() {
             let patience = self.select.patience(corners, self.ruler, self.joined);
             self.joined += 1;
             self.queue.push(&self.cdt, f, patience);

@@ -24,11 +24,15 @@ use crate::mesh::FaceId;
 pub(super) struct Circumcenter;
 
 impl PointStep for Circumcenter {
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
-        let [a, b, c] = view.cdt.corners(face);
-        let point = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
-        Some(Proposal::Free { point, from: face })
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
     }
+}
+
+/// The circumcenter of a face, rounded.
+pub(super) fn center_of(view: View<'_>, face: FaceId) -> Option<Point> {
+    let [a, b, c] = view.cdt.corners(face);
+    Triangle::new(a, b, c).circumcenter()
 }
 
 /// `off-center`: the circumcenter, or nearer to the shortest edge the point that makes its triangle just good.
@@ -68,8 +72,9 @@ impl OffCenter {
 }
 
 impl PointStep for OffCenter {
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
-        self.place(view, face).map(|point| Proposal::Free { point, from: face })
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        let towards = |point| Proposal::towards(view, face, point);
+        places.extend(self.place(view, face).and_then(towards).or_else(|| center_of(view, face).and_then(towards)));
     }
 }
 

@@ -25,7 +25,7 @@ use super::lepp::{
     Centroid, LeppRule, edge_midpoint, edges_by_length, quadrilateral_centroid, terminal_edge, terminal_faces,
 };
 use super::recipe::{ConstrainedSecond, PlacePoint, Recipe, Terminal};
-use super::s3_point::OffCenter;
+use super::s3_point::{OffCenter, center_of};
 use super::steps::{PointStep, Proposal, View};
 use crate::geometry::{Point, Triangle, triangle_angles_at_least};
 use crate::mesh::{FaceId, HalfEdgeId};
@@ -40,21 +40,21 @@ pub(super) struct LeppPoint {
 }
 
 impl PointStep for LeppPoint {
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
         let t = view.cdt;
         let h = terminal_edge(t, view.ruler, face, self.rule);
         if t.is_marked(h) || t.is_ghost(t.twin(h).face()) {
-            return Some(Proposal::Split(h));
+            places.push(Proposal::Split(h));
+            return;
         }
-        let point = match self.centroid {
-            None => edge_midpoint(t, h),
-            Some(kind) => quadrilateral_centroid(t, view.ruler, h, kind),
-        };
-        match self.second_to_split(view, h, point) {
-            Some(s) => Some(Proposal::Split(s)),
-            None if self.centroid.is_none() => Some(Proposal::OnEdge { edge: h, point }),
-            None => Some(Proposal::Free { point, from: h.face() }),
+        let middle = edge_midpoint(t, h);
+        let centroid = self.centroid.map(|kind| quadrilateral_centroid(t, view.ruler, h, kind));
+        if let Some(s) = self.second_to_split(view, h, centroid.unwrap_or(middle)) {
+            places.push(Proposal::Split(s));
+            return;
         }
+        places.extend(centroid.and_then(|point| Proposal::towards(view, h.face(), point)));
+        places.push(Proposal::OnEdge { edge: h, point: middle });
     }
 
     fn minds_encroachment(&self) -> bool {
@@ -102,36 +102,39 @@ pub(super) struct LeppCenter {
 }
 
 impl PointStep for LeppCenter {
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal> {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
         let t = view.cdt;
         let h = terminal_edge(t, view.ruler, face, self.rule);
         if t.is_marked(h) || t.is_ghost(t.twin(h).face()) {
-            return Some(Proposal::Split(h));
+            places.push(Proposal::Split(h));
+            return;
         }
-        let radius = |f: FaceId| {
-            let [a, b, c] = t.corners(f);
-            Triangle::new(a, b, c).circumradius_sq().unwrap_or(f64::INFINITY)
-        };
-        let by = |f: &FaceId, g: &FaceId| {
-            radius(*f).total_cmp(&radius(*g)).then_with(|| sorted(view, *g).cmp(&sorted(view, *f)))
-        };
-        let from = match self.terminal {
-            Terminal::Larger => terminal_faces(t, h).into_iter().flatten().max_by(by)?,
-            Terminal::Last => terminal_faces(t, h)[1]?,
+        let [first, last] = terminal_faces(t, h);
+        let from = match (self.terminal, first, last) {
+            (Terminal::Larger, Some(f), Some(g)) if is_larger(view, f, g) => f,
+            (_, _, Some(last)) => last,
+            _ => return,
         };
         let point = match self.off_center {
-            None => {
-                let [a, b, c] = t.corners(from);
-                Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?
-            }
-            Some(off_center) => off_center.place(view, from)?,
+            None => center_of(view, from),
+            Some(off_center) => off_center.place(view, from),
         };
-        Some(Proposal::Free { point, from })
+        places.extend(point.and_then(|point| Proposal::towards(view, from, point)));
+        places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(t, h) });
     }
 
     fn shells_at_every_joint(&self) -> bool {
         false
     }
+}
+
+/// Whether `f` has the larger circumcircle; of equal ones the face with the lower vertices counts as larger.
+fn is_larger(view: View<'_>, f: FaceId, g: FaceId) -> bool {
+    let radius_sq = |f: FaceId| {
+        let [a, b, c] = view.cdt.corners(f);
+        Triangle::new(a, b, c).circumradius_sq().unwrap_or(f64::INFINITY)
+    };
+    radius_sq(f).total_cmp(&radius_sq(g)).then_with(|| sorted(view, g).cmp(&sorted(view, f))).is_gt()
 }
 
 fn sorted(view: View<'_>, f: FaceId) -> [crate::mesh::VertexId; 3] {

@@ -6,7 +6,7 @@ use super::options::Criteria;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
 use crate::geometry::Point;
-use crate::locate::Locus;
+use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// What a step may look at.
@@ -34,15 +34,15 @@ pub trait SelectStep {
     fn patience(&self, corners: [Point; 3], ruler: Ruler, joined: u64) -> f64;
 }
 
-/// What a point strategy proposes for a bad triangle.
+/// A place that a point strategy proposes for a new vertex, with its locus: nobody asks rounded numbers again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Proposal {
-    /// A free point, to be looked for from this face; segments in its way are split instead.
+    /// A free point that lies exactly there: inside a face, or on an unconstrained edge.
     Free {
         /// The point.
         point: Point,
-        /// Where the walk to it starts.
-        from: FaceId,
+        /// Where it lies.
+        locus: Locus,
     },
     /// A point on this unconstrained edge, or off it by no more than its rounding.
     OnEdge {
@@ -55,10 +55,25 @@ pub enum Proposal {
     Split(HalfEdgeId),
 }
 
+impl Proposal {
+    /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its way
+    /// that is to be split instead. `None` where a vertex is there already.
+    #[must_use]
+    pub fn towards(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
+        match view.cdt.walk_within(from, point) {
+            Walk::Blocked(h) => Some(Self::Split(h)),
+            Walk::Arrived(Locus::Edge(h)) if view.cdt.is_marked(h) => Some(Self::Split(h)),
+            Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => Some(Self::Free { point, locus }),
+            Walk::Arrived(_) => None,
+        }
+    }
+}
+
 /// Step 3: where a new vertex goes.
 pub trait PointStep {
-    /// The place for a new vertex that helps `face`; `None` where there is none.
-    fn propose(&self, view: View<'_>, face: FaceId) -> Option<Proposal>;
+    /// Adds places for a new vertex that helps `face`, the best first; the next is tried where the one before cannot be had
+    /// for rounding or the length floor.
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>);
 
     /// Whether a free point that encroaches upon a subsegment is taken back and the subsegment split instead.
     fn minds_encroachment(&self) -> bool {
