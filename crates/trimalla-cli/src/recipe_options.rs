@@ -2,8 +2,8 @@
 
 use clap::{ArgAction, Args};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Insert, LeppRule, PlacePoint, Prepare, Preset, Recipe, Recover, Select,
-    Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset, Recipe,
+    Recover, Select, Terminal,
 };
 
 use crate::args::one_of;
@@ -21,6 +21,11 @@ pub(crate) struct RecipeOptions {
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
           value_parser = one_of(Prepare::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
     prepare: Option<Prepare>,
+
+    /// Step 1: when [default: the preset's]
+    #[arg(long, value_name = "WHEN", help_heading = "Steps, instead of the preset's",
+          value_parser = one_of(PrepareWhen::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
+    prepare_when: Option<PrepareWhen>,
 
     /// Step 1: the region around a segment that is kept free of vertices [default: the preset's]
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
@@ -78,6 +83,7 @@ impl RecipeOptions {
     pub(crate) fn recipe(&self) -> Recipe {
         let mut recipe = self.algorithm.recipe();
         recipe.prepare = self.prepare.unwrap_or(recipe.prepare);
+        recipe.prepare_when = self.prepare_when.unwrap_or(recipe.prepare_when);
         recipe.encroachment = self.encroachment.unwrap_or(recipe.encroachment);
         recipe.select = self.select.unwrap_or(recipe.select);
         recipe.until_destroyed = self.until_destroyed.unwrap_or(recipe.until_destroyed);

@@ -8,7 +8,10 @@ use trimalla::domain::{DomainRule, Pslg, Region, build};
 use trimalla::geometry::{Point, Triangle};
 use trimalla::mesh::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
-use trimalla::refine::{Insert, NoObserver, Preset, Recover, RefineOptions, Refinement, Report};
+use trimalla::refine::{
+    Insert, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover, RefineOptions, Refinement,
+    Report, Select,
+};
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
 use trimalla_testkit::readers::read_poly;
@@ -91,7 +94,7 @@ fn splitting_makes_a_conforming_triangulation() {
     let drawing = fenced();
     let mut options = RefineOptions::default().with_min_angle_deg(0.0);
     options.recipe.recover = Recover::BySplitting;
-    options.recipe.prepare = trimalla::refine::Prepare::None;
+    options.recipe.prepare = Prepare::None;
     let mut refinement = begun(&drawing, options);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
@@ -147,4 +150,108 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
 fn triangle(cdt: &ConstrainedDelaunay, f: FaceId) -> Triangle {
     let [a, b, c] = cdt.face_points(f);
     Triangle::new(a, b, c)
+}
+
+/// Three small drawings: a hole and a loose segment, a small angle, a fence.
+fn small_shapes() -> [(&'static str, Pslg); 3] {
+    let ring = |points: &[[f64; 2]]| points.iter().copied().map(Point::from).collect::<Vec<_>>();
+    let mut holed = Pslg {
+        points: ring(&[
+            [0.0, 0.0],
+            [6.0, 0.0],
+            [6.0, 4.0],
+            [0.0, 4.0],
+            [1.0, 1.0],
+            [2.0, 1.0],
+            [1.0, 2.5],
+            [3.0, 1.0],
+            [5.0, 3.5],
+        ]),
+        segments: vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4], [7, 8]],
+        ..Pslg::default()
+    };
+    holed.holes.push(Point::new(1.2, 1.2));
+    let wedge = Pslg {
+        points: ring(&[[0.0, 0.0], [8.0, 0.0], [8.0, 1.5], [3.0, 0.1], [7.0, 0.4]]),
+        segments: vec![[0, 1], [1, 2], [2, 0], [3, 4]],
+        ..Pslg::default()
+    };
+    [("holed", holed), ("wedge", wedge), ("fenced", fenced())]
+}
+
+/// Every choice of every step with every other.
+fn all_recipes() -> impl Iterator<Item = Recipe> {
+    let mut all = vec![Recipe::default()];
+    let mut each = |set: &dyn Fn(&mut Vec<Recipe>, Recipe)| {
+        all = all.iter().fold(Vec::new(), |mut next, &r| {
+            set(&mut next, r);
+            next
+        });
+    };
+    each(&|out, r| out.extend(Prepare::ALL.iter().map(|&prepare| Recipe { prepare, ..r })));
+    each(&|out, r| out.extend(PrepareWhen::ALL.iter().map(|&prepare_when| Recipe { prepare_when, ..r })));
+    each(&|out, r| out.extend(Select::ALL.iter().map(|&select| Recipe { select, ..r })));
+    each(&|out, r| out.extend([false, true].map(|until_destroyed| Recipe { until_destroyed, ..r })));
+    each(&|out, r| out.extend(PlacePoint::ALL.iter().map(|&point| Recipe { point, ..r })));
+    each(&|out, r| out.extend(Insert::ALL.iter().map(|&insert| Recipe { insert, ..r })));
+    each(&|out, r| out.extend(Recover::ALL.iter().map(|&recover| Recipe { recover, ..r })));
+    all.into_iter()
+}
+
+#[test]
+fn every_combination_of_the_five_steps_is_sound() {
+    let mut runs = 0;
+    for (name, drawing) in small_shapes() {
+        for recipe in all_recipes() {
+            let options =
+                RefineOptions { recipe, ..RefineOptions::default() }.with_min_angle_deg(28.0).with_max_vertices(60);
+            let mut refinement = begun(&drawing, options);
+            if recipe.select == Select::Manual {
+                let all: Vec<FaceId> = refinement.triangulation().real_faces().collect();
+                assert!(all.into_iter().all(|f| refinement.pick(f)), "real faces can be picked");
+            }
+            refinement.run(&mut NoObserver);
+            let (cdt, report) = refinement.finish();
+            let delaunay = matches!(recipe.insert, Insert::Flip | Insert::Cavity);
+            let faults = if delaunay { cdt.check() } else { cdt.triangulation_faults() };
+            assert_eq!(faults, [], "{name}: {recipe}");
+            let mesh = cdt.to_indexed(&drawing);
+            assert_eq!(check_mesh(&mesh), [], "{name}: {recipe}");
+            if report.lost_segments.is_empty() {
+                assert_eq!(against_input(&mesh, &drawing).faults, [], "{name}: {recipe}");
+            } else {
+                assert_eq!(recipe.recover, Recover::None, "{name}: {recipe}");
+            }
+            // What a recovery needs within the budget may be a vertex or two more than the loop had used.
+            assert!(mesh.points.len() <= 60, "{name}: {recipe}: {} vertices", mesh.points.len());
+            let told: usize = report.reasons().iter().map(|r| r.1).sum();
+            assert_eq!(told, report.leftovers.len(), "{name}: {recipe}");
+            runs += 1;
+        }
+    }
+    assert_eq!(runs, 3 * 2 * 2 * Select::ALL.len() * 2 * PlacePoint::ALL.len() * Insert::ALL.len() * 3);
+}
+
+/// Only triangles that were picked are treated, bad or not.
+#[test]
+fn manual_refinement_treats_what_is_picked() {
+    let mut options = RefineOptions::of(Preset::LeppCentroid).with_min_angle_deg(25.0);
+    options.recipe.select = Select::Manual;
+    options.recipe.until_destroyed = false;
+    let drawing = shape("key");
+    let mut refinement = begun(&drawing, options);
+    let before = refinement.triangulation().points().len();
+    refinement.run(&mut NoObserver);
+    assert_eq!(refinement.triangulation().points().len(), before, "nothing was picked");
+    let first = refinement.triangulation().real_faces().next().expect("a face");
+    assert!(refinement.pick(first) && !refinement.pick(FaceId(u32::MAX / 3)));
+    refinement.run(&mut NoObserver);
+    let (cdt, report) = refinement.finish();
+    assert_eq!(cdt.points().len(), before + 1);
+    assert!(
+        report
+            .leftovers
+            .iter()
+            .all(|l| matches!(l.reason, Reason::NotPicked | Reason::InputAngle | Reason::AcrossSmallInputAngle))
+    );
 }

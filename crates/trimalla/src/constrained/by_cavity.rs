@@ -3,7 +3,7 @@
 use super::constrained::ConstrainedDelaunay;
 use super::provenance::Provenance;
 use super::split_subsegment::SplitError;
-use crate::geometry::{Orientation, Point};
+use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
@@ -45,6 +45,31 @@ impl ConstrainedDelaunay {
             self.lawson.legalise_all(&mut self.t, j);
         }
         Ok(v)
+    }
+
+    /// Parts the two faces at unconstrained edge `h` into four by a vertex at `p`, and no flips; `None`, and nothing
+    /// changed, where the point does not see all four sides.
+    pub(crate) fn insert_in_pair<J: Journal>(&mut self, p: Point, h: HalfEdgeId, j: &mut J) -> Option<VertexId> {
+        if !self.cavity.take_pair(&self.t, p, h) {
+            return None;
+        }
+        Some(self.fill_cavity(p, Provenance::Free, j))
+    }
+
+    /// Whether unconstrained edge `h` between two faces fails the circle test (ties included): its flip is proved then.
+    pub(crate) fn fails_circle_test(&self, h: HalfEdgeId) -> bool {
+        let o = self.t.twin(h);
+        let inner = self.t.is_real(h.face()) && self.t.is_real(o.face()) && !self.t.is_marked(h);
+        inner && {
+            let [x, y] = self.t.edge_points(h);
+            let [q, d] = [h, o].map(|h| self.t.point(self.t.apex(h)));
+            in_circle_perturbed(x, y, q, d) == CircleSide::Inside
+        }
+    }
+
+    /// Flips an edge that fails the circle test.
+    pub(crate) fn flip_edge<J: Journal>(&mut self, h: HalfEdgeId, j: &mut J) -> HalfEdgeId {
+        self.t.mesh.flip(h, j)
     }
 
     fn fill_cavity<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {

@@ -53,6 +53,23 @@ impl Cavity {
         self.rim.iter().all(|e| is_seen(t, e, p))
     }
 
+    /// Takes the two faces at an unconstrained edge as the cavity, whatever their circles hold.
+    ///
+    /// Says whether the point can be inserted there, as [`find`](Self::find).
+    pub(crate) fn take_pair(&mut self, t: &Triangulation, p: Point, h: HalfEdgeId) -> bool {
+        self.faces.clear();
+        self.rim.clear();
+        let o = t.twin(h);
+        if t.is_marked(h) || t.is_ghost(h.face()) || t.is_ghost(o.face()) {
+            return false;
+        }
+        for (face, sides) in [(h.face(), [h.next(), h.prev()]), (o.face(), [o.next(), o.prev()])] {
+            self.faces.push(face);
+            sides.into_iter().for_each(|inner| self.close(t, inner, t.region(face)));
+        }
+        self.rim.iter().all(|e| is_seen(t, e, p))
+    }
+
     /// Replaces the cavity found by a fan around unused vertex `v`.
     pub(crate) fn fill<J: Journal>(&mut self, t: &mut Triangulation, v: VertexId, j: &mut J) {
         t.mesh.fill_star(&mut self.faces, &self.rim, v, j);
@@ -70,9 +87,14 @@ impl Cavity {
                 self.stack.extend([outer.prev(), outer.next()]);
                 continue;
             }
-            let (from, to, mark) = (t.origin(inner), t.dest(inner), t.mark(inner));
-            self.rim.push(RimEdge { from, to, outer, mark, region, spoke: 0 });
+            self.close(t, inner, region);
         }
+    }
+
+    /// Adds an edge to the rim.
+    fn close(&mut self, t: &Triangulation, inner: HalfEdgeId, region: u32) {
+        let (from, to, mark) = (t.origin(inner), t.dest(inner), t.mark(inner));
+        self.rim.push(RimEdge { from, to, outer: t.twin(inner), mark, region, spoke: 0 });
     }
 }
 

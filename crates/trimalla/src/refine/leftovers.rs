@@ -1,6 +1,7 @@
 //! What stayed bad, and why.
 
 use super::bad_triangles::sorted;
+use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use crate::constrained::{ConstrainedDelaunay, Provenance};
@@ -54,6 +55,7 @@ impl Refinement {
             Err(_) => match self.report.stop {
                 StopReason::Cancelled => Reason::Cancelled,
                 StopReason::Budget => Reason::Budget,
+                StopReason::Finished if self.options.recipe.select == Select::Manual => Reason::NotPicked,
                 StopReason::Finished => Reason::StrategyCannotImprove,
             },
         }

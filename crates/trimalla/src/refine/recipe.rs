@@ -88,11 +88,21 @@ step! {
 }
 
 step! {
+    /// Step 1: when segments are looked at.
+    PrepareWhen, 1, Always, {
+        Always = "always", "before every insertion", "Ruppert95";
+        Once = "once", "once, before the first insertion", "MeshSuite";
+    }
+}
+
+step! {
     /// Step 2: which bad triangle is treated next.
     Select, 2, ShortestEdge, {
         ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
         SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
         SmallestCircumradius = "smallest-circumradius", "the bad triangle with the smallest circumcircle first", "MeshSuite";
+        BoundaryShortestEdge = "boundary-shortest-edge", "triangles with a side on the border first, then by shortest edge", "MeshSuite";
+        Manual = "manual", "the triangles that are picked, one after the other", "MeshSuite";
         First = "first", "the bad triangle that has waited longest first", "MeshSuite";
     }
 }
@@ -133,6 +143,7 @@ step! {
     Insert, 4, Flip, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
         Cavity = "cavity", "faces whose circle holds the point go, a fan takes their place", "Bowyer81";
+        FlipOrCentroid = "flip-or-centroid", "a terminal edge that fails the circle test is flipped, else the pair is parted into four", "Sanhueza";
         Partition = "partition", "the face or edge is split, and nothing else", "Rivara97";
     }
 }
@@ -159,6 +170,8 @@ step! {
 pub struct Recipe {
     /// Step 1.
     pub prepare: Prepare,
+    /// Step 1: when.
+    pub prepare_when: PrepareWhen,
     /// The region that protects subsegments, for steps 1 and 3.
     pub encroachment: Encroachment,
     /// Step 2.
@@ -187,10 +200,11 @@ step! {
         OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
         Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
         LeppBisection = "lepp-bisection", "terminal edges halved without flips: nested triangles", "Rivara97";
-        LeppMidpoint = "lepp-midpoint", "middles of terminal edges, smallest angle first", "Rivara97";
-        LeppCentroid = "lepp-centroid", "centroids of terminal triangles, smallest angle first", "RivaraCalderon10";
+        LeppMidpoint = "lepp-midpoint", "middles of terminal edges, in any order", "Rivara97";
+        LeppCentroid = "lepp-centroid", "centroids of terminal triangles, in any order", "RivaraCalderon10";
         LeppCircumcenter = "lepp-circumcenter", "circumcenters of terminal triangles, smallest angle first", "MeshSuite";
         LeppOffCenter = "lepp-off-center", "off-centers of terminal triangles, smallest angle first", "MeshSuite";
+        Sanhueza = "sanhueza", "terminal edges flipped until Delaunay, centroids of terminal pairs, from any triangulation", "Sanhueza";
     }
 }
 
@@ -198,12 +212,8 @@ impl Preset {
     /// The recipe it stands for.
     #[must_use]
     pub fn recipe(self) -> Recipe {
-        let lepp = Recipe {
-            prepare: Prepare::None,
-            select: Select::SmallestAngle,
-            until_destroyed: true,
-            ..Recipe::default()
-        };
+        let lepp = Recipe { prepare: Prepare::None, select: Select::First, until_destroyed: true, ..Recipe::default() };
+        let lepp_center = Recipe { prepare: Prepare::SplitEncroached, select: Select::SmallestAngle, ..lepp };
         match self {
             Self::OffCenter => Recipe::default(),
             Self::Circumcenter => Recipe { point: PlacePoint::Circumcenter, ..Recipe::default() },
@@ -215,12 +225,16 @@ impl Preset {
             },
             Self::LeppMidpoint => Recipe { point: PlacePoint::LeppMidpoint, ..lepp },
             Self::LeppCentroid => Recipe { point: PlacePoint::LeppCentroid, ..lepp },
-            Self::LeppCircumcenter => {
-                Recipe { point: PlacePoint::LeppCircumcenter, prepare: Prepare::SplitEncroached, ..lepp }
-            }
-            Self::LeppOffCenter => {
-                Recipe { point: PlacePoint::LeppOffCenter, prepare: Prepare::SplitEncroached, ..lepp }
-            }
+            Self::LeppCircumcenter => Recipe { point: PlacePoint::LeppCircumcenter, ..lepp_center },
+            Self::LeppOffCenter => Recipe { point: PlacePoint::LeppOffCenter, ..lepp_center },
+            Self::Sanhueza => Recipe {
+                point: PlacePoint::LeppCentroid,
+                centroid: Centroid::Average,
+                constrained_second: ConstrainedSecond::Never,
+                insert: Insert::FlipOrCentroid,
+                until_destroyed: false,
+                ..lepp
+            },
         }
     }
 }

@@ -61,6 +61,8 @@ pub struct Refinement {
     joined: u64,
     /// The triangle to be treated until it is gone.
     current: Option<(FaceId, [VertexId; 3])>,
+    /// Triangles that the caller picked.
+    picked: VecDeque<(FaceId, [VertexId; 3])>,
     /// Vertices that the mesh would have now.
     pub(super) vertices: usize,
     /// Vertices inserted in all, those deleted or taken back included.
@@ -125,6 +127,7 @@ impl Refinement {
             log: UndoLog::new(),
             joined: 0,
             current: None,
+            picked: VecDeque::new(),
             vertices,
             insertions: 0,
             report: Report { recipe, ..Report::default() },
@@ -146,7 +149,8 @@ impl Refinement {
     /// Queues every subsegment that needs a split, and every bad triangle.
     pub(super) fn look_at_everything(&mut self) {
         self.queue_all_encroached();
-        let faces: Vec<FaceId> = self.cdt.real_faces().collect();
+        let mut faces: Vec<FaceId> = self.cdt.real_faces().collect();
+        self.put_in_order(&mut faces);
         for f in faces {
             self.look_at_bad(f);
         }
@@ -243,10 +247,30 @@ impl Refinement {
     fn next_face(&mut self) -> Option<FaceId> {
         let there =
             |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
-        match self.current.take().filter(there) {
-            Some((face, _)) => Some(face),
-            None => self.queue.pop(&self.cdt),
+        if let Some((face, _)) = self.current.take().filter(there) {
+            return Some(face);
         }
+        if !self.select.is_manual() {
+            return self.queue.pop(&self.cdt);
+        }
+        while let Some(picked) = self.picked.pop_front() {
+            if there(&picked) {
+                return Some(picked.0);
+            }
+        }
+        None
+    }
+
+    /// Picks a triangle to be treated, after those picked before; for the order `manual`. One that is gone by then is
+    /// passed over.
+    ///
+    /// Says whether there is such a triangle.
+    pub fn pick(&mut self, face: FaceId) -> bool {
+        let is_there = face.index() < self.cdt.face_slots() && self.cdt.is_real(face);
+        if is_there {
+            self.picked.push_back((face, sorted(self.cdt.face_vertices(face))));
+        }
+        is_there
     }
 
     /// Deletions make room again, so insertions are counted too: no run goes on for ever.
@@ -276,11 +300,24 @@ impl Refinement {
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
     fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
+        if let Some(h) = self.insert.flip_instead(self.view(), place) {
+            self.flip(h);
+            return Ok(());
+        }
         match place {
             Proposal::Split(h) => self.split_instead(&[h]),
             Proposal::OnEdge { edge, point } => self.try_on_edge(edge, point),
             Proposal::Free { point, locus } => self.try_point(point, locus),
         }
+    }
+
+    /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
+    fn flip(&mut self, h: HalfEdgeId) {
+        self.log.clear();
+        let h = self.cdt.flip_edge(h, &mut self.log);
+        self.insertions += 1;
+        self.report.edges_flipped += 1;
+        self.look_at_faces(&mut [h.face(), self.cdt.twin(h).face()]);
     }
 
     /// Subsegments are in the way: one that can be is split, and the triangle waits.
@@ -366,7 +403,7 @@ impl Refinement {
     /// there is nothing to win.
     fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
         let shortest = self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
-        !self.insert.keeps_delaunay() && shortest < self.bisection_floor_sq
+        self.insert.keeps_small_angles() && shortest < self.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
@@ -398,14 +435,22 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        let faces: Vec<FaceId> = self.cdt.faces_around(v).collect();
-        self.look_at_faces(&faces);
+        let mut faces: Vec<FaceId> = self.cdt.faces_around(v).collect();
+        self.look_at_faces(&mut faces);
+    }
+
+    /// Puts faces in the order of their vertices, where the order in which they are looked at matters.
+    fn put_in_order(&self, faces: &mut [FaceId]) {
+        if self.select.is_by_arrival() {
+            faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
+        }
     }
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
-    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
+    pub(super) fn look_at_faces(&mut self, faces: &mut [FaceId]) {
+        self.put_in_order(faces);
         let mut subsegments: Vec<HalfEdgeId> = Vec::new();
-        for &f in faces {
+        for &mut f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
@@ -414,6 +459,9 @@ impl Refinement {
 
     /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
     fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
+        if !self.prepare.is_lasting() {
+            return;
+        }
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
         for h in subsegments {
@@ -431,9 +479,8 @@ impl Refinement {
 
     /// Queues a face if it is bad.
     fn look_at_bad(&mut self, f: FaceId) {
-        let corners = self.cdt.corners(f);
-        if self.badness(f).is_some() {
-            let patience = self.select.patience(corners, self.ruler, self.joined);
+        if self.badness(f).is_some() && !self.select.is_manual() {
+            let patience = self.select.patience(self.view(), f, self.joined);
             self.joined += 1;
             self.queue.push(&self.cdt, f, patience);
         } else {

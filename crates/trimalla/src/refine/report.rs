@@ -24,11 +24,13 @@ pub enum Reason {
     Cancelled,
     /// The strategy has no point that would improve it.
     StrategyCannotImprove,
+    /// The order is `manual`, and it was not picked.
+    NotPicked,
 }
 
 impl Reason {
     /// Every reason.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::InputAngle,
         Self::AcrossSmallInputAngle,
         Self::ProtectedSegment,
@@ -37,6 +39,7 @@ impl Reason {
         Self::Budget,
         Self::Cancelled,
         Self::StrategyCannotImprove,
+        Self::NotPicked,
     ];
 
     /// The reason in words, as reports and JSON spell it.
@@ -51,6 +54,7 @@ impl Reason {
             Self::Budget => "budget",
             Self::Cancelled => "cancelled",
             Self::StrategyCannotImprove => "strategy cannot improve",
+            Self::NotPicked => "not picked",
         }
     }
 
@@ -119,6 +123,8 @@ pub struct Report {
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
+    /// Edges flipped instead of inserting a point, by strategies that do.
+    pub edges_flipped: u64,
     /// Free vertices deleted before a split.
     pub vertices_deleted: u64,
 }

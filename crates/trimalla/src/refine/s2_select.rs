@@ -3,18 +3,39 @@
 use std::sync::Arc;
 
 use super::recipe::{Recipe, Select};
-use super::ruler::Ruler;
-use super::steps::SelectStep;
-use crate::geometry::Point;
+use super::steps::{SelectStep, View};
+use crate::mesh::FaceId;
 
 /// `shortest-edge`: the triangle with the shortest edge first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortestEdge;
 
 impl SelectStep for ShortestEdge {
-    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
-        ruler.length_sq(a, b).min(ruler.length_sq(b, c)).min(ruler.length_sq(c, a))
+    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+        shortest_sq(view, face)
     }
+}
+
+/// `boundary-shortest-edge`: triangles with a side on the border first, then all others; each by the shortest edge.
+///
+/// # Source
+/// `[MeshSuite]` 4.3.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BoundaryShortestEdge;
+
+/// Brings every squared length below those of other triangles, and keeps their order.
+const FIRST: f64 = f64::from_bits((1023 - 500) << 52); // 2^-500
+
+impl SelectStep for BoundaryShortestEdge {
+    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+        let on_border = face.half_edges().into_iter().any(|h| view.cdt.is_boundary(h));
+        shortest_sq(view, face) * if on_border { FIRST } else { 1.0 }
+    }
+}
+
+fn shortest_sq(view: View<'_>, face: FaceId) -> f64 {
+    let ([a, b, c], ruler) = (view.cdt.corners(face), view.ruler);
+    ruler.length_sq(a, b).min(ruler.length_sq(b, c)).min(ruler.length_sq(c, a))
 }
 
 /// `smallest-angle`: the triangle with the smallest angle first, by its squared sine.
@@ -22,7 +43,8 @@ impl SelectStep for ShortestEdge {
 pub(super) struct SmallestAngle;
 
 impl SelectStep for SmallestAngle {
-    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
+    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+        let ([a, b, c], ruler) = (view.cdt.corners(face), view.ruler);
         // The smallest angle is never above 60 degrees, where the sine rises with it: twice the area over the
         // product of the two longer sides.
         let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));
@@ -37,7 +59,8 @@ impl SelectStep for SmallestAngle {
 pub(super) struct SmallestCircumradius;
 
 impl SelectStep for SmallestCircumradius {
-    fn patience(&self, [a, b, c]: [Point; 3], ruler: Ruler, _: u64) -> f64 {
+    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+        let ([a, b, c], ruler) = (view.cdt.corners(face), view.ruler);
         // The product of the sides over four times the area, squared and without the factor.
         let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));
         let [p, q, r] = [ruler.length_sq(a, b), ruler.length_sq(b, c), ruler.length_sq(c, a)];
@@ -51,8 +74,26 @@ pub(super) struct First;
 
 impl SelectStep for First {
     #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 triangles ever wait")]
-    fn patience(&self, _: [Point; 3], _: Ruler, joined: u64) -> f64 {
+    fn patience(&self, _: View<'_>, _: FaceId, joined: u64) -> f64 {
         joined as f64
+    }
+
+    fn is_by_arrival(&self) -> bool {
+        true
+    }
+}
+
+/// `manual`: the triangles that the caller picks, one after the other, bad or not; it ends when none is left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Manual;
+
+impl SelectStep for Manual {
+    fn patience(&self, _: View<'_>, _: FaceId, _: u64) -> f64 {
+        0.0
+    }
+
+    fn is_manual(&self) -> bool {
+        true
     }
 }
 
@@ -62,6 +103,8 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {
         Select::ShortestEdge => Arc::new(ShortestEdge),
         Select::SmallestAngle => Arc::new(SmallestAngle),
         Select::SmallestCircumradius => Arc::new(SmallestCircumradius),
+        Select::BoundaryShortestEdge => Arc::new(BoundaryShortestEdge),
+        Select::Manual => Arc::new(Manual),
         Select::First => Arc::new(First),
     }
 }

@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use super::lepp::longest_edge;
 use super::recipe::{Insert, Recipe};
-use super::steps::InsertStep;
+use super::ruler::Ruler;
+use super::steps::{InsertStep, Proposal, View};
 use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
+use crate::triangulation::Triangulation;
 
 /// `flip`: the face or edge is split, then Lawson's flips restore the circle test.
 ///
@@ -80,6 +83,60 @@ impl InsertStep for Partition {
         cdt.cut_subsegment(h, p, provenance, log)
     }
 
+    fn keeps_small_angles(&self) -> bool {
+        true
+    }
+
+    fn keeps_delaunay(&self) -> bool {
+        false
+    }
+}
+
+/// `flip-or-centroid`: where the terminal edge fails the circle test it is flipped; else the new vertex parts the two faces
+/// at it into four. The terminal edge is the longest of the face in which the point lies.
+///
+/// # Source
+/// `[Sanhueza]`, the slide of the algorithm. (Slide 4 puts it the other way round: flips where the pair *is* Delaunay.)
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FlipOrCentroid;
+
+impl FlipOrCentroid {
+    fn edge_of(t: &Triangulation, ruler: Ruler, locus: Locus) -> Option<HalfEdgeId> {
+        match locus {
+            Locus::Face(f) => Some(longest_edge(t, ruler, f)),
+            Locus::Edge(h) => Some(h),
+            _ => None,
+        }
+    }
+}
+
+impl InsertStep for FlipOrCentroid {
+    fn flip_instead(&self, view: View<'_>, place: Proposal) -> Option<HalfEdgeId> {
+        let edge = match place {
+            Proposal::Free { locus, .. } => Self::edge_of(view.cdt, view.ruler, locus)?,
+            Proposal::OnEdge { edge, .. } => edge,
+            Proposal::Split(_) => return None,
+        };
+        view.cdt.fails_circle_test(edge).then_some(edge)
+    }
+
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+        let ruler = Ruler::for_box(cdt.bounding_box());
+        let in_pair = Self::edge_of(cdt, ruler, locus).and_then(|h| cdt.insert_in_pair(p, h, log));
+        in_pair.or_else(|| cdt.place_vertex_at(p, locus, log))
+    }
+
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError> {
+        cdt.cut_subsegment(h, p, provenance, log)
+    }
+
     fn keeps_delaunay(&self) -> bool {
         false
     }
@@ -90,6 +147,7 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {
     match recipe.insert {
         Insert::Flip => Arc::new(Flip),
         Insert::Cavity => Arc::new(Cavity),
+        Insert::FlipOrCentroid => Arc::new(FlipOrCentroid),
         Insert::Partition => Arc::new(Partition),
     }
 }

@@ -214,7 +214,7 @@ impl Refinement {
         }
         faces.sort_unstable();
         faces.dedup();
-        self.look_at_faces(&faces);
+        self.look_at_faces(&mut faces);
         true
     }
 }

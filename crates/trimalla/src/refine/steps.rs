@@ -22,16 +22,32 @@ pub struct View<'a> {
 
 /// Step 1: which subsegments need a split.
 pub trait PrepareStep {
+    /// Whether subsegments are looked at before every insertion, not once before the first.
+    fn is_lasting(&self) -> bool {
+        true
+    }
+
     /// Whether subsegment `h` is to be split before (and while) points go in.
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool;
 }
 
 /// Step 2: the order of bad triangles.
 pub trait SelectStep {
-    /// How long a bad triangle can wait: the one of lowest value is treated first.
+    /// How long a bad triangle can wait, not negative: the one of lowest value is treated first, of equal ones that with
+    /// the lowest vertices.
     ///
     /// `joined` counts the triangles that were bad before it.
-    fn patience(&self, corners: [Point; 3], ruler: Ruler, joined: u64) -> f64;
+    fn patience(&self, view: View<'_>, face: FaceId, joined: u64) -> f64;
+
+    /// Whether the value depends on when a triangle joined: those that join together do so by their vertices then.
+    fn is_by_arrival(&self) -> bool {
+        false
+    }
+
+    /// Whether only triangles that the caller picks are treated.
+    fn is_manual(&self) -> bool {
+        false
+    }
 }
 
 /// A place that a point strategy proposes for a new vertex, with its locus: nobody asks rounded numbers again.
@@ -89,6 +105,12 @@ pub trait PointStep {
 
 /// Step 4: how a vertex goes in.
 pub trait InsertStep {
+    /// The edge to flip instead of inserting at this place: the next place is asked for then.
+    fn flip_instead(&self, view: View<'_>, place: Proposal) -> Option<HalfEdgeId> {
+        let _ = (view, place);
+        None
+    }
+
     /// Inserts a vertex at `p`, whose place is known, through the journal; `None`, and nothing changed, where rounding
     /// leaves no room.
     fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId>;
@@ -105,6 +127,11 @@ pub trait InsertStep {
         provenance: Provenance,
         log: &mut UndoLog,
     ) -> Result<VertexId, SplitError>;
+
+    /// Whether the smallest angle at a vertex never gets larger: then splitting goes no further than it can help.
+    fn keeps_small_angles(&self) -> bool {
+        false
+    }
 
     /// Whether the circle test holds afterwards.
     fn keeps_delaunay(&self) -> bool {
