@@ -1,5 +1,6 @@
 //! The five steps in combination: what must not depend on a choice, and what must.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
@@ -9,8 +10,8 @@ use trimalla::geometry::{Point, Triangle};
 use trimalla::mesh::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
-    Insert, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover, RefineOptions, Refinement,
-    Report, Select,
+    Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover, RefineOptions,
+    Refinement, Report, Select, StepOutcome,
 };
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
@@ -254,4 +255,58 @@ fn manual_refinement_treats_what_is_picked() {
             .iter()
             .all(|l| matches!(l.reason, Reason::NotPicked | Reason::InputAngle | Reason::AcrossSmallInputAngle))
     );
+}
+
+/// Every step says what it did, and all of them are taken back to the arrays of the start.
+#[test]
+fn steps_tell_what_they_did_and_are_taken_back() {
+    for (name, drawing) in small_shapes() {
+        for &preset in Preset::ALL {
+            let options = RefineOptions::of(preset).with_min_angle_deg(30.0).with_max_vertices(200);
+            let mut refinement = begun(&drawing, options);
+            let start = refinement.triangulation().clone();
+            let mut states = vec![(start.clone(), 0)];
+            loop {
+                let before = triangles_of(refinement.triangulation());
+                let event = refinement.step();
+                assert_eq!(event.number, refinement.steps_made());
+                let mut expected: BTreeSet<Name> = before;
+                assert!(event.destroyed.iter().all(|t| expected.remove(t)), "{name}, {preset}: {event:?}");
+                assert!(event.made.iter().all(|t| expected.insert(*t)), "{name}, {preset}: {event:?}");
+                assert!(expected == triangles_of(refinement.triangulation()), "{name}, {preset}: {event:?}");
+                if let Some(inserted) = event.inserted {
+                    assert_eq!(refinement.triangulation().point(inserted.vertex), inserted.point);
+                }
+                if let Some((triangle, _)) = event.selected {
+                    assert_eq!(event.lepp.first(), Some(&triangle));
+                    assert!(
+                        event.terminal_edge.is_some()
+                            && event.given_up.is_some() != event.candidates.iter().any(|c| c.refused.is_none())
+                    );
+                }
+                let done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted);
+                states.push((refinement.triangulation().clone(), event.number));
+                if done {
+                    break;
+                }
+            }
+            for (state, steps) in states.iter().rev().skip(1) {
+                assert!(refinement.back(), "{name}, {preset}: back to {steps}");
+                assert_eq!(refinement.steps_made(), *steps);
+                assert!(refinement.triangulation() == state, "{name}, {preset}: step {steps}");
+            }
+            assert!(!refinement.back() && *refinement.triangulation() == start, "{name}, {preset}");
+            // Forward again it goes the same way.
+            refinement.run_until(|_| false);
+            assert!(refinement.triangulation() == &states[states.len() - 1].0, "{name}, {preset}");
+        }
+    }
+}
+
+fn triangles_of(cdt: &ConstrainedDelaunay) -> BTreeSet<Name> {
+    let sorted = |mut t: Name| {
+        t.sort_unstable();
+        t
+    };
+    cdt.real_faces().map(|f| sorted(cdt.face_vertices(f))).collect()
 }

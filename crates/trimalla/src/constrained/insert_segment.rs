@@ -156,7 +156,7 @@ impl ConstrainedDelaunay {
     }
 
     /// The class of an edge of two classes.
-    fn joined<J: Journal>(&mut self, a: u32, b: u32, j: &mut J) -> u32 {
+    pub(super) fn joined<J: Journal>(&mut self, a: u32, b: u32, j: &mut J) -> u32 {
         let before = self.constraints.len();
         let mark = self.constraints.joined(a, b);
         self.note_classes(before, j);

@@ -17,7 +17,7 @@ use super::constrained::ConstrainedDelaunay;
 use super::split_crossings::Piece;
 use crate::geometry::Point;
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
+use crate::mesh::{HalfEdgeId, Journal, NoJournal, VertexId};
 
 /// A stretch of segments that was let go.
 pub(crate) type Released = Piece;
@@ -55,13 +55,13 @@ impl ConstrainedDelaunay {
     }
 
     /// Marks what is there of the segments let go; returns the pieces that are no edges.
-    pub(crate) fn claim(&mut self, released: &[Released]) -> Vec<Released> {
+    pub(crate) fn claim<J: Journal>(&mut self, released: &[Released], j: &mut J) -> Vec<Released> {
         let mut missing = Vec::new();
         for &piece in released {
             match self.t.half_edge_between(piece.from, piece.to) {
                 Some(h) => {
-                    let mark = self.constraints.joined(self.t.mark(h), piece.mark);
-                    self.t.mesh.set_mark(h, mark, &mut NoJournal);
+                    let mark = self.joined(self.t.mark(h), piece.mark, j);
+                    self.t.mesh.set_mark(h, mark, j);
                 }
                 None => missing.push(piece),
             }
@@ -72,7 +72,12 @@ impl ConstrainedDelaunay {
     /// Splits what was let go until it is edges, and marks those; returns how many vertices went in.
     ///
     /// What the limits leave missing goes in as whole edges, so that in the end every segment is a chain of edges.
-    pub(crate) fn recover_by_splitting(&mut self, released: Vec<Released>, limits: &SplitLimits<'_>) -> usize {
+    pub(crate) fn recover_by_splitting<J: Journal>(
+        &mut self,
+        released: Vec<Released>,
+        limits: &SplitLimits<'_>,
+        j: &mut J,
+    ) -> usize {
         let (mut pieces, mut inserted) = (released, 0);
         // Each round but the last puts a vertex in.
         loop {
@@ -80,7 +85,7 @@ impl ConstrainedDelaunay {
             let mut next = Vec::with_capacity(pieces.len());
             for piece in pieces {
                 let room = inserted < limits.vertices;
-                match self.parted(piece, room, limits) {
+                match self.parted(piece, room, limits, j) {
                     Some((v, is_new)) => {
                         inserted += usize::from(is_new);
                         next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
@@ -93,15 +98,21 @@ impl ConstrainedDelaunay {
                 break;
             }
         }
-        for piece in self.claim(&pieces) {
+        for piece in self.claim(&pieces, j) {
             // Nothing crosses it that it did not cross before it was let go, but for rounding.
-            let _ = self.work_off(piece, 0, &mut NoJournal);
+            let _ = self.work_off(piece, 0, j);
         }
         inserted
     }
 
     /// The vertex that parts a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.
-    fn parted(&mut self, piece: Piece, room: bool, limits: &SplitLimits<'_>) -> Option<(VertexId, bool)> {
+    fn parted<J: Journal>(
+        &mut self,
+        piece: Piece,
+        room: bool,
+        limits: &SplitLimits<'_>,
+        j: &mut J,
+    ) -> Option<(VertexId, bool)> {
         if self.t.half_edge_between(piece.from, piece.to).is_some() {
             return None;
         }
@@ -120,8 +131,8 @@ impl ConstrainedDelaunay {
             Locus::Vertex(v) => Some((v, false)).filter(|_| v != piece.from && v != piece.to),
             Locus::Edge(h) if self.t.is_marked(h) => None,
             locus @ (Locus::Face(_) | Locus::Edge(_)) => {
-                let v = self.insert_vertex_at(p, locus, &mut NoJournal);
-                self.set_provenance(v, provenance, &mut NoJournal);
+                let v = self.insert_vertex_at(p, locus, j);
+                self.set_provenance(v, provenance, j);
                 Some((v, true))
             }
             _ => None,

@@ -119,6 +119,11 @@ impl UndoLog {
         self.entries.is_empty()
     }
 
+    /// What was noted, oldest first.
+    pub fn entries(&self) -> impl DoubleEndedIterator<Item = &Entry> {
+        self.entries.iter()
+    }
+
     /// Forgets everything: what was noted can no longer be taken back.
     pub fn clear(&mut self) {
         self.entries.clear();

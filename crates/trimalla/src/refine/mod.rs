@@ -26,6 +26,8 @@
 
 mod bad_triangles;
 mod encroachment;
+mod event;
+mod history;
 mod leftovers;
 pub mod lepp;
 mod options;
@@ -45,6 +47,7 @@ pub mod steps;
 mod tests;
 
 pub use bad_triangles::UserTest;
+pub use event::{Candidate, Event, InsertedKind, InsertedVertex, Name, Why};
 pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use recipe::{

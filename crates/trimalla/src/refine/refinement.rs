@@ -6,6 +6,8 @@ use std::sync::Arc;
 
 use super::bad_triangles::{Badness, Queue, Test, sorted};
 use super::encroachment::Region;
+use super::event::{Event, InsertedKind};
+use super::history::History;
 use super::options::{OptionError, RefineOptions};
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
@@ -68,6 +70,10 @@ pub struct Refinement {
     /// Vertices inserted in all, those deleted or taken back included.
     pub(super) insertions: u64,
     pub(super) report: Report,
+    /// What the step at work did, where somebody wants to know.
+    pub(super) event: Option<Box<Event>>,
+    /// How to go back, where somebody may want to.
+    pub(super) history: Option<History>,
 }
 
 impl fmt::Debug for Refinement {
@@ -80,7 +86,7 @@ impl fmt::Debug for Refinement {
 }
 
 /// What one step did.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StepOutcome {
     /// A subsegment was looked at and split if it still needed it.
     Subsegment,
@@ -89,6 +95,7 @@ pub enum StepOutcome {
     /// Segments that had been let go were brought back.
     Recovered,
     /// Nothing is left to do.
+    #[default]
     Finished,
     /// The vertex budget is used up.
     Exhausted,
@@ -131,6 +138,8 @@ impl Refinement {
             vertices,
             insertions: 0,
             report: Report { recipe, ..Report::default() },
+            event: None,
+            history: None,
             cdt,
             options,
         };
@@ -193,6 +202,7 @@ impl Refinement {
     /// # Complexity
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
+        self.history = None;
         let mut reported = self.insertions;
         let stop = loop {
             if self.insertions >= reported + PROGRESS_EVERY || self.insertions == 0 {
@@ -201,7 +211,7 @@ impl Refinement {
                     break StopReason::Cancelled;
                 }
             }
-            match self.step() {
+            match self.advance() {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
                 StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered => {}
@@ -211,12 +221,15 @@ impl Refinement {
         stop
     }
 
-    fn progress(&self) -> Progress {
+    pub(super) fn progress(&self) -> Progress {
         Progress { vertices: self.vertices, waiting: self.queue.len(), max_vertices: self.options.limits.max_vertices }
     }
 
     /// One step: a waiting subsegment first, then the most urgent bad triangle.
-    pub fn step(&mut self) -> StepOutcome {
+    ///
+    /// The log holds what it changed, and nothing else.
+    pub(super) fn advance(&mut self) -> StepOutcome {
+        self.log.clear();
         if self.is_exhausted() {
             let waits = !self.encroached.is_empty() || self.queue.len() > 0;
             return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
@@ -228,6 +241,7 @@ impl Refinement {
             return if self.recover_segments() { StepOutcome::Recovered } else { StepOutcome::Finished };
         };
         let name = sorted(self.cdt.face_vertices(face));
+        self.note_selected(face);
         match self.treat(face) {
             Ok(()) if self.options.recipe.until_destroyed => self.current = Some((face, name)),
             Ok(()) => self.queue_if_there(face, name),
@@ -293,7 +307,11 @@ impl Refinement {
         self.point.propose(self.view(), face, &mut places);
         let mut refused = Reason::PrecisionFloor;
         // Nothing changes until one is taken, so that the loci stay right.
-        let taken = places.iter().any(|&place| self.try_place(place).map_err(|reason| refused = reason).is_ok());
+        let taken = places.iter().any(|&place| {
+            let tried = self.try_place(place);
+            self.note_candidate(place, tried);
+            tried.map_err(|reason| refused = reason).is_ok()
+        });
         self.places = places;
         if taken { Ok(()) } else { Err(refused) }
     }
@@ -313,7 +331,6 @@ impl Refinement {
 
     /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
     fn flip(&mut self, h: HalfEdgeId) {
-        self.log.clear();
         let h = self.cdt.flip_edge(h, &mut self.log);
         self.insertions += 1;
         self.report.edges_flipped += 1;
@@ -350,7 +367,6 @@ impl Refinement {
         if self.nearest_sq(point, locus) < self.floor_sq {
             return Err(self.floor_reason);
         }
-        self.log.clear();
         let here = self.log.checkpoint();
         let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
         self.insertions += 1;
@@ -362,10 +378,12 @@ impl Refinement {
         if encroached.is_empty() {
             self.vertices += 1;
             self.report.points_inserted += 1;
+            self.note_inserted(v, InsertedKind::Free);
             self.look_around(v);
             return Ok(());
         }
         let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
+        self.note(|event| event.encroached.clone_from(&ends));
         self.cdt.rollback(&mut self.log, here);
         self.report.points_rejected += 1;
         let subsegments: Vec<HalfEdgeId> =
@@ -378,7 +396,6 @@ impl Refinement {
         if self.nearest_sq(point, Locus::Edge(h)) < self.floor_sq {
             return Err(self.floor_reason);
         }
-        self.log.clear();
         let here = self.log.checkpoint();
         let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
@@ -389,6 +406,7 @@ impl Refinement {
         }
         self.vertices += 1;
         self.report.points_inserted += 1;
+        self.note_inserted(v, InsertedKind::OnEdge);
         self.look_around(v);
         Ok(())
     }

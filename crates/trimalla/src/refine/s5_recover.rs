@@ -13,6 +13,7 @@ use super::refinement::Refinement;
 use super::steps::RecoverStep;
 use crate::constrained::SplitLimits;
 use crate::geometry::Point;
+use crate::mesh::NoJournal;
 
 /// `whole-edge`: segments are edges that nothing removes; there is nothing to recover.
 ///
@@ -76,7 +77,8 @@ impl Refinement {
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
         let vertices = self.options.limits.max_vertices.saturating_sub(self.vertices);
-        let inserted = self.cdt.recover_by_splitting(released, &SplitLimits { vertices, may_part: &may_part });
+        let limits = SplitLimits { vertices, may_part: &may_part };
+        let inserted = self.cdt.recover_by_splitting(released, &limits, &mut self.log);
         self.vertices += inserted;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
@@ -87,7 +89,7 @@ impl Refinement {
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
     pub(super) fn claim_segments(&mut self) {
         self.recover_segments();
-        let missing = self.cdt.claim(&self.released);
+        let missing = self.cdt.claim(&self.released, &mut NoJournal);
         let mut lost: Vec<u32> =
             missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark)).copied().collect();
         lost.sort_unstable();

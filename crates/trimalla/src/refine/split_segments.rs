@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::event::InsertedKind;
 use super::options::Protect;
 use super::refinement::Refinement;
 use super::report::Reason;
@@ -63,6 +64,7 @@ impl Refinement {
     /// Splits the subsegment that waits longest, if it still needs it.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
+        self.note(|event| event.subsegment = Some([a, b]));
         let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
         if let Some(h) = there.filter(|&h| forced || self.prepare.needs_split(self.view(), h)) {
             if !self.split(h) {
@@ -81,7 +83,6 @@ impl Refinement {
         }
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
         let Ok(cut) = self.cut_of(h) else { return false };
-        self.log.clear();
         let here = self.log.checkpoint();
         let insert = Arc::clone(&self.insert);
         if let Ok(v) = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log) {
@@ -92,6 +93,8 @@ impl Refinement {
             }
             self.vertices += 1;
             self.report.segments_split += 1;
+            let on_shell = matches!(cut.provenance, Provenance::Shell { .. });
+            self.note_inserted(v, if on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
             self.look_around(v);
             return true;
         }
@@ -201,9 +204,11 @@ impl Refinement {
     /// Deletes a free vertex; looks at the triangles and subsegments of the hole.
     fn delete(&mut self, v: VertexId) -> bool {
         let link: Vec<VertexId> = self.cdt.neighbours(v).collect();
-        if self.cdt.remove(v).is_err() {
+        let at = self.cdt.point(v);
+        if self.cdt.remove_with(v, &mut self.log).is_err() {
             return false;
         }
+        self.note(|event| event.deleted.push((v, at)));
         self.vertices -= 1;
         self.report.vertices_deleted += 1;
         let mut faces: Vec<FaceId> = Vec::new();

@@ -50,7 +50,7 @@ fn every_step_keeps_the_invariants() {
     let options = RefineOptions::default().with_min_angle_deg(33.0).with_max_area(0.05);
     let mut r = Refinement::new(cdt, options).unwrap();
     for _ in 0..2000 {
-        if r.step() == StepOutcome::Finished {
+        if r.step().outcome == StepOutcome::Finished {
             return;
         }
         assert_eq!(r.triangulation().check(), []);

@@ -1,0 +1,212 @@
+//! What a step did, with everything that a drawing of it needs.
+//!
+//! Events are made only for those who step; a run notes nothing.
+
+use std::collections::BTreeMap;
+
+use super::bad_triangles::{Badness, sorted};
+use super::lepp::lepp;
+use super::refinement::{Refinement, StepOutcome};
+use super::report::Reason;
+use super::steps::Proposal;
+use crate::geometry::Point;
+use crate::mesh::{Column, FaceId, HalfEdgeId, VertexId};
+
+/// What is wrong with a triangle that was selected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// An angle is below the bound.
+    Angle,
+    /// The aspect ratio is above the bound.
+    AspectRatio,
+    /// The area is above the bound.
+    Area,
+    /// The caller's own test refuses it.
+    Asked,
+    /// Nothing: it was picked.
+    Picked,
+}
+
+impl Why {
+    /// In words.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Angle => "angle",
+            Self::AspectRatio => "aspect ratio",
+            Self::Area => "area",
+            Self::Asked => "asked",
+            Self::Picked => "picked",
+        }
+    }
+}
+
+/// What sort of place a new vertex got.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InsertedKind {
+    /// Free, inside a face or exactly on an unconstrained edge.
+    Free,
+    /// On an unconstrained edge, but for its rounding.
+    OnEdge,
+    /// In the middle of a subsegment.
+    SegmentMiddle,
+    /// On a subsegment, on a circle around an end where segments meet.
+    Shell,
+}
+
+impl InsertedKind {
+    /// In words.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::OnEdge => "on edge",
+            Self::SegmentMiddle => "segment middle",
+            Self::Shell => "shell",
+        }
+    }
+}
+
+/// A place that was tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    /// The point; `None` for the split of a subsegment that was in the way.
+    pub point: Option<Point>,
+    /// The subsegment that was in the way, or the edge on which the point lies.
+    pub edge: Option<[VertexId; 2]>,
+    /// Why it was refused; `None` where it was taken, or a subsegment is split instead.
+    pub refused: Option<Reason>,
+}
+
+/// A vertex that went in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InsertedVertex {
+    /// The vertex.
+    pub vertex: VertexId,
+    /// Where it lies.
+    pub point: Point,
+    /// What sort of place that is.
+    pub kind: InsertedKind,
+}
+
+/// Three vertices of a triangle, in ascending order.
+pub type Name = [VertexId; 3];
+
+/// What a step did.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Event {
+    /// The number of the step, from 1.
+    pub number: u64,
+    /// What it was about.
+    pub outcome: StepOutcome,
+    /// The subsegment that was looked at, lower vertex first.
+    pub subsegment: Option<[VertexId; 2]>,
+    /// The triangle that was selected, and what is wrong with it.
+    pub selected: Option<(Name, Why)>,
+    /// Its longest-edge propagation path, itself first.
+    pub lepp: Vec<Name>,
+    /// The terminal edge of that path.
+    pub terminal_edge: Option<[VertexId; 2]>,
+    /// The places tried, in order.
+    pub candidates: Vec<Candidate>,
+    /// Subsegments that the point would have encroached upon.
+    pub encroached: Vec<[VertexId; 2]>,
+    /// The vertex that went in.
+    pub inserted: Option<InsertedVertex>,
+    /// Free vertices that were deleted before, with their places.
+    pub deleted: Vec<(VertexId, Point)>,
+    /// Why the triangle was given up.
+    pub given_up: Option<Reason>,
+    /// Triangles that are no more, ascending.
+    pub destroyed: Vec<Name>,
+    /// Triangles that are new, ascending.
+    pub made: Vec<Name>,
+}
+
+impl Refinement {
+    /// One step, and what it did; [`back`](Self::back) takes it back.
+    ///
+    /// # Complexity
+    /// That of the step; the first call remembers the triangulation as it is, and so does now and then another.
+    pub fn step(&mut self) -> Event {
+        self.remember();
+        let number = self.count_step();
+        self.event = Some(Box::new(Event { number, ..Event::default() }));
+        let given_up = self.given_up.len();
+        let outcome = self.advance();
+        let mut event = *self.event.take().unwrap_or_default();
+        event.outcome = outcome;
+        event.given_up = self.given_up.get(given_up).map(|g| g.1);
+        (event.destroyed, event.made) = self.changed_faces();
+        event
+    }
+
+    /// Adds to the event, where there is one.
+    pub(super) fn note(&mut self, add: impl FnOnce(&mut Event)) {
+        if let Some(event) = &mut self.event {
+            add(event);
+        }
+    }
+
+    pub(super) fn note_selected(&mut self, face: FaceId) {
+        if self.event.is_none() {
+            return;
+        }
+        let why = self.badness(face).map_or(Why::Picked, |b| match b {
+            Badness::Angle => Why::Angle,
+            Badness::AspectRatio => Why::AspectRatio,
+            Badness::Area => Why::Area,
+            Badness::Asked => Why::Asked,
+        });
+        let path = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule);
+        let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
+        let (selected, faces) = ((name(face), why), path.faces.iter().map(|&f| name(f)).collect());
+        let terminal = self.ends(path.terminal_edge);
+        self.note(|event| {
+            (event.selected, event.lepp, event.terminal_edge) = (Some(selected), faces, Some(terminal));
+        });
+    }
+
+    pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
+        if self.event.is_none() {
+            return;
+        }
+        // Where it was taken the half-edge is another one now, but its ends are told by the event's other fields.
+        let (point, edge) = match place {
+            Proposal::Free { point, .. } => (Some(point), None),
+            Proposal::OnEdge { edge, point } => (Some(point), tried.is_err().then(|| self.ends(edge))),
+            Proposal::Split(h) => (None, Some(self.ends(h))),
+        };
+        self.note(|event| event.candidates.push(Candidate { point, edge, refused: tried.err() }));
+    }
+
+    pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
+        let point = self.cdt.point(vertex);
+        self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
+    }
+
+    fn ends(&self, h: HalfEdgeId) -> [VertexId; 2] {
+        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
+        [a.min(b), a.max(b)]
+    }
+
+    /// The triangles that the log says are no more, and those that are new.
+    fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
+        let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
+        // The oldest entry of a half-edge is what stood there before the step: later ones overwrite, so go backwards.
+        for entry in self.log.entries().rev().filter(|e| e.column == Column::Origin) {
+            let (face, corner) = (entry.index / 3, (entry.index % 3) as usize);
+            let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));
+            name[corner] = VertexId(u32::try_from(entry.old).unwrap_or(u32::MAX));
+        }
+        let is_real = |v: &Name| v.iter().all(|v| v.is_finite() && *v != VertexId::DEAD);
+        let mut before: Vec<Name> = slots.values().copied().filter(is_real).map(sorted).collect();
+        let now = slots.keys().map(|&f| FaceId(f)).filter(|&f| self.cdt.is_real(f));
+        let mut after: Vec<Name> = now.map(|f| sorted(self.cdt.face_vertices(f))).collect();
+        before.sort_unstable();
+        after.sort_unstable();
+        let destroyed = before.iter().filter(|t| after.binary_search(t).is_err()).copied().collect();
+        let made = after.iter().filter(|t| before.binary_search(t).is_err()).copied().collect();
+        (destroyed, made)
+    }
+}
