@@ -265,7 +265,7 @@ impl Refinement {
             return Some(face);
         }
         if !self.select.is_manual() {
-            return self.queue.pop(&self.cdt);
+            return self.queue.pop(&self.cdt, self.select.takes_oldest());
         }
         while let Some(picked) = self.picked.pop_front() {
             if there(&picked) {
@@ -334,7 +334,9 @@ impl Refinement {
         let h = self.cdt.flip_edge(h, &mut self.log);
         self.insertions += 1;
         self.report.edges_flipped += 1;
-        self.look_at_faces(&mut [h.face(), self.cdt.twin(h).face()]);
+        let mut faces = [h.face(), self.cdt.twin(h).face()];
+        self.put_in_order(&mut faces);
+        self.look_at_faces(&faces);
     }
 
     /// Subsegments are in the way: one that can be is split, and the triangle waits.
@@ -453,22 +455,23 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        let mut faces: Vec<FaceId> = self.cdt.faces_around(v).collect();
-        self.look_at_faces(&mut faces);
+        // From the lowest neighbour on, so that the order depends on no slot.
+        let spokes = self.cdt.star(v).filter(|&h| self.cdt.dest(h).is_finite());
+        let Some(first) = spokes.min_by_key(|&h| self.cdt.dest(h)) else { return };
+        let faces =
+            self.cdt.star_from(first).map(HalfEdgeId::face).filter(|&f| self.cdt.is_real(f)).collect::<Vec<_>>();
+        self.look_at_faces(&faces);
     }
 
-    /// Puts faces in the order of their vertices, where the order in which they are looked at matters.
-    fn put_in_order(&self, faces: &mut [FaceId]) {
-        if self.select.is_by_arrival() {
-            faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
-        }
+    /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
+    pub(super) fn put_in_order(&self, faces: &mut [FaceId]) {
+        faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
     }
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
-    pub(super) fn look_at_faces(&mut self, faces: &mut [FaceId]) {
-        self.put_in_order(faces);
+    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
         let mut subsegments: Vec<HalfEdgeId> = Vec::new();
-        for &mut f in faces {
+        for &f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }

@@ -219,7 +219,8 @@ impl Refinement {
         }
         faces.sort_unstable();
         faces.dedup();
-        self.look_at_faces(&mut faces);
+        self.put_in_order(&mut faces);
+        self.look_at_faces(&faces);
         true
     }
 }
