@@ -26,6 +26,7 @@
 
 mod bad_triangles;
 mod encroachment;
+mod forecast;
 mod leftovers;
 pub mod lepp;
 mod options;
@@ -44,6 +45,7 @@ pub mod steps;
 #[cfg(test)]
 mod tests;
 
+pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use recipe::{
