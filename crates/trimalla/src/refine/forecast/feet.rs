@@ -56,10 +56,14 @@ impl Footed {
     }
 
     fn put_feet(&mut self) {
-        let mut waiting: VecDeque<Piece> = self.pieces.iter().copied().collect();
+        let cdt = &self.cdt;
+        let mut waiting: Vec<(Piece, HalfEdgeId)> =
+            cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| (ends(cdt, h), h)).collect();
+        waiting.sort_unstable();
+        let mut waiting = VecDeque::from(waiting);
         let mut left = MOST_FEET * (self.cdt.points().len() + self.pieces.len());
-        while let Some([a, b]) = waiting.pop_front() {
-            let Some(h) = self.cdt.half_edge_between(a, b) else { continue };
+        while let Some((subsegment, slot)) = waiting.pop_front() {
+            let Some(h) = self.find(subsegment, slot) else { continue };
             let Some((h, t)) = self.foot_of_an_apex(h).filter(|_| left > 0) else { continue };
             let piece = self.piece_of(h);
             let (point, provenance) = self.cdt.point_on_subsegment(h, t);
@@ -71,8 +75,17 @@ impl Footed {
             }
             self.foot_on[foot.index()] = Some(piece);
             let around = self.cdt.faces_around(foot).flat_map(FaceId::half_edges);
-            waiting.extend(around.filter(|&g| self.cdt.is_marked(g)).map(|g| ends(&self.cdt, g)));
+            let mut around: Vec<_> =
+                around.filter(|&g| self.cdt.is_marked(g)).map(|g| (ends(&self.cdt, g), g)).collect();
+            around.sort_unstable();
+            waiting.extend(around);
         }
+    }
+
+    /// The half-edge of a subsegment, which as a rule is still where it was when it began to wait.
+    fn find(&self, [a, b]: Piece, slot: HalfEdgeId) -> Option<HalfEdgeId> {
+        let there = self.cdt.is_real(slot.face()) && ends(&self.cdt, slot) == [a, b];
+        if there { Some(slot) } else { self.cdt.half_edge_between(a, b) }
     }
 
     /// The foot of the nearer apex that needs one, as a parameter of `h` or its twin.
@@ -118,14 +131,14 @@ impl Footed {
             (None, None) => true,
             (Some(piece), None) => !self.meets(v, piece),
             (None, Some(piece)) => !self.meets(u, piece),
-            (Some(one), Some(two)) => !share_an_end(one, two),
+            (Some(one), Some(two)) => shared_end(one, two).is_none(),
         }
     }
 }
 
-/// Whether two pieces meet, or are one.
-pub(super) fn share_an_end(one: Piece, two: Piece) -> bool {
-    one.iter().any(|v| two.contains(v))
+/// Where two pieces meet, if they do; one of its ends for a piece and itself.
+pub(super) fn shared_end(one: Piece, two: Piece) -> Option<VertexId> {
+    one.into_iter().find(|v| two.contains(v))
 }
 
 fn ends(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Piece {

@@ -9,7 +9,7 @@
 //!      ════════════════════        region: halfway to what a ray meets
 //! ```
 
-use super::feet::{Footed, share_an_end};
+use super::feet::{Footed, Piece, shared_end};
 use super::sizes::Sizes;
 use crate::geometry::{Point, Vector};
 use crate::mesh::HalfEdgeId;
@@ -48,11 +48,7 @@ pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f6
     let [a, b] = footed.cdt.edge_points(h);
     let along = footed.ruler.vector(a, b);
     let length = along.length_sq().sqrt();
-    let tents = Tents {
-        ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))],
-        length,
-        grading,
-    };
+    let tents = Tents { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
     let rays = RAYS.map(|t| cast(footed, h, t, FAR * tents.at(t * length) / grading));
     let mut from = Ray { s: 0.0, ..rays[0] };
     let last = Ray { s: length, ..rays[RAYS.len() - 1] };
@@ -141,6 +137,7 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
     // Coordinates relative to a; the ray starts at `from`.
     let from = along.scaled(t);
     let local = |p: Point| footed.ruler.vector(a, p) - from;
+    let start = Point::lerp(a, b, t);
     let missed = |went: f64| Ray { s: t * length, length: went, facing: f64::INFINITY };
     let (mut edge, mut went) = (h, 0.0_f64);
     for _ in 0..MOST_CROSSED {
@@ -150,8 +147,8 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
         let reached = p.cross(q - p) / normal.cross(q - p);
         went = if reached.is_finite() { went.max(reached) } else { went };
         if cdt.is_marked(exit) || cdt.is_ghost(cdt.twin(exit).face()) {
-            let meets = share_an_end(footed.piece_of(exit), footed.piece_of(h));
-            return if meets { missed(went) } else { Ray { facing: went, ..missed(went) } };
+            let counts = is_facing(footed, h, start, exit);
+            return if counts { Ray { facing: went, ..missed(went) } } else { missed(went) };
         }
         if went > far {
             break;
@@ -159,4 +156,15 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
         edge = cdt.twin(exit);
     }
     missed(went)
+}
+
+/// Whether the segment that a ray from a side met counts as close to it where the ray starts.
+///
+/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one.
+fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
+    let (own, other) = (footed.piece_of(h), footed.piece_of(met));
+    let Some(joint) = shared_end(own, other) else { return true };
+    let distance_sq = |p: Point, q: Point| footed.ruler.length_sq(p, q);
+    let length_sq = |piece: Piece| distance_sq(footed.cdt.point(piece[0]), footed.cdt.point(piece[1]));
+    own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other))
 }
