@@ -4,7 +4,7 @@
 //! * [`below_bound()`] lists the triangles with an angle below a bound, by the exact certificate;
 //! * [`against_input()`] compares a mesh with the drawing it was made from;
 //! * [`aspect_ratio`] measures one triangle;
-//! * [`angle_ceiling()`] says of a domain what smallest angle no mesh of it can pass, and [`angle_floor()`] what
+//! * [`angle_ceiling()`] says of a domain what smallest angle no mesh of it can pass, [`angle_floor()`] and [`shell_floor`] what
 //!   refinement keeps in spite of its [`smallest_input_angle`].
 //!
 //! What takes an [`IndexedMesh`](crate::triangulation::IndexedMesh) may be given a broken one, and
@@ -24,7 +24,7 @@ mod table;
 
 pub use against_input::{Comparison, InputFault, against_input};
 pub use angle_ceiling::{AngleCeiling, angle_ceiling};
-pub use angle_floor::{InputAngle, angle_floor, smallest_input_angle};
+pub use angle_floor::{InputAngle, angle_floor, shell_floor, smallest_input_angle};
 pub use below_bound::below_bound;
 pub use histogram::Histogram;
 pub use measure::{Spread, aspect_ratio};

@@ -5,7 +5,7 @@ use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::Angle;
-use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, angle_floor, smallest_input_angle};
+use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
 
 /// The largest bound for which the angle floor is proved, in degrees.
 ///
@@ -38,7 +38,7 @@ impl Outlook {
         }
     }
 
-    /// The angle below which no angle of the finished mesh need be, where that is proved: for the preset `circumcenter`
+    /// The angle below which no angle of the finished mesh need be, the [`shell_floor`], where its argument holds: for the preset `circumcenter`
     /// at bounds of up to 26.45 degrees, without an area bound, length floor or protected segments.
     ///
     /// # Source
@@ -50,6 +50,6 @@ impl Outlook {
             && options.criteria.max_area.is_none()
             && options.limits.length_floor.is_none()
             && options.protect == Protect::None;
-        self.smallest_input_angle.filter(|_| is_proved).map(|input| angle_floor(input.angle))
+        self.smallest_input_angle.filter(|_| is_proved).map(|input| shell_floor(input.angle))
     }
 }

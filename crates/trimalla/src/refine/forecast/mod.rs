@@ -117,7 +117,7 @@ impl fmt::Display for Feature {
 ///
 /// | gap boxes, 10 to 0.01 | `data/shapes` | Triangle's A | 10 000 points | wedges |
 /// |---|---|---|---|---|
-/// | 0.52 to 1.55 | 1.16 to 1.65 | 1.90 | 1.22 | 0.85 to 1.05 |
+/// | 0.52 to 1.55 | 1.16 to 1.65 | 1.90 | 1.22 | 0.85 to 1.34 |
 ///
 /// `cargo test -p trimalla --test forecast -- --nocapture` measures them again.
 ///
