@@ -14,7 +14,7 @@ const WEDGE: &str = "3 2 0 0\n1 0 0\n2 10 0\n3 9.9 1.2\n3 0\n1 1 2\n2 2 3\n3 3 1
 fn a_small_gap_is_foreseen_named_and_stopped_at_the_budget() {
     let scratch = Scratch::new("gap");
     for (gap, midway, triangles) in
-        [("0.01", "0.005", "120,000"), ("0.001", "0.0005", "1,200,000"), ("1e-6", "5e-7", "1.2e9")]
+        [("0.01", "0.005", "150,000"), ("0.001", "0.0005", "1,500,000"), ("1e-6", "5e-7", "1.5e9")]
     {
         scratch.write("gap.poly", gap_box(gap));
         let run = scratch.run("mesh gap.poly --max-vertices 10000 -o out.ele").expect(1);

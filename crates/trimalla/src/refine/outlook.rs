@@ -32,7 +32,7 @@ impl Outlook {
     #[must_use]
     pub fn of(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Self {
         Self {
-            forecast: forecast(cdt, &options.criteria),
+            forecast: forecast(cdt, options),
             angle_ceiling: angle_ceiling(cdt),
             smallest_input_angle: smallest_input_angle(cdt),
         }

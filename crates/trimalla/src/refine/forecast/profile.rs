@@ -49,7 +49,10 @@ pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f6
     let along = footed.ruler.vector(a, b);
     let length = along.length_sq().sqrt();
     let tents = Tents { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
-    let rays = RAYS.map(|t| cast(footed, h, t, FAR * tents.at(t * length) / grading));
+    let rays = RAYS.map(|t| {
+        let ray = cast(footed, h, t, FAR * tents.at(t * length) / grading);
+        Ray { facing: ray.facing.max(sizes.floor), ..ray }
+    });
     let mut from = Ray { s: 0.0, ..rays[0] };
     let last = Ray { s: length, ..rays[RAYS.len() - 1] };
     for to in rays.into_iter().chain([last]) {

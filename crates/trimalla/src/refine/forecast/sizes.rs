@@ -12,6 +12,8 @@ use crate::mesh::VertexId;
 /// Sizes by vertex, in the ruler's units.
 #[derive(Debug)]
 pub(super) struct Sizes {
+    /// No size is below this.
+    pub(super) floor: f64,
     size: Vec<f64>,
     /// The vertex whose feature sets the size: after grading perhaps one far away.
     source: Vec<VertexId>,
@@ -24,15 +26,18 @@ pub(super) struct Sizes {
 struct Length(u64);
 
 impl Sizes {
-    /// Measures and grades.
+    /// Measures and grades. Refinement goes no lower than the floor, in the ruler's units, so no size does.
     ///
     /// # Complexity
     /// O(n log n).
-    pub(super) fn of(footed: &Footed, grading: f64) -> Self {
+    pub(super) fn of(footed: &Footed, grading: f64, floor: f64) -> Self {
         let n = footed.cdt.points().len();
         let source = (0..n).map(VertexId::from_index).collect();
-        let mut sizes = Self { size: vec![f64::INFINITY; n], source, partner: vec![None; n] };
+        let mut sizes = Self { floor, size: vec![f64::INFINITY; n], source, partner: vec![None; n] };
         sizes.measure(footed);
+        for size in &mut sizes.size {
+            *size = size.max(floor);
+        }
         sizes.grade(footed, grading);
         sizes
     }
