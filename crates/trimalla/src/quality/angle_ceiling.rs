@@ -73,14 +73,12 @@ impl AngleCeiling {
 #[must_use]
 pub fn angle_ceiling(cdt: &ConstrainedDelaunay) -> Option<AngleCeiling> {
     let mut lowest: Option<AngleCeiling> = None;
-    for vertex in cdt.used_vertices() {
-        for_each_sector(cdt, vertex, |sector| {
-            let bound = best_share(sector.angle);
-            if lowest.is_none_or(|found| bound < found.bound) {
-                lowest = Some(AngleCeiling { bound, vertex, at: cdt.point(vertex), sector: sector.angle });
-            }
-        });
-    }
+    for_each_sector(cdt, |vertex, sector| {
+        let bound = best_share(sector.angle);
+        if lowest.is_none_or(|found| bound < found.bound) {
+            lowest = Some(AngleCeiling { bound, vertex, at: cdt.point(vertex), sector: sector.angle });
+        }
+    });
     lowest
 }
 

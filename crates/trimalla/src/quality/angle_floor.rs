@@ -39,13 +39,11 @@ pub struct InputAngle {
 #[must_use]
 pub fn smallest_input_angle(cdt: &ConstrainedDelaunay) -> Option<InputAngle> {
     let mut smallest: Option<InputAngle> = None;
-    for vertex in cdt.used_vertices() {
-        for_each_sector(cdt, vertex, |sector| {
-            if sector.is_corner() && smallest.is_none_or(|found| sector.angle < found.angle) {
-                smallest = Some(InputAngle { angle: sector.angle, vertex, at: cdt.point(vertex) });
-            }
-        });
-    }
+    for_each_sector(cdt, |vertex, sector| {
+        if sector.is_corner() && smallest.is_none_or(|found| sector.angle < found.angle) {
+            smallest = Some(InputAngle { angle: sector.angle, vertex, at: cdt.point(vertex) });
+        }
+    });
     smallest
 }
 

@@ -9,7 +9,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::{Angle, Orientation, Triangle, orient2d};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// A sector at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,18 +27,32 @@ impl Sector {
     }
 }
 
-/// Calls `see` for every sector of the domain at a vertex, counter-clockwise.
+/// Calls `see` for every sector of the domain, vertex after vertex by id, counter-clockwise around each.
+///
+/// Only around vertices at which an edge bounds sectors is there a walk: the others have full turns.
 ///
 /// # Complexity
-/// The degree of the vertex.
-pub(crate) fn for_each_sector(cdt: &ConstrainedDelaunay, v: VertexId, mut see: impl FnMut(Sector)) {
-    let bounds = |h: &HalfEdgeId| cdt.dest(*h).is_finite() && bounds_sectors(cdt, *h);
-    let Some(first) = cdt.star(v).find(bounds) else {
-        if cdt.faces_around(v).next().is_some() {
-            see(Sector { angle: Angle::from_radians(TAU), sides: None });
+/// Linear.
+pub(crate) fn for_each_sector(cdt: &ConstrainedDelaunay, mut see: impl FnMut(VertexId, Sector)) {
+    let mut is_parted = vec![false; cdt.points().len()];
+    for h in cdt.real_faces().flat_map(FaceId::half_edges).filter(|&h| bounds_sectors(cdt, h)) {
+        is_parted[cdt.origin(h).index()] = true;
+        is_parted[cdt.dest(h).index()] = true;
+    }
+    let full_turn = Sector { angle: Angle::from_radians(TAU), sides: None };
+    for v in cdt.used_vertices().filter(|_| cdt.dimension() == 2) {
+        if is_parted[v.index()] {
+            around(cdt, v, |sector| see(v, sector));
+        } else {
+            see(v, full_turn);
         }
-        return;
-    };
+    }
+}
+
+/// The sectors at a vertex at which some edge bounds one.
+fn around(cdt: &ConstrainedDelaunay, v: VertexId, mut see: impl FnMut(Sector)) {
+    let bounds = |h: &HalfEdgeId| cdt.dest(*h).is_finite() && bounds_sectors(cdt, *h);
+    let Some(first) = cdt.star(v).find(bounds) else { return };
     let mut from = first;
     let rest = cdt.star_from(first).skip(1).filter(bounds);
     for to in rest.chain([first]) {

@@ -19,6 +19,7 @@ mod feet;
 mod profile;
 mod sizes;
 
+use std::f64::consts::PI;
 use std::fmt;
 
 use super::options::{Criteria, Limits, RefineOptions};
@@ -45,7 +46,7 @@ const MEAN_OVER_MAX: f64 = 0.6;
 /// What a refinement will come to.
 ///
 /// # Guarantees
-/// A function of the drawing and the options. An estimate, not a bound: see [`forecast()`].
+/// A function of the drawing and the options, up to the rounding of sums. An estimate, not a bound: see [`forecast()`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forecast {
     /// Triangles of the mesh; may be more than any machine can hold.
@@ -197,21 +198,31 @@ impl<'a> Tally<'a> {
     /// Adds what lies around vertices, between the strips of their segments.
     fn add_vertices(&mut self) {
         let cdt = &self.footed.cdt;
-        for v in cdt.used_vertices().filter(|&v| self.footed.foot_on(v).is_none()) {
-            let mut free = 0.0;
-            for_each_sector(cdt, v, |sector| {
-                let kept = if sector.sides.is_some() { core::f64::consts::PI } else { 0.0 };
-                free += (sector.angle.radians() - kept).max(0.0);
-            });
-            if free > 0.0 {
-                let (area, largest) = cdt.faces_around(v).fold((0.0, f64::INFINITY), |(area, largest), f| {
-                    (area + self.area_of(f) / 3.0, self.largest_size(f).min(largest))
-                });
-                let radius = (area / core::f64::consts::PI).sqrt();
-                let part = AROUND_VERTICES * free * fan(self.sizes.at(v), radius, largest);
-                self.by_source[self.sizes.source(v).index()] += part;
+        let mut free = vec![0.0; cdt.points().len()];
+        for_each_sector(cdt, |v, sector| {
+            let kept = if sector.sides.is_some() { PI } else { 0.0 };
+            free[v.index()] += (sector.angle.radians() - kept).max(0.0);
+        });
+        let cells = self.cells();
+        for v in cdt.used_vertices().filter(|&v| free[v.index()] > 0.0 && self.footed.foot_on(v).is_none()) {
+            let (area, largest) = cells[v.index()];
+            let part = fan(self.sizes.at(v), (area / PI).sqrt(), largest);
+            self.by_source[self.sizes.source(v).index()] += AROUND_VERTICES * free[v.index()] * part;
+        }
+    }
+
+    /// A third of the area of the faces at each vertex, and the least of their largest sizes.
+    fn cells(&self) -> Vec<(f64, f64)> {
+        let cdt = &self.footed.cdt;
+        let mut cells = vec![(0.0, f64::INFINITY); cdt.points().len()];
+        for f in cdt.real_faces() {
+            let (third, largest) = (self.area_of(f) / 3.0, self.largest_size(f));
+            for v in cdt.face_vertices(f) {
+                let cell = &mut cells[v.index()];
+                *cell = (cell.0 + third, cell.1.min(largest));
             }
         }
+        cells
     }
 
     /// The area of a face in the ruler's squared units.
@@ -283,16 +294,14 @@ impl<'a> Tally<'a> {
 /// it bounds; infinite for sectors of 180 degrees and more.
 fn slopes_of_bisectors(cdt: &ConstrainedDelaunay) -> Vec<[f64; 2]> {
     let mut slopes = vec![[f64::INFINITY; 2]; 3 * cdt.face_slots()];
-    for v in cdt.used_vertices() {
-        for_each_sector(cdt, v, |sector| match sector.sides {
-            Some([from, to]) if sector.angle.degrees() < 180.0 => {
-                let slope = math::tan(0.5 * sector.angle.radians());
-                slopes[from.index()][0] = slope;
-                slopes[cdt.twin(to).index()][1] = slope;
-            }
-            _ => {}
-        });
-    }
+    for_each_sector(cdt, |_, sector| match sector.sides {
+        Some([from, to]) if sector.angle.degrees() < 180.0 => {
+            let slope = math::tan(0.5 * sector.angle.radians());
+            slopes[from.index()][0] = slope;
+            slopes[cdt.twin(to).index()][1] = slope;
+        }
+        _ => {}
+    });
     slopes
 }
 

@@ -76,12 +76,18 @@ impl Sizes {
         }
     }
 
-    /// Each vertex leaves the heap once with its final size, the smallest first.
+    /// Vertices leave the heap with their final sizes, the smallest first; those that lower no neighbour never join it.
     fn grade(&mut self, footed: &Footed, grading: f64) {
         let cdt = &footed.cdt;
-        let used = cdt.used_vertices().filter(|v| self.size[v.index()] < f64::INFINITY);
-        let mut heap: BinaryHeap<Reverse<(Length, VertexId)>> =
-            used.map(|v| Reverse((Length(self.at(v).to_bits()), v))).collect();
+        let mut heap: BinaryHeap<Reverse<(Length, VertexId)>> = BinaryHeap::new();
+        for h in cdt.edges() {
+            let (u, v) = (cdt.origin(h), cdt.dest(h));
+            let low = if self.at(u) < self.at(v) { u } else { v };
+            let reach = grading * footed.ruler.length_sq(cdt.point(u), cdt.point(v)).sqrt();
+            if self.at(low) + reach < self.at(u).max(self.at(v)) {
+                heap.push(Reverse((Length(self.at(low).to_bits()), low)));
+            }
+        }
         while let Some(Reverse((length, v))) = heap.pop() {
             let size = self.at(v);
             if length.0 != size.to_bits() {
