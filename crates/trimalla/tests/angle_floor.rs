@@ -68,3 +68,10 @@ fn segments_of_any_length_keep_the_floor_of_our_shells() {
         }
     }
 }
+
+#[test]
+fn the_ceiling_of_triangles_a_is_that_of_its_right_angles() {
+    let a = trimalla_testkit::readers::read_poly(&trimalla_testkit::shared_data_or_skip!().join("triangle/A.poly"));
+    let (_, _, ceiling) = refined(&a);
+    assert!((ceiling - 45.0).abs() < 1e-9, "{ceiling}");
+}
