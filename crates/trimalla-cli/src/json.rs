@@ -1,28 +1,26 @@
 //! Reports for programs: one JSON object, keys in alphabetical order.
 
 use serde_json::{Map, Value, json};
-use trimalla::refine::{Report, StopReason};
+use trimalla::refine::StopReason;
 use trimalla::triangulation::IndexedMesh;
 
+use crate::commands::mesh::Made;
 use crate::console;
 use crate::exit::Failure;
 
 /// The report of a refinement.
-pub(crate) fn of_meshing(
-    mesh: &IndexedMesh,
-    report: &Report,
-    algorithm: &str,
-    seconds: f64,
-    warnings: &[String],
-) -> Value {
+pub(crate) fn of_meshing(made: &Made, algorithm: &str) -> Value {
+    let Made { mesh, report, outlook, seconds, warnings, foreseen } = made;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
+    let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
     json!({
         "vertices": mesh.points.len(),
         "triangles": mesh.triangles.len(),
         "steiner_points": mesh.points.len() - mesh.input_points,
         "min_angle": report.min_angle_deg,
         "max_angle": report.max_angle_deg,
+        "angle_ceiling": outlook.angle_ceiling.map(|ceiling| ceiling.bound.degrees()),
         "below_bound": report.leftovers.len(),
         "reasons": reasons,
         "algorithm": algorithm,
@@ -30,8 +28,15 @@ pub(crate) fn of_meshing(
         "complete": report.complete(),
         "stop": stop_key(report.stop),
         "lost_segments": report.lost_segments,
+        "forecast_triangles": whole(outlook.forecast.triangles),
         "warnings": warnings,
     })
+}
+
+/// A count that may be too large for one, as a whole number where it is not.
+fn whole(count: f64) -> Value {
+    const LARGEST: f64 = 9_007_199_254_740_992.0;
+    if count < LARGEST { json!(count as u64) } else { json!(count) }
 }
 
 /// The report of a triangulation.

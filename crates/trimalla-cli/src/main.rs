@@ -15,6 +15,7 @@ mod args;
 mod commands;
 mod console;
 mod exit;
+mod foresight;
 mod input;
 mod json;
 mod names;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::refine::{Leftover, Report};
+use trimalla::refine::{Leftover, Outlook, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console::{self, count};
@@ -62,6 +62,30 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
     }
     if !report.lost_segments.is_empty() {
         lines.row("lost", format_args!("{} (no chain of edges)", count(report.lost_segments.len(), "segment")));
+    }
+}
+
+/// What the smallest input angle costs at worst, where some triangle pays for it and the argument for it holds.
+pub(crate) fn add_floor(
+    lines: &mut Lines,
+    report: &Report,
+    outlook: &Outlook,
+    options: &RefineOptions,
+    drawing: &Input<Pslg>,
+) {
+    let is_forced = report.complete() && !report.leftovers.is_empty();
+    let floor = outlook.angle_floor(options).filter(|_| is_forced);
+    if let (Some(floor), Some(input)) = (floor, outlook.smallest_input_angle) {
+        // Rounded down: what is said stays true.
+        let floor = (100.0 * floor.degrees()).floor() / 100.0;
+        let vertex = drawing.number(input.vertex.index());
+        lines.row(
+            "floor",
+            format_args!(
+                "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
+                input.angle.degrees()
+            ),
+        );
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::constrained::Crossings;
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{self, DomainError, DomainRule, Pslg, Warning};
-use crate::refine::{NoObserver, Observer, OptionError, RefineOptions, Refinement, Report};
+use crate::refine::{NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report};
 use crate::triangulation::IndexedMesh;
 
 /// How a drawing is read before it is triangulated or meshed.
@@ -73,9 +73,12 @@ pub struct Meshed {
     pub report: Report,
     /// What was odd about the drawing.
     pub warnings: Vec<Warning>,
+    /// What was foreseen of the refinement.
+    pub outlook: Outlook,
 }
 
-/// [`mesh`], watched: the observer learns of progress and may cancel, in which case the mesh so far is returned.
+/// [`mesh`], watched: the observer learns of the outlook, then of progress, and may cancel, in which case the mesh so far
+/// is returned.
 ///
 /// # Errors
 /// See [`mesh`].
@@ -83,10 +86,12 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
+    let outlook = Outlook::of(&cdt, &options.refine);
+    observer.outlook(&outlook);
     let mut refinement = Refinement::new(cdt, options.refine)?;
     refinement.run(observer);
     let (cdt, report) = refinement.finish();
-    Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings })
+    Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings, outlook })
 }
 
 /// Triangulates a drawing and keeps its domain; no vertex is added but where segments cross.

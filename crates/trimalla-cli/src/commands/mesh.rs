@@ -6,13 +6,14 @@ use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::Pslg;
 use trimalla::geometry::Angle;
-use trimalla::refine::{Criteria, Limits, Protect, RefineOptions, Report};
+use trimalla::refine::{Criteria, Limits, Outlook, Protect, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{Error, MeshOptions, Meshed};
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
+use crate::foresight::Foresight;
 use crate::input::{Input, read_drawing};
 use crate::names::Names;
 use crate::outputs::Outputs;
@@ -41,7 +42,10 @@ Presets of --algorithm:
 The steps that a preset is made of, and where each comes from: trimalla list
 
 Every triangle left below the bound is counted with its reason. Where two segments of the
-drawing meet at a small angle, no mesh can do without some: they leave the status at 0.";
+drawing meet at a small angle, no mesh can do without some: they leave the status at 0.
+
+Before the work the size of the mesh is foreseen. A warning says where a gap in the drawing needs more
+than --max-vertices, and where a corner keeps every mesh below --min-angle.";
 
 /// Mesh a drawing: triangulate it, and refine until no angle is below the bound
 #[derive(Debug, Args)]
@@ -127,12 +131,17 @@ impl Options {
     fn mesh(&self, drawing: &Input<Pslg>) -> Result<Made, Failure> {
         let names = Names::of(drawing);
         let start = Instant::now();
-        let mut watch = Watch::new(!self.report.json && !self.report.quiet);
-        let meshed = trimalla::mesh_with(&drawing.value, &self.mesh_options(), &mut watch);
+        let options = self.mesh_options();
+        let watch = Watch::new(!self.report.json && !self.report.quiet);
+        let mut foresight = Foresight::new(watch, &names, options.refine, self.report.quiet);
+        let meshed = trimalla::mesh_with(&drawing.value, &options, &mut foresight);
+        let foreseen = std::mem::take(&mut foresight.warnings);
+        drop(foresight);
         let seconds = start.elapsed().as_secs_f64();
         match meshed {
-            Ok(Meshed { mesh, report, warnings }) => {
-                Ok(Made { mesh, report, seconds, warnings: warnings.iter().map(|w| names.warning(w)).collect() })
+            Ok(Meshed { mesh, report, warnings, outlook }) => {
+                let warnings = warnings.iter().map(|w| names.warning(w)).collect();
+                Ok(Made { mesh, report, outlook, seconds, warnings, foreseen })
             }
             Err(Error::Domain(error)) => Err(names.failure(&error)),
             Err(Error::Option(error)) => Err(error.into()),
@@ -147,17 +156,22 @@ impl Options {
         lines.row("algorithm", self.recipe.algorithm);
         text::add_counts(&mut lines, &made.mesh);
         text::add_outcome(&mut lines, &made.report, self.min_angle);
+        text::add_floor(&mut lines, &made.report, &made.outlook, &self.mesh_options().refine, drawing);
         text::add_end(&mut lines, made.seconds, files);
         lines.into_text()
     }
 }
 
 /// A mesh and what there is to say about it.
-struct Made {
-    mesh: IndexedMesh,
-    report: Report,
-    seconds: f64,
-    warnings: Vec<String>,
+pub(crate) struct Made {
+    pub(crate) mesh: IndexedMesh,
+    pub(crate) report: Report,
+    pub(crate) outlook: Outlook,
+    pub(crate) seconds: f64,
+    /// What is odd about the drawing.
+    pub(crate) warnings: Vec<String>,
+    /// What was warned of before the work.
+    pub(crate) foreseen: Vec<String>,
 }
 
 /// Runs it.
@@ -172,9 +186,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.report.warn(&made.warnings);
     let prepared = outputs.prepare_mesh(&made.mesh)?;
     if options.report.json {
-        let Made { mesh, report, seconds, warnings } = &made;
-        let key = options.recipe.algorithm.key();
-        json::print(&json::of_meshing(mesh, report, key, *seconds, warnings))?;
+        json::print(&json::of_meshing(&made, options.recipe.algorithm.key()))?;
     } else {
         let text = options.text(&drawing, &made, &outputs.files());
         console::write(stream, &text)?;

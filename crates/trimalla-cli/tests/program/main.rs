@@ -8,6 +8,7 @@
 mod checks;
 mod common;
 mod faults;
+mod foresight;
 mod help;
 mod interrupt;
 mod outputs;

@@ -534,7 +534,7 @@ fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2] {
 }
 
 /// The length floor in the ruler's units, and the reason it is given as.
-fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
+pub(super) fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
     let largest =
         cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
     let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;

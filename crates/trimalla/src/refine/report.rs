@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::outlook::Outlook;
 use super::recipe::Recipe;
 
 /// Why a triangle stayed bad.
@@ -162,6 +163,9 @@ pub struct Progress {
 pub trait Observer {
     /// Called now and then, at least once in every 256 insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
+
+    /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
+    fn outlook(&mut self, _outlook: &Outlook) {}
 }
 
 /// Watches nothing.
