@@ -24,7 +24,7 @@ build_triangle() {
     ./get_triangle.sh || return 0
     flags="${CFLAGS:--O3 -march=native} -ffp-contract=off -w -DREAL=double -DVOID=void"
     # shellcheck disable=SC2086
-    gcc $flags -DTRILIBRARY -DANSI_DECLARATORS -Itarget/triangle/c drivers/triangle.c target/triangle/c/triangle.c -lm -o "$bin/triangle" ||
+    gcc $flags -DTRILIBRARY -DANSI_DECLARATORS -Itarget/triangle/c drivers/triangle.c target/triangle/c/triangle.c -lm -o "$bin/triangle" 2>/dev/null ||
         skipped "Triangle: its source does not compile"
 }
 

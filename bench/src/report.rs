@@ -126,7 +126,7 @@ fn meshes(text: &mut String, results: &[Results]) {
             let inserted = runs.runs.first()?.vertices.checked_sub(r.points)?;
             Some(runs.cpu().filter(|_| runs.failure.is_none())?[0] * 1e9 / inserted as f64)
         };
-        for runs in &r.all {
+        for runs in r.all.iter().filter(|runs| r.verdict(runs) == Verdict::Right) {
             let vertices = r.ratio(runs.program.key, "triangle", |m| m.vertices as f64);
             if runs.program.key == "trimalla" {
                 sizes.extend(vertices);

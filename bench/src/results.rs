@@ -75,6 +75,7 @@ impl Results {
             (None, _) => Verdict::Failed,
             (Some(_), _) if runs.program.inside_only(self.job.task) => Verdict::Other,
             (Some(counts), Some(agreed)) if counts != agreed => Verdict::Wrong,
+            (Some((vertices, triangles)), None) if vertices < self.points || triangles == 0 => Verdict::Wrong,
             _ => Verdict::Right,
         }
     }

@@ -38,6 +38,7 @@ fn main() -> Outcome<()> {
 struct Drawing {
     points: Vec<[f64; 2]>,
     segments: Vec<[u32; 2]>,
+    holes: usize,
 }
 
 impl Drawing {
@@ -53,8 +54,8 @@ impl Drawing {
         }
         let n = u64::from_le_bytes(word()?) as usize;
         let m = u64::from_le_bytes(word()?) as usize;
-        word()?;
-        let mut drawing = Self { points: Vec::with_capacity(n), segments: Vec::with_capacity(m) };
+        let holes = u64::from_le_bytes(word()?) as usize;
+        let mut drawing = Self { holes, points: Vec::with_capacity(n), segments: Vec::with_capacity(m) };
         for _ in 0..n {
             drawing.points.push([f64::from_le_bytes(word()?), f64::from_le_bytes(word()?)]);
         }
@@ -132,7 +133,7 @@ fn inside(t: &Constrained) -> Vec<bool> {
     let outer = t.outer_face();
     inside[outer.index()] = false;
     let free = |e: &spade::handles::DirectedEdgeHandle<'_, Point2<f64>, (), spade::CdtEdge<()>, ()>| !e.is_constraint_edge();
-    let mut next: Vec<_> = t.convex_hull().filter(free).map(|e| [e, e.rev()]).flatten().map(|e| e.face()).filter(|f| !f.is_outer()).collect();
+    let mut next: Vec<_> = t.convex_hull().filter(free).flat_map(|e| [e, e.rev()]).map(|e| e.face()).filter(|f| !f.is_outer()).collect();
     while let Some(face) = next.pop() {
         if !std::mem::replace(&mut inside[face.index()], false) {
             continue;
@@ -143,13 +144,14 @@ fn inside(t: &Constrained) -> Vec<bool> {
     inside
 }
 
+/// A drawing with holes is an outline, so its outside is left out; otherwise the convex hull is meant.
 fn spade_refine(mut drawing: Drawing, angle: f64, area: f64) -> Outcome<Measured> {
     use spade::{AngleLimit, RefinementParameters};
     let segments = drawing.segments_as(|s| s);
     let points = drawing.points_as(|[x, y]| Point2::new(x, y));
     let mut wanted = RefinementParameters::<f64>::new()
         .with_max_additional_vertices(20_000_000)
-        .exclude_outer_faces(true)
+        .exclude_outer_faces(drawing.holes > 0)
         .with_angle_limit(AngleLimit::from_deg(angle));
     if area > 0.0 {
         wanted = wanted.with_max_allowed_area(area);

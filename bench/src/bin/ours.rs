@@ -20,23 +20,25 @@ fn main() -> Outcome<()> {
     let algorithm = AlgorithmKey::ALL.into_iter().find(|a| a.key() == key).unwrap_or_default();
     let drawing = drawing::read(Path::new(file))?;
     let measured = match task.as_str() {
-        "points" => points(&drawing, algorithm)?,
-        "constrained" => constrained(&drawing, algorithm)?,
-        "polygon" => polygon(&drawing, algorithm)?,
-        "refine" => refine(&drawing, key, angle.parse()?, area.parse()?)?,
+        "points" => timed_points(&drawing, algorithm)?,
+        "constrained" => timed_constrained(&drawing, algorithm)?,
+        "polygon" => timed_polygon(&drawing, algorithm)?,
+        "refine" => timed_refine(&drawing, key, angle.parse()?, area.parse()?)?,
         _ => return Err(format!("there is no task '{task}'").into()),
     };
     println!("{measured}");
     Ok(())
 }
 
-fn points(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
+#[inline(never)]
+fn timed_points(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
     let (t, measured) = measure(|| algorithm.triangulate(&drawing.points, None))?;
     let t = t?;
     Ok(Measured { vertices: t.used_vertices().count(), triangles: t.face_count(), ..measured })
 }
 
-fn constrained(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
+#[inline(never)]
+fn timed_constrained(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
     let call = || ConstrainedDelaunay::with_algorithm(&drawing.points, &drawing.segments, Crossings::Refuse, algorithm);
     let (t, measured) = measure(call)?;
     let t = t?;
@@ -44,13 +46,15 @@ fn constrained(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
 }
 
 /// The outside carved away.
-fn polygon(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
+#[inline(never)]
+fn timed_polygon(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
     let (t, measured) = measure(|| domain::build(drawing, DomainRule::Seeds, Crossings::Refuse, algorithm))?;
     let (t, _) = t?;
     Ok(Measured { vertices: t.used_vertices().count(), triangles: t.face_count(), ..measured })
 }
 
-fn refine(drawing: &Pslg, key: &str, angle: f64, area: f64) -> Outcome<Measured> {
+#[inline(never)]
+fn timed_refine(drawing: &Pslg, key: &str, angle: f64, area: f64) -> Outcome<Measured> {
     let preset = Preset::ALL.iter().copied().find(|p| p.key() == key).unwrap_or_default();
     let mut refine = RefineOptions::of(preset).with_min_angle_deg(angle).with_max_vertices(50_000_000);
     if area > 0.0 {
