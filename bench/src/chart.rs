@@ -18,7 +18,11 @@ pub fn svg(results: &[Results]) -> String {
     for family in FAMILIES {
         let jobs: Vec<&Results> = results.iter().filter(|r| r.job.family == family).collect();
         if !jobs.is_empty() {
-            let _ = writeln!(body, r#"<text x="10" y="{}" class="family">{family}: CPU time, best correct peer = 1</text>"#, y + 14);
+            let _ = writeln!(
+                body,
+                r#"<text x="10" y="{}" class="family">{family}: CPU time, best correct peer = 1</text>"#,
+                y + 14
+            );
             y = chart(&mut body, &jobs, y + 24) + 20;
         }
     }
@@ -41,7 +45,8 @@ fn chart(body: &mut String, jobs: &[&Results], mut y: usize) -> usize {
         y += ROW / 2;
     }
     let one = LEFT as f64 + UNIT;
-    let _ = writeln!(body, r##"<line x1="{one}" y1="{top}" x2="{one}" y2="{y}" stroke="#333" stroke-dasharray="3 3"/>"##);
+    let _ =
+        writeln!(body, r##"<line x1="{one}" y1="{top}" x2="{one}" y2="{y}" stroke="#333" stroke-dasharray="3 3"/>"##);
     y
 }
 

@@ -141,7 +141,8 @@ impl Program {
             Task::Constrained => self.tasks.contains('c'),
             Task::Polygon => self.tasks.contains('o'),
             Task::Refine(..) => {
-                self.tasks.contains('r') || (self.tasks.contains('R') && job.input.starts_with("w6b") && job.name.ends_with(":30"))
+                self.tasks.contains('r')
+                    || (self.tasks.contains('R') && job.input.starts_with("w6b") && job.name.ends_with(":30"))
             }
         }
     }

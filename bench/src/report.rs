@@ -28,7 +28,9 @@ fn summary(text: &mut String, results: &[Results]) {
     for r in results {
         let Some(ours) = r.of("trimalla").and_then(Runs::cpu) else { continue };
         let cpu = |m: &crate::Measured| m.cpu;
-        let ratio = |peer: &str| number(r.of(peer).filter(|p| r.verdict(p) == Verdict::Right).and_then(|_| r.ratio("trimalla", peer, cpu)));
+        let ratio = |peer: &str| {
+            number(r.of(peer).filter(|p| r.verdict(p) == Verdict::Right).and_then(|_| r.ratio("trimalla", peer, cpu)))
+        };
         let best = r.best_peer();
         let their = best.and_then(Runs::cpu).map(|c| c[0]);
         let _ = writeln!(
@@ -94,9 +96,13 @@ fn row(text: &mut String, results: &Results, runs: &Runs) {
 
 /// Nanoseconds a point, where a family has one input in several sizes.
 fn growth(text: &mut String, jobs: &[&Results]) {
-    let kind = |r: &Results| r.job.input.trim_end_matches(|c: char| c.is_ascii_digit() || c == 'k' || c == 'm').to_string();
-    let Some(most) = jobs.iter().map(|r| kind(r)).max_by_key(|k| jobs.iter().filter(|r| kind(r) == *k).count()) else { return };
-    let sizes: Vec<&&Results> = jobs.iter().filter(|r| kind(r) == most && r.job.task != Task::Refine(0.0, 0.0, 0.0)).collect();
+    let kind =
+        |r: &Results| r.job.input.trim_end_matches(|c: char| c.is_ascii_digit() || c == 'k' || c == 'm').to_string();
+    let Some(most) = jobs.iter().map(|r| kind(r)).max_by_key(|k| jobs.iter().filter(|r| kind(r) == *k).count()) else {
+        return;
+    };
+    let sizes: Vec<&&Results> =
+        jobs.iter().filter(|r| kind(r) == most && r.job.task != Task::Refine(0.0, 0.0, 0.0)).collect();
     if sizes.len() < 2 || sizes.iter().any(|r| matches!(r.job.task, Task::Refine(..))) {
         return;
     }

@@ -90,9 +90,8 @@ pub fn uniform(n: usize, seed: u64) -> Vec<Point> {
 
 fn clusters(n: usize, seed: u64) -> Vec<Point> {
     let mut random = Random(seed);
-    let clusters: Vec<(Point, f64)> = (0..1000)
-        .map(|_| (Point::new(random.unit(), random.unit()), 10f64.powf(random.between(-4.0, -2.0))))
-        .collect();
+    let clusters: Vec<(Point, f64)> =
+        (0..1000).map(|_| (Point::new(random.unit(), random.unit()), 10f64.powf(random.between(-4.0, -2.0)))).collect();
     let mut points: Vec<Point> = (0..n)
         .map(|i| {
             let (centre, width) = clusters[i % 1000];
@@ -184,7 +183,8 @@ fn some_edges(n: usize) -> Outcome<Pslg> {
 fn side_to_side(n: usize) -> Pslg {
     let m = n / 1000;
     let mut random = Random(55);
-    let mut heights = || -> Vec<f64> { (0..m).map(|i| (i as f64 + 0.5 + random.between(-0.4, 0.4)) / m as f64).collect() };
+    let mut heights =
+        || -> Vec<f64> { (0..m).map(|i| (i as f64 + 0.5 + random.between(-0.4, 0.4)) / m as f64).collect() };
     let (left, right) = (heights(), heights());
     let mut points: Vec<Point> = left.into_iter().map(|y| Point::new(0.0, y)).collect();
     points.extend(right.into_iter().map(|y| Point::new(1.0, y)));

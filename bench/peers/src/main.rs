@@ -132,14 +132,18 @@ fn inside(t: &Constrained) -> Vec<bool> {
     let mut inside = vec![true; t.num_all_faces()];
     let outer = t.outer_face();
     inside[outer.index()] = false;
-    let free = |e: &spade::handles::DirectedEdgeHandle<'_, Point2<f64>, (), spade::CdtEdge<()>, ()>| !e.is_constraint_edge();
-    let mut next: Vec<_> = t.convex_hull().filter(free).flat_map(|e| [e, e.rev()]).map(|e| e.face()).filter(|f| !f.is_outer()).collect();
+    let free =
+        |e: &spade::handles::DirectedEdgeHandle<'_, Point2<f64>, (), spade::CdtEdge<()>, ()>| !e.is_constraint_edge();
+    let mut next: Vec<_> =
+        t.convex_hull().filter(free).flat_map(|e| [e, e.rev()]).map(|e| e.face()).filter(|f| !f.is_outer()).collect();
     while let Some(face) = next.pop() {
         if !std::mem::replace(&mut inside[face.index()], false) {
             continue;
         }
         let Some(face) = face.as_inner() else { continue };
-        next.extend(face.adjacent_edges().into_iter().filter(free).map(|e| e.rev().face()).filter(|f| inside[f.index()]));
+        next.extend(
+            face.adjacent_edges().into_iter().filter(free).map(|e| e.rev().face()).filter(|f| inside[f.index()]),
+        );
     }
     inside
 }

@@ -79,7 +79,8 @@ impl Options {
                 _ => return Err(format!("no option is called '{option}'\n{HELP}").into()),
             }
         }
-        let programs = PROGRAMS.into_iter().filter(|p| programs.as_ref().is_none_or(|l| l.split(',').any(|k| k == p.key)));
+        let programs =
+            PROGRAMS.into_iter().filter(|p| programs.as_ref().is_none_or(|l| l.split(',').any(|k| k == p.key)));
         let programs: Vec<Program> = programs.filter(|p| p.driver(&target.join("bin")).is_some()).collect();
         let command = format!("bench/run.sh {}", said.join(" "));
         let limit = Duration::from_secs_f64(limit);
@@ -118,11 +119,14 @@ fn chosen(only: Option<String>) -> Outcome<Vec<Job>> {
     let Some(only) = only else { return Ok(all) };
     let mut chosen = Vec::new();
     for name in only.split(',') {
-        let found: Vec<Job> = all.iter().filter(|j| j.name == name || j.input == name || j.family == name).cloned().collect();
+        let found: Vec<Job> =
+            all.iter().filter(|j| j.name == name || j.input == name || j.family == name).cloned().collect();
         if !found.is_empty() {
             chosen.extend(found);
         } else {
-            chosen.push(jobs::other(name).ok_or_else(|| format!("no workload or family is called '{name}': see --list"))?);
+            chosen.push(
+                jobs::other(name).ok_or_else(|| format!("no workload or family is called '{name}': see --list"))?,
+            );
         }
     }
     chosen.sort_by_key(|j| FAMILIES.iter().position(|f| *f == j.family));
@@ -183,7 +187,8 @@ fn run(driver: &Path, arguments: &[String], limit: Duration) -> Outcome<Measured
     let output = child.wait_with_output()?;
     if !status.success() {
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        let why = if said.contains("panicked at") { "panicked" } else { said.lines().next().unwrap_or("no word of why") };
+        let why =
+            if said.contains("panicked at") { "panicked" } else { said.lines().next().unwrap_or("no word of why") };
         return Err(format!("{why} ({status})").into());
     }
     parse(&String::from_utf8(output.stdout)?)

@@ -20,7 +20,9 @@ use trimalla_bench::workloads::{polar, ring};
 type Row = (&'static str, Pslg, [usize; 3]);
 
 fn main() -> Outcome<()> {
-    println!("| shape | vertices | edges given | edges of the triangulation | vertices, ms | edges, ms | together, ms |");
+    println!(
+        "| shape | vertices | edges given | edges of the triangulation | vertices, ms | edges, ms | together, ms |"
+    );
     println!("|--|--|--|--|--|--|--|");
     let rows: [Row; 5] = [
         ("9a, a simple polygon", with_points(star(33), 0), [33, 33, 63]),
@@ -36,7 +38,12 @@ fn main() -> Outcome<()> {
         }
         let [vertices, edges] = times(&drawing)?;
         let [n, m, e] = found;
-        println!("| {name} | {n} | {m} | {e} | {:.4} | {:.4} | {:.4} |", vertices * 1e3, edges * 1e3, (vertices + edges) * 1e3);
+        println!(
+            "| {name} | {n} | {m} | {e} | {:.4} | {:.4} | {:.4} |",
+            vertices * 1e3,
+            edges * 1e3,
+            (vertices + edges) * 1e3
+        );
     }
     println!("\n| growing shape | vertices | edges given | a vertex, ns | an edge given, ns |\n|--|--|--|--|--|");
     for n in [1_000, 10_000, 100_000, 1_000_000] {
@@ -76,8 +83,12 @@ fn times(drawing: &Pslg) -> Outcome<[f64; 2]> {
 /// Edges of the triangulation inside the drawing.
 fn edges(drawing: &Pslg) -> Outcome<usize> {
     let (mesh, _) = triangulate(drawing, &DomainOptions::default())?;
-    let mut edges: Vec<[u32; 2]> =
-        mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut edges: Vec<[u32; 2]> = mesh
+        .triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
     edges.sort_unstable();
     edges.dedup();
     Ok(edges.len())
@@ -148,7 +159,8 @@ impl<'a> Inside<'a> {
 
 /// A ring of 60 corners with nine holes of 16.
 fn plate() -> Pslg {
-    let circle = |centre: Point, radius: f64, n: usize| (0..n).map(move |i| polar(centre, radius, TAU * i as f64 / n as f64));
+    let circle =
+        |centre: Point, radius: f64, n: usize| (0..n).map(move |i| polar(centre, radius, TAU * i as f64 / n as f64));
     let mut drawing = outline(circle(Point::new(0.0, 0.0), 1.0, 60).collect());
     for k in 0..9 {
         let centre = Point::new(0.45 * f64::from(k % 3 - 1), 0.45 * f64::from(k / 3 - 1));
