@@ -74,7 +74,7 @@ fn foreseen(pslg: &Pslg, criteria: Criteria) -> Forecast {
 }
 
 fn at(degrees: f64) -> Criteria {
-    Criteria { min_angle: Angle::from_degrees(degrees), max_area: None }
+    Criteria { min_angle: Angle::from_degrees(degrees), ..Criteria::default() }
 }
 
 fn refined(pslg: &Pslg, options: RefineOptions) -> Report {
