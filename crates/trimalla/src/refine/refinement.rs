@@ -87,7 +87,10 @@ pub enum StepOutcome {
 }
 
 impl Refinement {
-    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build).
+    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build) or taken over by
+    /// [`domain::from_mesh`](crate::domain::from_mesh()).
+    ///
+    /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
     ///
     /// # Errors
     /// [`OptionError`].
@@ -127,8 +130,12 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Step 1 for the input, and every bad triangle into the queue.
+    /// Step 1 for the input, and every bad triangle into the queue. Before, a start that is not Delaunay becomes so,
+    /// unless the way points go in leaves that open.
     fn start(&mut self) {
+        if self.insert.keeps_delaunay() {
+            self.report.edges_flipped = self.cdt.legalise();
+        }
         debug_assert!(self.recover.locks_segments(), "whole-edge is the only way to recover so far");
         self.queue_all_encroached();
         let faces: Vec<FaceId> = self.cdt.real_faces().collect();

@@ -110,6 +110,8 @@ pub struct Report {
     pub leftovers: Vec<Leftover>,
     /// Why it ended.
     pub stop: StopReason,
+    /// Edges flipped before the first insertion, to make a given mesh Delaunay.
+    pub edges_flipped: u64,
     /// Points inserted inside triangles.
     pub points_inserted: u64,
     /// Points taken back because they encroached upon a segment.
