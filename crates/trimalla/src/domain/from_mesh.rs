@@ -12,7 +12,7 @@
 
 use std::collections::BTreeSet;
 
-use super::chains::{Chain, Locked, Names, edge_of, follow, rejoin};
+use super::chains::{Chain, Locked, edge_of, follow, rejoin};
 use super::crowded::crowded_border;
 use super::error::{DomainError, Warning};
 use super::given::{Given, take_over};
