@@ -45,9 +45,9 @@ pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
     format!("{}: {}", drawing.name(), parts.join(", "))
 }
 
-/// The size of a mesh.
-pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh) {
-    let added = mesh.points.len() - mesh.input_points;
+/// The size of a mesh, of whose vertices so many are not new.
+pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
+    let added = mesh.points.len() - old;
     lines.row("vertices", format_args!("{} ({added} added)", mesh.points.len()));
     lines.row("triangles", mesh.triangles.len());
 }

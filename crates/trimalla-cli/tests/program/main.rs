@@ -11,4 +11,5 @@ mod faults;
 mod help;
 mod interrupt;
 mod outputs;
+mod refine;
 mod reports;
