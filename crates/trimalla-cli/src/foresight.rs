@@ -81,6 +81,10 @@ impl<'a> Foresight<'a> {
 }
 
 impl Observer for Foresight<'_> {
+    fn wants_outlook(&self) -> bool {
+        true
+    }
+
     fn outlook(&mut self, outlook: &Outlook) {
         if let Some(ceiling) = outlook.angle_ceiling.filter(|c| c.forbids(self.options.criteria.min_angle)) {
             self.warn(self.describe_ceiling(&ceiling));

@@ -1,16 +1,17 @@
 //! Reports for programs: one JSON object, keys in alphabetical order.
 
 use serde_json::{Map, Value, json};
+use trimalla::Meshed;
 use trimalla::refine::StopReason;
 use trimalla::triangulation::IndexedMesh;
 
-use crate::commands::mesh::Made;
 use crate::console;
 use crate::exit::Failure;
+use crate::refining::Made;
 
 /// The report of a refinement.
-pub(crate) fn of_meshing(made: &Made, algorithm: &str) -> Value {
-    let Made { mesh, report, outlook, seconds, warnings, foreseen } = made;
+pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
+    let Made { meshed: Meshed { mesh, report, outlook, .. }, warnings, foreseen, .. } = made;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
     let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
@@ -20,7 +21,7 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str) -> Value {
         "steiner_points": mesh.points.len() - mesh.input_points,
         "min_angle": report.min_angle_deg,
         "max_angle": report.max_angle_deg,
-        "angle_ceiling": outlook.angle_ceiling.map(|ceiling| ceiling.bound.degrees()),
+        "angle_ceiling": outlook.as_ref().and_then(|o| o.angle_ceiling).map(|ceiling| ceiling.bound.degrees()),
         "below_bound": report.leftovers.len(),
         "reasons": reasons,
         "algorithm": algorithm,
@@ -28,7 +29,7 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str) -> Value {
         "complete": report.complete(),
         "stop": stop_key(report.stop),
         "lost_segments": report.lost_segments,
-        "forecast_triangles": whole(outlook.forecast.triangles),
+        "forecast_triangles": outlook.as_ref().map(|o| whole(o.forecast.triangles)),
         "warnings": warnings,
     })
 }

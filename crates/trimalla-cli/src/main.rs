@@ -5,7 +5,8 @@
 //! | [`args`] | what the command line may say |
 //! | [`commands`] | one file a subcommand |
 //! | [`input`] | drawings and meshes with the names that their files give to things |
-//! | [`names`], [`records`] | faults and warnings in the numbers and lines of the file |
+//! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
+//! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | what came of it, for people and for programs |
@@ -23,6 +24,8 @@ mod outputs;
 mod progress;
 mod recipe_options;
 mod records;
+mod refining;
+mod renumber;
 mod text;
 
 use std::process::ExitCode;

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use trimalla::Meshed;
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::refine::{Leftover, Outlook, RefineOptions, Report};
+use trimalla::refine::{Leftover, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console::{self, count};
@@ -45,9 +46,9 @@ pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
     format!("{}: {}", drawing.name(), parts.join(", "))
 }
 
-/// The size of a mesh.
-pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh) {
-    let added = mesh.points.len() - mesh.input_points;
+/// The size of a mesh, of whose vertices so many are not new.
+pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
+    let added = mesh.points.len() - old;
     lines.row("vertices", format_args!("{} ({added} added)", mesh.points.len()));
     lines.row("triangles", mesh.triangles.len());
 }
@@ -66,27 +67,17 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
 }
 
 /// What the smallest input angle costs at worst, where some triangle pays for it and the argument for it holds.
-pub(crate) fn add_floor(
-    lines: &mut Lines,
-    report: &Report,
-    outlook: &Outlook,
-    options: &RefineOptions,
-    drawing: &Input<Pslg>,
-) {
-    let is_forced = report.complete() && !report.leftovers.is_empty();
-    let floor = outlook.angle_floor(options).filter(|_| is_forced);
-    if let (Some(floor), Some(input)) = (floor, outlook.smallest_input_angle) {
-        // Rounded down: what is said stays true.
-        let floor = (100.0 * floor.degrees()).floor() / 100.0;
-        let vertex = drawing.number(input.vertex.index());
-        lines.row(
-            "floor",
-            format_args!(
-                "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
-                input.angle.degrees()
-            ),
-        );
-    }
+pub(crate) fn floor(meshed: &Meshed, options: &RefineOptions, drawing: &Input<Pslg>) -> Option<String> {
+    let outlook = meshed.outlook.as_ref()?;
+    let is_forced = meshed.report.complete() && !meshed.report.leftovers.is_empty();
+    let (floor, input) = (outlook.angle_floor(options).filter(|_| is_forced)?, outlook.smallest_input_angle?);
+    // Rounded down: what is said stays true.
+    let floor = (100.0 * floor.degrees()).floor() / 100.0;
+    let vertex = drawing.number(input.vertex.index());
+    Some(format!(
+        "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
+        input.angle.degrees()
+    ))
 }
 
 /// The smallest and the largest angle.

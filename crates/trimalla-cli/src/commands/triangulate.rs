@@ -63,7 +63,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(&drawing));
         lines.row("algorithm", options.algorithm);
-        text::add_counts(&mut lines, &mesh);
+        text::add_counts(&mut lines, &mesh, mesh.input_points);
         lines.row("angles", text::angles(angles_deg));
         text::add_end(&mut lines, seconds, &outputs.files());
         console::write(stream, &lines.into_text())?;

@@ -12,4 +12,5 @@ mod foresight;
 mod help;
 mod interrupt;
 mod outputs;
+mod refine;
 mod reports;

@@ -102,7 +102,10 @@ pub enum StepOutcome {
 }
 
 impl Refinement {
-    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build).
+    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build) or taken over by
+    /// [`domain::from_mesh`](crate::domain::from_mesh()).
+    ///
+    /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
     ///
     /// # Errors
     /// [`OptionError`].
@@ -147,8 +150,12 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Segments that are not locked let go; step 1 for the input; every bad triangle into the queue.
+    /// Segments that are not locked let go; step 1 for the input; every bad triangle into the queue. Before, a start that is
+    /// not Delaunay becomes so, unless the way points go in leaves that open.
     fn start(&mut self) {
+        if self.cdt.as_given && self.insert.keeps_delaunay() {
+            self.report.edges_flipped = self.cdt.legalise();
+        }
         if !self.recover.locks_segments() {
             self.released = self.cdt.release_inner_segments();
         }
@@ -333,7 +340,7 @@ impl Refinement {
     fn flip(&mut self, h: HalfEdgeId) {
         let h = self.cdt.flip_edge(h, &mut self.log);
         self.insertions += 1;
-        self.report.edges_flipped += 1;
+        self.report.flips_instead += 1;
         let mut faces = [h.face(), self.cdt.twin(h).face()];
         self.put_in_order(&mut faces);
         self.look_at_faces(&faces);

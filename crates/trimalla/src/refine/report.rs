@@ -118,6 +118,8 @@ pub struct Report {
     pub lost_segments: Vec<u32>,
     /// Why it ended.
     pub stop: StopReason,
+    /// Edges flipped before the first insertion, to make a given mesh Delaunay.
+    pub edges_flipped: u64,
     /// Points inserted inside triangles.
     pub points_inserted: u64,
     /// Points taken back because they encroached upon a segment.
@@ -125,7 +127,7 @@ pub struct Report {
     /// Subsegments split.
     pub segments_split: u64,
     /// Edges flipped instead of inserting a point, by strategies that do.
-    pub edges_flipped: u64,
+    pub flips_instead: u64,
     /// Free vertices deleted before a split.
     pub vertices_deleted: u64,
 }
@@ -163,6 +165,11 @@ pub struct Progress {
 pub trait Observer {
     /// Called now and then, at least once in every 256 insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
+
+    /// Whether it wants the outlook, which costs about a tenth of the work.
+    fn wants_outlook(&self) -> bool {
+        false
+    }
 
     /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
     fn outlook(&mut self, _outlook: &Outlook) {}

@@ -180,7 +180,8 @@ impl Refinement {
         dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
 
-    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first.
+    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first; those that
+    /// came with the mesh stay.
     ///
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
@@ -191,7 +192,7 @@ impl Refinement {
                 let Some(h) = self.cdt.half_edge_between(from, to) else { return };
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
-                    && self.cdt.provenance(apex).is_free()
+                    && self.cdt.is_deletable(apex)
                     && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
                         == CircleSide::Inside;
                 if !inside || !self.delete(apex) {
