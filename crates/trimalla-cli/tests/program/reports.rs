@@ -14,7 +14,7 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 4] = ["angle_ceiling", "forecast_triangles", "stop", "warnings"];
+const EXTRA: [&str; 5] = ["angle_ceiling", "forecast_triangles", "lost_segments", "stop", "warnings"];
 
 #[test]
 fn json_has_the_promised_keys_and_no_others() {

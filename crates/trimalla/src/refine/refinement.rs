@@ -127,7 +127,7 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
-            bisection_floor_sq: shortest_edge_sq(&cdt, ruler) / (BISECTIONS * BISECTIONS),
+            bisection_floor_sq: 0.0,
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
@@ -146,6 +146,9 @@ impl Refinement {
             cdt,
             options,
         };
+        if refinement.insert.keeps_small_angles() {
+            refinement.bisection_floor_sq = shortest_edge_sq(&refinement.cdt, ruler) / (BISECTIONS * BISECTIONS);
+        }
         refinement.start();
         Ok(refinement)
     }
@@ -184,8 +187,8 @@ impl Refinement {
     /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
     /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
-    /// // Small triangles near the left side.
-    /// let fine = |t: trimalla::geometry::Triangle, _| t.centroid().x < 1.0 && t.area() > 0.05;
+    /// // The smaller the farther left.
+    /// let fine = |t: trimalla::geometry::Triangle, _| t.area() > 0.05 + 0.1 * t.centroid().x;
     /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(fine);
     /// refinement.run(&mut NoObserver);
     /// # assert!(refinement.finish().1.triangles > 20);
