@@ -175,6 +175,29 @@ impl Refinement {
         }
     }
 
+    /// The same with a step 2 of the caller's own.
+    #[must_use]
+    pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
+        self.select = Arc::new(select);
+        self.queue = Queue::default();
+        self.look_at_everything();
+        self
+    }
+
+    /// The same with a step 3 of the caller's own: `examples/own_strategy.rs` shows one.
+    #[must_use]
+    pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
+        self.point = Arc::new(point);
+        self
+    }
+
+    /// The same with a step 4 of the caller's own.
+    #[must_use]
+    pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
+        self.insert = Arc::new(insert);
+        self
+    }
+
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
     ///
     /// The test gets the triangle, counter-clockwise, and the attribute of its region (0 without). It must answer the same
