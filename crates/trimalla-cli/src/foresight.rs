@@ -1,9 +1,10 @@
 //! What is said before the work: angles that no mesh can reach, meshes that the budget will cut short.
 
 use indicatif::HumanCount;
+use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
-use trimalla::refine::{Cause, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
+use trimalla::refine::{Cause, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
 
 use crate::console;
 use crate::names::Names;
@@ -96,6 +97,14 @@ impl Observer for Foresight<'_> {
 
     fn progress(&mut self, progress: Progress) -> bool {
         self.watch.progress(progress)
+    }
+
+    fn wants_events(&self) -> bool {
+        self.watch.wants_events()
+    }
+
+    fn event(&mut self, event: &Event, cdt: &ConstrainedDelaunay) {
+        self.watch.event(event, cdt);
     }
 }
 

@@ -29,6 +29,14 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
         "complete": report.complete(),
         "stop": stop_key(report.stop),
         "lost_segments": report.lost_segments,
+        "lepp_lengths": report.lepp_lengths,
+        "insertions": {
+            "free": report.points_inserted,
+            "on_segments": report.segments_split,
+            "taken_back": report.points_rejected,
+            "deleted": report.vertices_deleted,
+            "flips_instead": report.flips_instead,
+        },
         "forecast_triangles": outlook.as_ref().map(|o| whole(o.forecast.triangles)),
         "warnings": warnings,
     })

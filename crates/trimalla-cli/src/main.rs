@@ -17,6 +17,7 @@ mod commands;
 mod console;
 mod exit;
 mod foresight;
+mod frames;
 mod input;
 mod json;
 mod names;
@@ -27,6 +28,7 @@ mod records;
 mod refining;
 mod renumber;
 mod text;
+mod trace;
 
 use std::process::ExitCode;
 

@@ -13,6 +13,7 @@ use crate::exit::{Failure, Status};
 use crate::outputs::Outputs;
 use crate::progress::{self, Watch};
 use crate::recipe_options::RecipeOptions;
+use crate::trace::TraceOptions;
 use crate::{json, text};
 
 /// What is asked of a refinement, where results go, and how the report looks.
@@ -56,6 +57,9 @@ pub(crate) struct RefiningOptions {
 
     #[command(flatten)]
     pub(crate) output: OutputOptions,
+
+    #[command(flatten)]
+    trace: TraceOptions,
 
     #[command(flatten)]
     report: ReportOptions,
@@ -118,7 +122,8 @@ impl RefiningOptions {
     pub(crate) fn run(&self, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
-        let watch = Watch::new(!self.report.json && !self.report.quiet);
+        let trace = self.trace.begin()?;
+        let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone());
         let made = (read.make)(&self.refine_options(), watch, self.report.quiet)?;
         let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
         let seconds = start.elapsed().as_secs_f64();
@@ -138,6 +143,9 @@ impl RefiningOptions {
             }
             text::add_end(&mut lines, seconds, &outputs.files());
             console::write(stream, &lines.into_text())?;
+        }
+        if let Some(trace) = trace {
+            trace.finish()?;
         }
         prepared.commit()?;
         if report.complete() {

@@ -61,6 +61,9 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
         0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
         n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
     }
+    if let Some(paths) = paths(&report.lepp_lengths) {
+        lines.row("paths", paths);
+    }
     if !report.lost_segments.is_empty() {
         lines.row("lost", format_args!("{} (no chain of edges)", count(report.lost_segments.len(), "segment")));
     }
@@ -78,6 +81,16 @@ pub(crate) fn floor(meshed: &Meshed, options: &RefineOptions, drawing: &Input<Ps
         "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
         input.angle.degrees()
     ))
+}
+
+/// How long the longest-edge propagation paths were, if any was followed.
+fn paths(lengths: &[u64]) -> Option<String> {
+    let total: u64 = lengths.iter().sum();
+    let sum: u64 = (0..).zip(lengths).map(|(length, n)| length * n).sum();
+    let share = |n: u64| 100.0 * n as f64 / total as f64;
+    let counted = lengths.iter().enumerate().filter(|(_, n)| **n > 0);
+    let shares: Vec<String> = counted.map(|(length, &n)| format!("{length}: {:.0} %", share(n))).collect();
+    (total > 0).then(|| format!("{total}, mean length {:.2} ({})", sum as f64 / total as f64, shares.join(", ")))
 }
 
 /// The smallest and the largest angle.

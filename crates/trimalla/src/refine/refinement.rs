@@ -8,6 +8,7 @@ use super::bad_triangles::{Badness, Queue, Test, sorted};
 use super::encroachment::Region;
 use super::event::{Event, InsertedKind};
 use super::history::History;
+use super::lepp::lepp;
 use super::options::{OptionError, RefineOptions};
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
@@ -72,6 +73,8 @@ pub struct Refinement {
     pub(super) report: Report,
     /// What the step at work did, where somebody wants to know.
     pub(super) event: Option<Box<Event>>,
+    /// Steps of runs told to an observer.
+    pub(super) steps_told: u64,
     /// How to go back, where somebody may want to.
     pub(super) history: Option<History>,
 }
@@ -142,6 +145,7 @@ impl Refinement {
             insertions: 0,
             report: Report { recipe, ..Report::default() },
             event: None,
+            steps_told: 0,
             history: None,
             cdt,
             options,
@@ -244,7 +248,8 @@ impl Refinement {
                     break StopReason::Cancelled;
                 }
             }
-            match self.advance() {
+            let outcome = if observer.wants_events() { self.told(observer) } else { self.advance() };
+            match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
                 StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered => {}
@@ -335,6 +340,7 @@ impl Refinement {
         if of_shape && self.is_beyond_help(self.cdt.corners(face)) {
             return Err(Reason::StrategyCannotImprove);
         }
+        self.count_path(face);
         let mut places = std::mem::take(&mut self.places);
         places.clear();
         self.point.propose(self.view(), face, &mut places);
@@ -347,6 +353,16 @@ impl Refinement {
         });
         self.places = places;
         if taken { Ok(()) } else { Err(refused) }
+    }
+
+    /// Counts the length of the path, where the strategy follows it.
+    fn count_path(&mut self, face: FaceId) {
+        if self.point.follows_path() {
+            let length = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule).len();
+            let lengths = &mut self.report.lepp_lengths;
+            lengths.resize(lengths.len().max(length + 1), 0);
+            lengths[length] += 1;
+        }
     }
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use super::event::Event;
 use super::outlook::Outlook;
 use super::recipe::Recipe;
+use crate::constrained::ConstrainedDelaunay;
 
 /// Why a triangle stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -126,6 +128,8 @@ pub struct Report {
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
+    /// Lengths of longest-edge propagation paths that the strategy followed: how many had 0, 1, 2, … triangles.
+    pub lepp_lengths: Vec<u64>,
     /// Edges flipped instead of inserting a point, by strategies that do.
     pub flips_instead: u64,
     /// Free vertices deleted before a split.
@@ -173,6 +177,14 @@ pub trait Observer {
 
     /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
     fn outlook(&mut self, _outlook: &Outlook) {}
+
+    /// Whether it wants to know of every step.
+    fn wants_events(&self) -> bool {
+        false
+    }
+
+    /// Called after every step, if it is wanted, with the triangulation as it is then.
+    fn event(&mut self, _event: &Event, _cdt: &ConstrainedDelaunay) {}
 }
 
 /// Watches nothing.

@@ -91,6 +91,11 @@ pub trait PointStep {
     /// for rounding or the length floor.
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>);
 
+    /// Whether it follows longest-edge propagation paths, whose lengths are counted then.
+    fn follows_path(&self) -> bool {
+        false
+    }
+
     /// Whether a free point that encroaches upon a subsegment is taken back and the subsegment split instead.
     fn minds_encroachment(&self) -> bool {
         true
