@@ -4,7 +4,9 @@ use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Pslg, Warning};
 use crate::quality::{InputFault, against_input};
-use crate::refine::{NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report};
+use crate::refine::{
+    Initial, NoObserver, Observer, OptionError, Outlook, Prepare, Recipe, RefineOptions, Refinement, Report,
+};
 use crate::triangulation::IndexedMesh;
 
 /// How a drawing is read before it is triangulated or meshed.
@@ -179,6 +181,25 @@ pub fn refine_mesh_with(
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }
     Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
+}
+
+/// The conforming Delaunay triangulation of a drawing's domain: segments inside are split until they are edges without being
+/// walls; the border is constrained.
+///
+/// # Guarantees
+/// Those of [`mesh()`] without bounds on triangles. Splitting stops at the vertex budget and the length floor of
+/// [`Limits`](crate::refine::Limits); what is missing then is put in as whole edges.
+///
+/// # Errors
+/// [`Error`].
+///
+/// # Source
+/// `[MeshSuite]` 2.6.1.
+pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), Error> {
+    let recipe = Recipe { initial: Initial::Conforming, prepare: Prepare::None, ..Recipe::default() };
+    let refine = RefineOptions { recipe, ..RefineOptions::default() }.with_min_angle_deg(0.0);
+    let meshed = mesh_with(pslg, &MeshOptions { domain: *options, refine }, &mut NoObserver)?;
+    Ok((meshed.mesh, meshed.warnings))
 }
 
 /// Triangulates a drawing and keeps its domain; no vertex is added but where segments cross.

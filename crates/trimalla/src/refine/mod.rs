@@ -57,8 +57,8 @@ pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use outlook::Outlook;
 pub use recipe::{
-    ConstrainedSecond, Encroachment, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover, Row, Select,
-    Terminal, UnknownKey, registry,
+    ConstrainedSecond, Encroachment, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover, Row,
+    Select, Terminal, UnknownKey, registry,
 };
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};

@@ -10,6 +10,7 @@ use super::event::{Event, InsertedKind};
 use super::history::History;
 use super::lepp::lepp;
 use super::options::{OptionError, RefineOptions};
+use super::recipe::Initial;
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::split_segments::Encroached;
@@ -157,14 +158,21 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Segments that are not locked let go; step 1 for the input; every bad triangle into the queue. Before, a start that is
-    /// not Delaunay becomes so, unless the way points go in leaves that open.
+    /// The initial triangulation made what the recipe asks; segments that are not locked let go; step 1 for the input; every
+    /// bad triangle into the queue.
     fn start(&mut self) {
-        if self.cdt.as_given && self.insert.keeps_delaunay() {
+        let initial = self.options.recipe.initial;
+        if self.cdt.as_given && self.insert.keeps_delaunay() && initial != Initial::Given {
             self.report.edges_flipped = self.cdt.legalise();
         }
-        if !self.recover.locks_segments() {
+        if initial == Initial::Conforming || !self.recover.locks_segments() {
             self.released = self.cdt.release_inner_segments();
+        }
+        if initial == Initial::Conforming {
+            self.split_released();
+            if !self.recover.locks_segments() {
+                self.released = self.cdt.release_inner_segments();
+            }
         }
         self.look_at_everything();
     }
