@@ -98,7 +98,19 @@ fn near_outside(
     let edge = Segment::new(a, b);
     let largest = edge.largest_coordinate().max(Segment::new(whole[0], whole[1]).largest_coordinate());
     let reach = REACH_ULPS * math::last_place(largest);
-    let near = |v: &VertexId| v.is_finite() && edge.distance(cdt.point(*v)) <= reach;
+    let (along, bound) = (b - a, 2.0 * reach * (b - a).length_sq().sqrt());
+    // Far from the line, by more than this can be off, is far from the edge; most are. What over- or underflows is looked at
+    // closely.
+    let is_far = |p: Point| {
+        let doubled_area = along.cross(p - a).abs();
+        bound.is_normal() && doubled_area > bound && doubled_area.is_finite()
+    };
+    let near = |v: &VertexId| {
+        v.is_finite() && {
+            let p = cdt.point(*v);
+            !is_far(p) && edge.distance(p) <= reach
+        }
+    };
     // Outside, h's twin b→a has its face on the left: around b counter-clockwise from it, around a clockwise.
     let around_b = std::iter::successors(Some(cdt.twin(h)), |&s| Some(cdt.ccw(s)));
     let around_b = around_b.take_while(|s| !kept(s.face())).map(|s| cdt.apex(s));
