@@ -7,6 +7,7 @@
 //! | [`input`] | drawings and meshes with the names that their files give to things |
 //! | [`names`], [`records`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
+//! | [`recipe_options`], [`recipe_file`] | the five steps as options, and as files |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | what came of it, for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
@@ -20,6 +21,7 @@ mod json;
 mod names;
 mod outputs;
 mod progress;
+mod recipe_file;
 mod recipe_options;
 mod records;
 mod text;

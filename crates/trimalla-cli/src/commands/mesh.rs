@@ -5,10 +5,10 @@ use std::time::Instant;
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::Pslg;
-use trimalla::geometry::Angle;
-use trimalla::refine::{Criteria, Limits, Protect, RefineOptions, Report};
+use trimalla::refine::{Limits, Protect, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{Error, MeshOptions, Meshed};
+use trimalla_io::RecipeFile;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console;
@@ -17,6 +17,7 @@ use crate::input::{Input, read_drawing};
 use crate::names::Names;
 use crate::outputs::Outputs;
 use crate::progress::{self, Watch};
+use crate::recipe_file::{self, RecipeFileOptions};
 use crate::recipe_options::RecipeOptions;
 use crate::{json, text};
 
@@ -27,6 +28,8 @@ Examples:
   trimalla mesh key.poly --max-area 0.5 --min-angle 33    smaller, rounder triangles
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
   trimalla mesh - -o - --format poly <key.poly            in a pipe
+  trimalla mesh key.poly --select first --save-recipe mine.toml
+  trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
 
 Angles are in degrees, lengths in the units of the drawing, areas in their squares. The vertices
 of the drawing come first in the mesh, in order, bit for bit.
@@ -50,17 +53,11 @@ pub(crate) struct Options {
     #[command(flatten)]
     drawing: DrawingOptions,
 
-    /// The smallest angle that a triangle may have, in degrees, from 0 to 60
+    /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
     ///
     /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, the vertex budget ends it.
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value = "30",
-        allow_negative_numbers = true,
-        help_heading = "Refinement"
-    )]
-    min_angle: f64,
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = "Refinement")]
+    min_angle: Option<f64>,
 
     /// The largest area that a triangle may have, in squared units of the drawing [default: no limit]
     #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
@@ -73,14 +70,17 @@ pub(crate) struct Options {
     #[command(flatten)]
     recipe: RecipeOptions,
 
-    /// Segments that may not be split
-    #[arg(long, value_name = "WHICH", default_value = Protect::default().key(), help_heading = "Refinement",
-          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
-    protect: Protect,
+    #[command(flatten)]
+    recipe_file: RecipeFileOptions,
 
-    /// Stop at this many vertices, those of the drawing included
-    #[arg(long, value_name = "N", default_value_t = Limits::default().max_vertices, help_heading = "Limits")]
-    max_vertices: usize,
+    /// Segments that may not be split [default: none]
+    #[arg(long, value_name = "WHICH", help_heading = "Refinement",
+          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
+    protect: Option<Protect>,
+
+    /// Stop at this many vertices, those of the drawing included [default: 5000000]
+    #[arg(long, value_name = "N", help_heading = "Limits")]
+    max_vertices: Option<usize>,
 
     /// Bring no two vertices closer together than this, in units of the drawing [default: 256 units in the last place of the largest coordinate]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = "Limits")]
@@ -107,28 +107,25 @@ fn summary_of(protect: Protect) -> &'static str {
 }
 
 impl Options {
-    fn mesh_options(&self) -> MeshOptions {
-        MeshOptions {
-            domain: self.drawing.domain_options(self.triangulator),
-            refine: RefineOptions {
-                recipe: self.recipe.recipe(),
-                criteria: Criteria {
-                    min_angle: Angle::from_degrees(self.min_angle),
-                    max_area: self.max_area,
-                    max_aspect_ratio: self.max_aspect,
-                },
-                protect: self.protect,
-                limits: Limits { max_vertices: self.max_vertices, length_floor: self.length_floor },
-            },
-        }
+    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does.
+    fn asked(&self) -> Result<RecipeFile, Failure> {
+        let mut asked = self.recipe_file.read(&self.recipe)?;
+        asked.min_angle_deg = self.min_angle.or(asked.min_angle_deg).or(Some(30.0));
+        asked.max_area = self.max_area.or(asked.max_area);
+        asked.max_aspect_ratio = self.max_aspect.or(asked.max_aspect_ratio);
+        asked.protect = Some(self.protect.or(asked.protect).unwrap_or_default());
+        asked.max_vertices = self.max_vertices.or(asked.max_vertices).or(Some(Limits::default().max_vertices));
+        asked.length_floor = self.length_floor.or(asked.length_floor);
+        Ok(asked)
     }
 
     /// Triangulates and refines.
-    fn mesh(&self, drawing: &Input<Pslg>) -> Result<Made, Failure> {
+    fn mesh(&self, drawing: &Input<Pslg>, refine: RefineOptions) -> Result<Made, Failure> {
         let names = Names::of(drawing);
+        let options = MeshOptions { domain: self.drawing.domain_options(self.triangulator), refine };
         let start = Instant::now();
         let mut watch = Watch::new(!self.report.json && !self.report.quiet);
-        let meshed = trimalla::mesh_with(&drawing.value, &self.mesh_options(), &mut watch);
+        let meshed = trimalla::mesh_with(&drawing.value, &options, &mut watch);
         let seconds = start.elapsed().as_secs_f64();
         match meshed {
             Ok(Meshed { mesh, report, warnings }) => {
@@ -141,12 +138,12 @@ impl Options {
     }
 
     /// The report for people.
-    fn text(&self, drawing: &Input<Pslg>, made: &Made, files: &[String]) -> String {
+    fn text(drawing: &Input<Pslg>, asked: &RecipeFile, made: &Made, files: &[String]) -> String {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(drawing));
-        lines.row("algorithm", self.recipe.algorithm);
+        lines.row("algorithm", recipe_file::title(asked));
         text::add_counts(&mut lines, &made.mesh);
-        text::add_outcome(&mut lines, &made.report, self.min_angle);
+        text::add_outcome(&mut lines, &made.report, asked.min_angle_deg.unwrap_or_default());
         text::add_end(&mut lines, made.seconds, files);
         lines.into_text()
     }
@@ -162,21 +159,21 @@ struct Made {
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
-    options.mesh_options().refine.validate()?;
+    let asked = options.asked()?;
+    asked.refine_options().validate()?;
     progress::handle_ctrl_c();
     let drawing = read_drawing(&options.drawing.input)?;
-    let outputs = Outputs::plan(&options.output, &drawing)?;
+    let outputs = Outputs::plan(&options.output, &drawing)?.with_recipe(&options.recipe_file, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
-    let made = options.mesh(&drawing)?;
+    let made = options.mesh(&drawing, asked.refine_options())?;
     progress::begin_writing()?;
     options.report.warn(&made.warnings);
-    let prepared = outputs.prepare_mesh(&made.mesh)?;
+    let prepared = outputs.prepare_mesh(&made.mesh)?.with_recipe(&options.recipe_file, &asked)?;
     if options.report.json {
         let Made { mesh, report, seconds, warnings } = &made;
-        let key = options.recipe.algorithm.key();
-        json::print(&json::of_meshing(mesh, report, key, *seconds, warnings))?;
+        json::print(&json::of_meshing(mesh, report, &recipe_file::title(&asked), *seconds, warnings))?;
     } else {
-        let text = options.text(&drawing, &made, &outputs.files());
+        let text = Options::text(&drawing, &asked, &made, &outputs.files());
         console::write(stream, &text)?;
     }
     prepared.commit()?;

@@ -7,8 +7,10 @@
 
 mod checks;
 mod common;
+mod compare;
 mod faults;
 mod help;
 mod interrupt;
 mod outputs;
+mod recipes;
 mod reports;
