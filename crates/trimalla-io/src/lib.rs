@@ -12,6 +12,7 @@
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
 //! | several outputs, all of them or none | [`Outputs`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
+//! | measurements, and a chart of them | [`chart::draw`] |
 //! | a recipe of refinement | [`recipe::read_file`], [`recipe::read`], [`recipe::write`] |
 //! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`], [`meshsuite::read`], [`soup::read`] |
 //!
@@ -26,7 +27,7 @@
 //! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
 //! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
 //! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
-//! | `.svg` | a picture | [`svg`] |
+//! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
 //! | `.toml` | a recipe of refinement | [`recipe`] |
 //!
 //! # What all text formats that are read share
@@ -60,6 +61,7 @@
 
 pub mod area;
 mod atomic;
+pub mod chart;
 mod columns;
 pub mod edge;
 pub mod ele;
