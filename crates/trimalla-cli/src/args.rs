@@ -10,7 +10,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
-use crate::commands::{check, convert, list, mesh, stats, triangulate};
+use crate::commands::{check, compare, convert, list, mesh, stats, triangulate};
 use crate::console;
 use crate::exit::STATUSES;
 
@@ -27,6 +27,7 @@ Examples:
   trimalla mesh key.poly -o key.1.ele         mesh a drawing, no angle below 30 degrees
   trimalla mesh key.poly -o key.svg           the same, as a picture
   trimalla check key.1.ele --input key.poly   prove the mesh right
+  trimalla compare key.poly --markdown        all algorithms at all angles, in a table
   trimalla list                               algorithms, steps, rules and formats
 
 'trimalla help mesh' explains the options of a subcommand.";
@@ -37,6 +38,7 @@ pub(crate) enum Command {
     Triangulate(triangulate::Options),
     Check(check::Options),
     Stats(stats::Options),
+    Compare(compare::Options),
     Convert(convert::Options),
     List(list::Options),
 }
@@ -64,7 +66,7 @@ impl DrawingOptions {
     }
 }
 
-const CROSSINGS: [(&str, &str, Crossings); 2] = [
+pub(crate) const CROSSINGS: [(&str, &str, Crossings); 2] = [
     ("refuse", "names every pair of segments that cross, and stops", Crossings::Refuse),
     ("split", "puts a vertex at each crossing and splits both segments", Crossings::Split),
 ];

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`args`] | what the command line may say |
 //! | [`commands`] | one file a subcommand |
+//! | [`experiment`] | the tables of `compare` |
 //! | [`input`] | drawings and meshes with the names that their files give to things |
 //! | [`names`], [`records`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
@@ -16,6 +17,7 @@ mod args;
 mod commands;
 mod console;
 mod exit;
+mod experiment;
 mod input;
 mod json;
 mod names;

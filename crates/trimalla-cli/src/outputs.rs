@@ -47,6 +47,38 @@ impl Outputs {
         Ok(Self { targets, recipe: None })
     }
 
+    /// Checks files of text against each other, against the files that are read and against the file system.
+    pub(crate) fn plan_texts(paths: &[PathBuf], inputs: &[PathBuf]) -> Result<Self, Failure> {
+        let mut targets: Vec<Target> = Vec::new();
+        for path in paths {
+            let target = Target::of_text(path);
+            target.spare_inputs(inputs)?;
+            target.spare_outputs(&targets)?;
+            target.try_places()?;
+            targets.push(target);
+        }
+        Ok(Self { targets, recipe: None })
+    }
+
+    /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.
+    pub(crate) fn prepare_texts(&self, texts: &[String]) -> Result<Prepared, Failure> {
+        let mut prepared = io::Outputs::default();
+        let mut pairs: Vec<_> = self.targets.iter().zip(texts).collect();
+        pairs.sort_by_key(|(target, _)| target.is_stream()); // Streams last: they cannot be taken back.
+        for (target, text) in pairs {
+            match prepared.add_text(&target.path, text) {
+                Err(error) if target.is_stdout() && is_broken_pipe(&error) => {}
+                added => added?,
+            }
+        }
+        Ok(Prepared(prepared))
+    }
+
+    /// The first output that is a file.
+    pub(crate) fn first_file(&self) -> Option<&Path> {
+        self.targets.iter().find(|target| !target.is_stream()).map(|target| target.path.as_path())
+    }
+
     /// Checks where the recipe is saved, too.
     pub(crate) fn with_recipe<T>(mut self, options: &RecipeFileOptions, input: &Input<T>) -> Result<Self, Failure> {
         if let Some(path) = &options.save_recipe {

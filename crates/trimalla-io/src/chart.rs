@@ -5,7 +5,7 @@
 //!    ^ y label
 //!  t |        o          curves in their order, each with a colour and a mark of its own
 //!  i |   +  o            legend on the right
-//!  c | +o+               logarithmic where the largest value is more than twenty times the smallest
+//!  c | +o+               logarithmic where the largest value is more than ten times the smallest
 //!  k +------------>
 //!    ticks, x label
 //! ```

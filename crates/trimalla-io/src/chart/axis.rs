@@ -11,13 +11,13 @@ pub(super) struct Axis {
 }
 
 /// Beyond this ratio of largest to smallest value an axis is logarithmic.
-const LOG_RATIO: f64 = 20.0;
+const LOG_RATIO: f64 = 10.0;
 
 impl Axis {
     /// An axis that begins and ends at the values' ends.
     pub(super) fn exact(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = range(values);
-        let ticks = multiples(low, high, nice_step((high - low) / 10.0));
+        let ticks = multiples(low, high, nice_step((high - low) / 20.0));
         Self { low, high, is_log: false, ticks }
     }
 
@@ -126,10 +126,7 @@ mod tests {
 
     #[test]
     fn ticks_are_round_numbers_that_span_the_values() {
-        assert_eq!(
-            Axis::exact([20.0, 37.0].into_iter()).ticks,
-            (10..=18).map(|i| f64::from(2 * i)).collect::<Vec<_>>()
-        );
+        assert_eq!(Axis::exact([20.0, 37.0].into_iter()).ticks, (20..=37).map(f64::from).collect::<Vec<_>>());
         assert_eq!(Axis::rounded([57.0, 203.0].into_iter()).ticks, [0.0, 50.0, 100.0, 150.0, 200.0, 250.0]);
         let axis = Axis::rounded([57.0, 19_000.0].into_iter());
         assert!(axis.is_logarithmic());

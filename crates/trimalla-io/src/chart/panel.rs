@@ -15,7 +15,7 @@ const SAMPLE: f64 = 30.0;
 const ROW: f64 = 19.0;
 /// Width of a letter of the legend, generously: text may not run off the sheet, whatever font there is.
 const LETTER: f64 = 6.3;
-const LEGEND_LETTERS: [usize; 2] = [12, 52];
+const LEGEND_LETTERS: [usize; 2] = [12, 64];
 
 const INK: &str = "#1d2733";
 const FADED: &str = "#66727f";
