@@ -10,7 +10,7 @@ use super::sheet::{Cell, Column, Quantity, Sheet};
 pub(crate) fn text(plan: &Plan, sheets: &[Sheet<'_>], no_times: bool) -> String {
     let mut text = String::new();
     for sheet in sheets {
-        let _ = writeln!(text, "## {}\n", escaped(sheet.name));
+        let _ = writeln!(text, "## {}\n", escaped(sheet.title));
         match sheet.read {
             Ok(facts) => add_sheet(&mut text, facts, sheet, no_times),
             Err(messages) => {

@@ -120,7 +120,7 @@ impl<'a> Panel<'a> {
         let mut is_on = false;
         let (mut line, mut marks) = (String::new(), String::new());
         for point in &curve.points {
-            let Some([x, y]) = point.filter(|p| is_finite(p)).map(|p| self.at(p)) else {
+            let Some([x, y]) = point.filter(is_finite).map(|p| self.at(p)) else {
                 is_on = false;
                 continue;
             };
