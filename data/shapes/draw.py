@@ -572,9 +572,46 @@ def star():
     return d
 
 
+def mesh_b(name="mesh-b", *notes):
+    """A cam with four holes: as many points and holes as mesh B of the MeshSuite tables, but a drawing of our own."""
+    d = Drawing(
+        name,
+        "A cam with four holes, in millimetres: 72 points, as many as mesh B of the published tables has.",
+        *notes,
+        "Markers: 1 outline, 2 round hole, 3 oval hole, 4 star-shaped hole, 5 slot with chamfers.",
+    )
+    dense = []
+    for i in range(4001):
+        a = 2 * math.pi * i / 4000
+        r = 50 + 7 * math.cos(3 * a + 0.4) + 4 * math.sin(5 * a)
+        dense.append((r * math.cos(a), r * math.sin(a)))
+    around = sum(math.dist(p, q) for p, q in zip(dense, dense[1:]))
+    d.outer(even(dense, around / 40)[:-1], 1)
+    d.hole(circle(24, 14, 9, 8, 10), 2, (24, 14))
+    d.hole(turned(arc(-22, 20, 11, 0, 360, 8, ry=6)[:-1], 25, -22, 20), 3, (-22, 20))
+    star = [(9.5 if k % 2 == 0 else 5.2, 20 + 45 * k) for k in range(8)]
+    d.hole([(-16 + r * math.cos(math.radians(a)), -20 + r * math.sin(math.radians(a))) for r, a in star], 4, (-16, -20))
+    slot = [(-8, -4), (8, -4), (10, -2), (10, 2), (8, 4), (-8, 4), (-10, 2), (-10, -2)]
+    d.hole(turned([(20 + x, -22 + y) for x, y in slot], 38, 20, -22), 5, (20, -22))
+    return d
+
+
+def mesh_b_points():
+    """The same with points scattered inside."""
+    d = mesh_b("mesh-b-points", "With 50 points scattered inside, as mesh C has, marker 6.")
+    scatter, at, room = random.Random(50), list(d.points), 1.25 * SCALE
+    while len(d.points) < 72 + 50:
+        p = (round(scatter.uniform(-60, 60) * SCALE), round(scatter.uniform(-60, 60) * SCALE))
+        apart = all(math.dist(p, q) > room for q in d.points[72:])
+        clear = all(distance(p, at[a], at[b]) > room for a, b, _ in d.segments)
+        if apart and clear and sum(inside(p, ring) for ring, _ in d.rings) % 2 == 1:
+            d.vertex((p[0] / SCALE, p[1] / SCALE), 6)
+    return d
+
+
 def main():
     folder = Path(__file__).resolve().parent
-    for draw in (key, gear, guitar, coast, plate, star):
+    for draw in (key, gear, guitar, coast, plate, star, mesh_b, mesh_b_points):
         d = draw()
         d.check()
         with open(folder / f"{d.name}.poly", "w", encoding="ascii", newline="\n") as out:

@@ -10,7 +10,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
-use crate::commands::{check, convert, list, mesh, refine, stats, triangulate};
+use crate::commands::{check, compare, convert, list, mesh, refine, stats, triangulate};
 use crate::console;
 use crate::exit::STATUSES;
 
@@ -29,6 +29,7 @@ Examples:
   trimalla check key.1.ele --input key.poly   prove the mesh right
   trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
                                               refine it further
+  trimalla compare key.poly --markdown        all algorithms at all angles, in a table
   trimalla list                               algorithms, steps, rules and formats
 
 'trimalla help mesh' explains the options of a subcommand.";
@@ -40,6 +41,7 @@ pub(crate) enum Command {
     Triangulate(triangulate::Options),
     Check(check::Options),
     Stats(stats::Options),
+    Compare(compare::Options),
     Convert(convert::Options),
     List(list::Options),
 }
@@ -67,7 +69,7 @@ impl DrawingOptions {
     }
 }
 
-const CROSSINGS: [(&str, &str, Crossings); 2] = [
+pub(crate) const CROSSINGS: [(&str, &str, Crossings); 2] = [
     ("refuse", "names every pair of segments that cross, and stops", Crossings::Refuse),
     ("split", "puts a vertex at each crossing and splits both segments", Crossings::Split),
 ];

@@ -75,6 +75,11 @@ impl Failure {
         self
     }
 
+    /// What there is to tell, where it is told elsewhere.
+    pub(crate) fn into_messages(self) -> Vec<String> {
+        self.messages
+    }
+
     /// Tells the user, and returns the status to end with.
     pub(crate) fn report(self) -> Status {
         for message in self.messages {

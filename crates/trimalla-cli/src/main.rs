@@ -4,10 +4,12 @@
 //! |---|---|
 //! | [`args`] | what the command line may say |
 //! | [`commands`] | one file a subcommand |
+//! | [`experiment`] | the tables of `compare` |
 //! | [`input`] | drawings and meshes with the names that their files give to things |
 //! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
 //! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
+//! | [`recipe_options`], [`recipe_file`] | the five steps as options, and as files |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | what came of it, for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
@@ -16,6 +18,7 @@ mod args;
 mod commands;
 mod console;
 mod exit;
+mod experiment;
 mod foresight;
 mod frames;
 mod input;
@@ -23,6 +26,7 @@ mod json;
 mod names;
 mod outputs;
 mod progress;
+mod recipe_file;
 mod recipe_options;
 mod records;
 mod refining;

@@ -5,17 +5,20 @@ use std::path::{Path, PathBuf};
 
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
-use trimalla_io::{self as io, Format, IoError, SvgOptions, WriteOptions, files_of_mesh};
+use trimalla_io::{self as io, Format, IoError, RecipeFile, SvgOptions, WriteOptions, files_of_mesh};
 
 use crate::args::{OutputOptions, ReportOptions};
 use crate::console::{Stream, shown};
 use crate::exit::{Failure, Status};
 use crate::input::Input;
+use crate::recipe_file::RecipeFileOptions;
 
 /// Where the results of a run go, all of them or none.
 #[derive(Debug)]
 pub(crate) struct Outputs {
     targets: Vec<Target>,
+    /// Where the recipe is saved, if it is.
+    recipe: Option<Target>,
 }
 
 #[derive(Debug)]
@@ -41,7 +44,51 @@ impl Outputs {
             targets.push(target);
         }
         targets.sort_by_key(Target::is_stream); // Streams last: they cannot be taken back.
-        Ok(Self { targets })
+        Ok(Self { targets, recipe: None })
+    }
+
+    /// Checks files of text against each other, against the files that are read and against the file system.
+    pub(crate) fn plan_texts(paths: &[PathBuf], inputs: &[PathBuf]) -> Result<Self, Failure> {
+        let mut targets: Vec<Target> = Vec::new();
+        for path in paths {
+            let target = Target::of_text(path);
+            target.spare_inputs(inputs)?;
+            target.spare_outputs(&targets)?;
+            target.try_places()?;
+            targets.push(target);
+        }
+        Ok(Self { targets, recipe: None })
+    }
+
+    /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.
+    pub(crate) fn prepare_texts(&self, texts: &[String]) -> Result<Prepared, Failure> {
+        let mut prepared = io::Outputs::default();
+        let mut pairs: Vec<_> = self.targets.iter().zip(texts).collect();
+        pairs.sort_by_key(|(target, _)| target.is_stream()); // Streams last: they cannot be taken back.
+        for (target, text) in pairs {
+            match prepared.add_text(&target.path, text) {
+                Err(error) if target.is_stdout() && is_broken_pipe(&error) => {}
+                added => added?,
+            }
+        }
+        Ok(Prepared(prepared))
+    }
+
+    /// The first output that is a file.
+    pub(crate) fn first_file(&self) -> Option<&Path> {
+        self.targets.iter().find(|target| !target.is_stream()).map(|target| target.path.as_path())
+    }
+
+    /// Checks where the recipe is saved, too.
+    pub(crate) fn with_recipe<T>(mut self, options: &RecipeFileOptions, input: &Input<T>) -> Result<Self, Failure> {
+        if let Some(path) = &options.save_recipe {
+            let target = Target::of_text(path);
+            target.spare_inputs(&input.files)?;
+            target.spare_outputs(&self.targets)?;
+            target.try_places()?;
+            self.recipe = Some(target);
+        }
+        Ok(self)
     }
 
     /// Writes a mesh everywhere; files appear when what is returned is committed.
@@ -67,13 +114,13 @@ impl Outputs {
 
     /// The files that appear, for the report.
     pub(crate) fn files(&self) -> Vec<String> {
-        let files = self.targets.iter().filter(|t| !t.is_stream());
+        let files = self.targets.iter().chain(&self.recipe).filter(|t| !t.is_stream());
         files.flat_map(|t| &t.files).map(|f| shown(f)).collect()
     }
 
     /// Where the report goes: not where a mesh goes.
     pub(crate) fn report_stream(&self, report: &ReportOptions) -> Result<Stream, Failure> {
-        let taken = self.targets.iter().any(Target::is_stdout);
+        let taken = self.targets.iter().chain(&self.recipe).any(Target::is_stdout);
         match (report.json, report.quiet, taken) {
             (true, _, true) => {
                 Err(Failure::wrong_use("both --json and an output want standard output")
@@ -92,6 +139,14 @@ impl Outputs {
 pub(crate) struct Prepared(io::Outputs);
 
 impl Prepared {
+    /// Writes the recipe as well, if it is to be saved.
+    pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions, asked: &RecipeFile) -> Result<Self, Failure> {
+        if let Some(path) = &options.save_recipe {
+            self.0.add_recipe(path, asked)?;
+        }
+        Ok(self)
+    }
+
     /// Puts the files in their places.
     pub(crate) fn commit(self) -> Result<(), Failure> {
         Ok(self.0.commit()?)
@@ -111,6 +166,11 @@ impl Target {
         }
         let files = files_of_mesh(path, &options);
         Ok(Self { path: path.to_owned(), options, files })
+    }
+
+    /// One file of text.
+    pub(crate) fn of_text(path: &Path) -> Self {
+        Self { path: path.to_owned(), options: WriteOptions::default(), files: vec![path.to_owned()] }
     }
 
     fn is_stdout(&self) -> bool {

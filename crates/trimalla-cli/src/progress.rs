@@ -39,6 +39,16 @@ pub(crate) fn handle_ctrl_c() {
     let _ = ctrlc::set_handler(handler);
 }
 
+/// Enters work that asks for Ctrl-C itself, by [`is_interrupted`].
+pub(crate) fn be_patient() {
+    PATIENT.store(true, Ordering::SeqCst);
+}
+
+/// Whether Ctrl-C has been pressed.
+pub(crate) fn is_interrupted() -> bool {
+    INTERRUPTED.load(Ordering::SeqCst)
+}
+
 /// Enters the part in which files appear; from here on they become whole, unless Ctrl-C was pressed before.
 pub(crate) fn begin_writing() -> Result<(), Failure> {
     PATIENT.store(true, Ordering::SeqCst);

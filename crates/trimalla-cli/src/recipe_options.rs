@@ -12,10 +12,10 @@ use crate::args::one_of;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Refinement")]
 pub(crate) struct RecipeOptions {
-    /// The preset that says where new vertices go
-    #[arg(long, value_name = "KEY", default_value = Preset::default().key(),
+    /// The preset that says where new vertices go [default: off-center]
+    #[arg(long, value_name = "KEY",
           value_parser = one_of(Preset::ALL.iter().map(|p| (p.key(), p.row().summary, *p))))]
-    pub(crate) algorithm: Preset,
+    pub(crate) algorithm: Option<Preset>,
 
     /// The triangulation that refinement starts from [default: the preset's]
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
@@ -84,9 +84,13 @@ pub(crate) struct RecipeOptions {
 }
 
 impl RecipeOptions {
-    /// The preset's recipe with the steps that were asked for.
-    pub(crate) fn recipe(&self) -> Recipe {
-        let mut recipe = self.algorithm.recipe();
+    /// The preset that was asked for, or the default one.
+    pub(crate) fn preset(&self) -> Preset {
+        self.algorithm.unwrap_or_default()
+    }
+
+    /// Changes the steps that were asked for.
+    pub(crate) fn change(&self, recipe: &mut Recipe) {
         recipe.initial = self.initial.unwrap_or(recipe.initial);
         recipe.prepare = self.prepare.unwrap_or(recipe.prepare);
         recipe.prepare_when = self.prepare_when.unwrap_or(recipe.prepare_when);
@@ -100,7 +104,6 @@ impl RecipeOptions {
         recipe.centroid = self.centroid.unwrap_or(recipe.centroid);
         recipe.constrained_second = self.constrained_second.unwrap_or(recipe.constrained_second);
         recipe.terminal = self.terminal.unwrap_or(recipe.terminal);
-        recipe
     }
 }
 

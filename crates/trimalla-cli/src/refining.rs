@@ -4,14 +4,16 @@ use std::time::Instant;
 
 use clap::Args;
 use trimalla::Meshed;
-use trimalla::geometry::Angle;
-use trimalla::refine::{Criteria, Limits, Protect, RefineOptions};
+use trimalla::refine::{Limits, Protect, RefineOptions};
+use trimalla_io::RecipeFile;
 
 use crate::args::{OutputOptions, ReportOptions, one_of};
 use crate::console;
 use crate::exit::{Failure, Status};
+use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::progress::{self, Watch};
+use crate::recipe_file::{self, RecipeFileOptions};
 use crate::recipe_options::RecipeOptions;
 use crate::trace::TraceOptions;
 use crate::{json, text};
@@ -19,17 +21,11 @@ use crate::{json, text};
 /// What is asked of a refinement, where results go, and how the report looks.
 #[derive(Debug, Args)]
 pub(crate) struct RefiningOptions {
-    /// The smallest angle that a triangle may have, in degrees, from 0 to 60
+    /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
     ///
     /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, the vertex budget ends it.
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value = "30",
-        allow_negative_numbers = true,
-        help_heading = "Refinement"
-    )]
-    min_angle: f64,
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = "Refinement")]
+    min_angle: Option<f64>,
 
     /// The largest area that a triangle may have, in squared units of the input [default: no limit]
     #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
@@ -42,14 +38,17 @@ pub(crate) struct RefiningOptions {
     #[command(flatten)]
     recipe: RecipeOptions,
 
-    /// Segments that may not be split
-    #[arg(long, value_name = "WHICH", default_value = Protect::default().key(), help_heading = "Refinement",
-          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
-    protect: Protect,
+    #[command(flatten)]
+    recipe_file: RecipeFileOptions,
 
-    /// Stop at this many vertices, those of the input included
-    #[arg(long, value_name = "N", default_value_t = Limits::default().max_vertices, help_heading = "Limits")]
-    max_vertices: usize,
+    /// Segments that may not be split; beside those that are kept, angles below the bound may stay [default: none]
+    #[arg(long, value_name = "WHICH", help_heading = "Refinement",
+          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
+    protect: Option<Protect>,
+
+    /// Stop at this many vertices, those of the input included [default: 5000000]
+    #[arg(long, value_name = "N", help_heading = "Limits")]
+    max_vertices: Option<usize>,
 
     /// Bring no two vertices closer together than this, in units of the input [default: 256 units in the last place of the largest coordinate]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = "Limits")]
@@ -100,44 +99,45 @@ pub(crate) struct Read<'a> {
 }
 
 impl RefiningOptions {
-    /// Refuses what cannot be meant, before anything is read.
-    pub(crate) fn validate(&self) -> Result<(), Failure> {
-        Ok(self.refine_options().validate()?)
+    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses what
+    /// cannot be meant, before anything else is read.
+    pub(crate) fn asked(&self) -> Result<RecipeFile, Failure> {
+        let mut asked = self.recipe_file.read(&self.recipe)?;
+        asked.min_angle_deg = self.min_angle.or(asked.min_angle_deg).or(Some(30.0));
+        asked.max_area = self.max_area.or(asked.max_area);
+        asked.max_aspect_ratio = self.max_aspect.or(asked.max_aspect_ratio);
+        asked.protect = Some(self.protect.or(asked.protect).unwrap_or_default());
+        asked.max_vertices = self.max_vertices.or(asked.max_vertices).or(Some(Limits::default().max_vertices));
+        asked.length_floor = self.length_floor.or(asked.length_floor);
+        asked.refine_options().validate()?;
+        Ok(asked)
     }
 
-    fn refine_options(&self) -> RefineOptions {
-        RefineOptions {
-            recipe: self.recipe.recipe(),
-            criteria: Criteria {
-                min_angle: Angle::from_degrees(self.min_angle),
-                max_area: self.max_area,
-                max_aspect_ratio: self.max_aspect,
-            },
-            protect: self.protect,
-            limits: Limits { max_vertices: self.max_vertices, length_floor: self.length_floor },
-        }
+    /// The outputs, checked before any work.
+    pub(crate) fn outputs<T>(&self, input: &Input<T>) -> Result<Outputs, Failure> {
+        Outputs::plan(&self.output, input)?.with_recipe(&self.recipe_file, input)
     }
 
     /// From what was read to files and report.
-    pub(crate) fn run(&self, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
+    pub(crate) fn run(&self, asked: &RecipeFile, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
         let trace = self.trace.begin()?;
         let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone());
-        let made = (read.make)(&self.refine_options(), watch, self.report.quiet)?;
+        let made = (read.make)(&asked.refine_options(), watch, self.report.quiet)?;
         let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;
         self.report.warn(warnings);
-        let prepared = outputs.prepare_mesh(mesh)?;
+        let prepared = outputs.prepare_mesh(mesh)?.with_recipe(&self.recipe_file, asked)?;
         if self.report.json {
-            json::print(&json::of_meshing(&made, self.recipe.algorithm.key(), seconds))?;
+            json::print(&json::of_meshing(&made, &recipe_file::title(asked), seconds))?;
         } else {
             let mut lines = text::Lines::default();
             lines.heading(&read.heading);
-            lines.row("algorithm", self.recipe.algorithm);
+            lines.row("algorithm", recipe_file::title(asked));
             text::add_counts(&mut lines, mesh, read.vertices);
-            text::add_outcome(&mut lines, report, self.min_angle);
+            text::add_outcome(&mut lines, report, asked.min_angle_deg.unwrap_or_default());
             if let Some(floor) = &made.floor {
                 lines.row("floor", floor);
             }

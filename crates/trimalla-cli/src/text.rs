@@ -35,7 +35,11 @@ impl Lines {
 
 /// What was read, in one line.
 pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
-    let pslg = &drawing.value;
+    format!("{}: {}", drawing.name(), facts(&drawing.value))
+}
+
+/// The counts of a drawing.
+pub(crate) fn facts(pslg: &Pslg) -> String {
     let parts = [
         (pslg.points.len(), "vertex"),
         (pslg.segments.len(), "segment"),
@@ -43,7 +47,7 @@ pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
         (pslg.regions.len(), "region"),
     ];
     let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
-    format!("{}: {}", drawing.name(), parts.join(", "))
+    parts.join(", ")
 }
 
 /// The size of a mesh, of whose vertices so many are not new.

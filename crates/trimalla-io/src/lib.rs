@@ -13,6 +13,8 @@
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
 //! | several outputs, all of them or none | [`Outputs`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
+//! | measurements, and a chart of them | [`chart::draw`] |
+//! | a recipe of refinement | [`recipe::read_file`], [`recipe::read`], [`recipe::write`] |
 //! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`], [`meshsuite::read`], [`soup::read`] |
 //!
 //! | format | holds | module |
@@ -26,7 +28,8 @@
 //! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
 //! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
 //! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
-//! | `.svg` | a picture | [`svg`] |
+//! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
+//! | `.toml` | a recipe of refinement | [`recipe`] |
 //!
 //! # What all text formats that are read share
 //!
@@ -59,6 +62,7 @@
 
 pub mod area;
 mod atomic;
+pub mod chart;
 mod columns;
 pub mod edge;
 pub mod ele;
@@ -70,6 +74,7 @@ pub mod node;
 mod numbers;
 pub mod poly;
 mod read;
+pub mod recipe;
 pub mod soup;
 pub mod svg;
 mod tokens;
@@ -81,6 +86,7 @@ pub use error::{Fault, IoError, Place};
 pub use format::Format;
 pub use numbers::VertexRange;
 pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
+pub use recipe::RecipeFile;
 pub use svg::SvgOptions;
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,

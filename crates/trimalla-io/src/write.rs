@@ -10,6 +10,7 @@ use crate::atomic::Group;
 use crate::columns::Points;
 use crate::error::IoError;
 use crate::format::{Format, companion};
+use crate::recipe::{self, RecipeFile};
 use crate::svg::SvgOptions;
 use crate::{edge, ele, meshsuite, neigh, node, poly, soup, svg, vtu};
 
@@ -128,6 +129,22 @@ impl Outputs {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
         self.group.add(path, |out| write_pslg_to(out, format, pslg, options))
+    }
+
+    /// Prepares a recipe.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    pub fn add_recipe(&mut self, path: impl AsRef<Path>, file: &RecipeFile) -> Result<(), IoError> {
+        self.group.add(path.as_ref(), |out| recipe::write(out, file))
+    }
+
+    /// Prepares a text, such as a table or a chart.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    pub fn add_text(&mut self, path: impl AsRef<Path>, text: &str) -> Result<(), IoError> {
+        self.group.add(path.as_ref(), |out| out.write_all(text.as_bytes()))
     }
 
     /// Puts every file in its place. Without this call, old files stay as they are and nothing new appears.

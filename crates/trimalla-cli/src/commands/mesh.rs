@@ -9,7 +9,6 @@ use crate::exit::{Failure, STATUSES, Status};
 use crate::foresight::Foresight;
 use crate::input::read_drawing;
 use crate::names::Names;
-use crate::outputs::Outputs;
 use crate::refining::{Made, Read, RefiningOptions};
 use crate::{progress, text};
 
@@ -20,6 +19,8 @@ Examples:
   trimalla mesh key.poly --max-area 0.5 --min-angle 33    smaller, rounder triangles
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
   trimalla mesh - -o - --format poly <key.poly            in a pipe
+  trimalla mesh key.poly --select first --save-recipe mine.toml
+  trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
 
 Angles are in degrees, lengths in the units of the drawing, areas in their squares. The vertices
 of the drawing come first in the mesh, in order, bit for bit.
@@ -57,10 +58,10 @@ pub(crate) struct Options {
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
-    options.refining.validate()?;
+    let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
     let drawing = read_drawing(&options.drawing.input)?;
-    let outputs = Outputs::plan(&options.refining.output, &drawing)?;
+    let outputs = options.refining.outputs(&drawing)?;
     let names = Names::of(&drawing);
     let domain = options.drawing.domain_options(options.triangulator);
     let read = Read {
@@ -83,5 +84,5 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             }
         },
     };
-    options.refining.run(&read, &outputs)
+    options.refining.run(&asked, &read, &outputs)
 }

@@ -1,6 +1,7 @@
 //! The subcommands.
 
 pub(crate) mod check;
+pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod list;
 pub(crate) mod mesh;
@@ -19,6 +20,7 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Triangulate(options) => triangulate::run(&options),
         Command::Check(options) => check::run(&options),
         Command::Stats(options) => stats::run(&options),
+        Command::Compare(options) => compare::run(&options),
         Command::Convert(options) => convert::run(&options),
         Command::List(options) => list::run(&options),
     }

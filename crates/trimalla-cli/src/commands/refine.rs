@@ -11,7 +11,6 @@ use crate::console::count;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::names::Names;
-use crate::outputs::Outputs;
 use crate::progress;
 use crate::refining::{Made, Read, RefiningOptions};
 use crate::renumber::Renumber as _;
@@ -61,13 +60,13 @@ pub(crate) struct Options {
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
-    options.refining.validate()?;
+    let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
     let mut mesh = read_mesh(&options.mesh)?;
     let areas = read_areas(&options.mesh, &mut mesh)?;
     let drawing = options.input.as_deref().map(read_drawing).transpose()?;
     mesh.files.extend(drawing.iter().flat_map(|drawing| drawing.files.clone())); // None of these is overwritten.
-    let outputs = Outputs::plan(&options.refining.output, &mesh)?;
+    let outputs = options.refining.outputs(&mesh)?;
     let read = Read {
         heading: heading(&mesh),
         first_index: mesh.first_index,
@@ -80,7 +79,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             Ok(Made { meshed, warnings, foreseen: Vec::new(), floor: None })
         },
     };
-    options.refining.run(&read, &outputs)
+    options.refining.run(&asked, &read, &outputs)
 }
 
 /// The area bounds beside a mesh; none where there is no such file.

@@ -7,10 +7,12 @@
 
 mod checks;
 mod common;
+mod compare;
 mod faults;
 mod foresight;
 mod help;
 mod interrupt;
 mod outputs;
+mod recipes;
 mod refine;
 mod reports;

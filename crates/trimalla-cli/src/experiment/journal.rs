@@ -1,0 +1,91 @@
+//! Outcomes so far, one JSON object a line, so that an experiment can go on after a stop.
+//!
+//! A line is written when a run ends. A line that a stop has torn has no end and is taken away; any other line that is no outcome
+//! is an error, so that no foreign file is written to. What a line says is believed only if its digest is that of the run: another
+//! drawing, recipe, angle, limit or version of the program is another run.
+
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
+use std::io::{ErrorKind, Read as _, Seek as _, SeekFrom, Write as _};
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use super::outcome::Outcome;
+use super::plan::Task;
+use crate::console::shown;
+use crate::exit::{Failure, Status};
+
+/// A journal that is open for more.
+#[derive(Debug)]
+pub(crate) struct Journal {
+    path: PathBuf,
+    file: File,
+    known: BTreeMap<String, Outcome>,
+}
+
+impl Journal {
+    /// Opens a journal and reads what is in it; it need not exist.
+    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        let fail = |error: std::io::Error| {
+            Failure::new(Status::Unwritable, format!("cannot write the journal {}: {error}", shown(path)))
+        };
+        if path.is_dir() {
+            return Err(fail(ErrorKind::IsADirectory.into()));
+        }
+        let mut file =
+            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(fail)?;
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(fail)?;
+        let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |end| end + 1);
+        let known = outcomes(&bytes[..whole], path)?;
+        if !bytes[whole..].is_empty() && !bytes[whole..].starts_with(b"{") {
+            return Err(foreign(path, known.len() + 1));
+        }
+        file.set_len(whole as u64).map_err(fail)?;
+        file.seek(SeekFrom::End(0)).map_err(fail)?;
+        Ok(Self { path: path.to_owned(), file, known })
+    }
+
+    /// What came of a run, if it is known.
+    pub(crate) fn find(&self, task: &Task<'_>) -> Option<Outcome> {
+        self.known.get(&task.digest()).cloned()
+    }
+
+    /// Adds what came of a run.
+    pub(crate) fn add(&mut self, task: &Task<'_>, outcome: &Outcome) -> Result<(), Failure> {
+        let mut line = json!({
+            "run": task.digest(),
+            "input": task.drawing.name,
+            "recipe": task.contender.label,
+            "angle": task.angle_deg,
+        });
+        if let (Value::Object(line), Value::Object(outcome)) = (&mut line, outcome.to_json()) {
+            line.extend(outcome);
+        }
+        let written = self.file.write_all(format!("{line}\n").as_bytes());
+        written.map_err(|error| {
+            Failure::new(Status::Unwritable, format!("cannot write the journal {}: {error}", shown(&self.path)))
+        })
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+fn outcomes(bytes: &[u8], path: &Path) -> Result<BTreeMap<String, Outcome>, Failure> {
+    let mut known = BTreeMap::new();
+    for (i, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
+        let value: Option<Value> = serde_json::from_slice(line).ok();
+        let entry = value.as_ref().and_then(|v| Some((v.get("run")?.as_str()?.to_owned(), Outcome::from_json(v)?)));
+        let (run, outcome) = entry.ok_or_else(|| foreign(path, i + 1))?;
+        known.insert(run, outcome);
+    }
+    Ok(known)
+}
+
+fn foreign(path: &Path, line: usize) -> Failure {
+    Failure::bad_input(format!("{}:{line}: expected the outcome of a run", shown(path)))
+        .hint("a journal is written by 'trimalla compare'; give --resume another name, or delete the file")
+}

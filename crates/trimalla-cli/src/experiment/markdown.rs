@@ -1,0 +1,128 @@
+//! Sheets as tables for people.
+
+use std::fmt::Write as _;
+
+use super::outcome::End;
+use super::plan::Plan;
+use super::sheet::{Cell, Column, Quantity, Sheet};
+
+/// Every sheet: a table each quantity, a row each angle, a column each recipe, and notes.
+pub(crate) fn text(plan: &Plan, sheets: &[Sheet<'_>], no_times: bool) -> String {
+    let mut text = String::new();
+    for sheet in sheets {
+        let _ = writeln!(text, "## {}\n", escaped(sheet.title));
+        match sheet.read {
+            Ok(facts) => add_sheet(&mut text, facts, sheet, no_times),
+            Err(messages) => {
+                text += "Not run:\n\n";
+                messages.iter().for_each(|message| text += &format!("- {}\n", escaped(message)));
+                text.push('\n');
+            }
+        }
+    }
+    text += &limits(plan, sheets);
+    text
+}
+
+fn add_sheet(text: &mut String, facts: &str, sheet: &Sheet<'_>, no_times: bool) {
+    let _ = writeln!(text, "{facts}.\n");
+    for &quantity in Quantity::shown(no_times) {
+        let columns: Vec<&Column> =
+            sheet.columns.iter().filter(|c| quantity != Quantity::Seconds || !c.is_published).collect();
+        let _ = write!(text, "| {} |", quantity.key());
+        columns.iter().for_each(|column| *text += &format!(" {} |", escaped(&column.label)));
+        *text += "\n|---:|";
+        *text += &"---:|".repeat(columns.len());
+        text.push('\n');
+        for (row, angle) in sheet.angles.iter().enumerate() {
+            let _ = write!(text, "| {angle}° |");
+            columns.iter().for_each(|column| *text += &format!(" {} |", cell(&column.cells[row], quantity)));
+            text.push('\n');
+        }
+        text.push('\n');
+    }
+    add_notes(text, sheet);
+}
+
+fn cell(cell: &Cell, quantity: Quantity) -> String {
+    let number = cell.value(quantity).map(|value| match quantity {
+        Quantity::Seconds => format!("{value:.4}"),
+        _ => format!("{value}"),
+    });
+    match (cell, number) {
+        (Cell::Ours(run), Some(number)) if run.below_bound > 0 => number + " \\*",
+        (Cell::Ours(run), None) => format!("ND ({})", run.end),
+        (_, Some(number)) if cell.impossible().is_some() => number + " †",
+        (_, Some(number)) if cell.remark().is_some() => number + " ‡",
+        (Cell::Published { .. }, None) => "ND".to_owned(),
+        (_, number) => number.unwrap_or_default(),
+    }
+}
+
+/// What the signs of a sheet's tables mean.
+fn add_notes(text: &mut String, sheet: &Sheet<'_>) {
+    let cells = || sheet.columns.iter().flat_map(|column| &column.cells);
+    let mut notes = Vec::new();
+    if cells().any(|cell| matches!(cell, Cell::Ours(run) if run.is_done() && run.below_bound > 0)) {
+        notes.push("\\* with triangles below the bound that the drawing's own angles force".to_owned());
+    }
+    type Note = fn(&Cell) -> Option<&str>;
+    let signs: [(&str, Note); 2] = [("†", Cell::impossible), ("‡", Cell::remark)];
+    for column in &sheet.columns {
+        for (sign, comment_of) in signs {
+            let mut comments: Vec<(&str, Vec<String>)> = Vec::new();
+            for (cell, angle) in column.cells.iter().zip(sheet.angles) {
+                let Some(comment) = comment_of(cell) else { continue };
+                match comments.iter_mut().find(|(c, _)| *c == comment) {
+                    Some((_, angles)) => angles.push(format!("{angle}°")),
+                    None => comments.push((comment, vec![format!("{angle}°")])),
+                }
+            }
+            let note = |(comment, angles): (&str, Vec<String>)| {
+                format!("{sign} {}, {}: {}", escaped(&column.label), angles.join(" "), escaped(comment))
+            };
+            notes.extend(comments.into_iter().map(note));
+        }
+    }
+    notes.iter().for_each(|note| *text += &format!("- {note}\n"));
+    if !notes.is_empty() {
+        text.push('\n');
+    }
+}
+
+/// The limits of a run, and what the reasons beside ND mean, as far as they occur.
+fn limits(plan: &Plan, sheets: &[Sheet<'_>]) -> String {
+    let mut text = format!("Each run: at most {} vertices and {} seconds.", plan.max_vertices, plan.time_limit);
+    let has = |wanted: fn(&End) -> bool| {
+        let cells = sheets.iter().flat_map(|s| &s.columns).flat_map(|c| &c.cells);
+        cells.into_iter().any(|cell| matches!(cell, Cell::Ours(run) if wanted(&run.end)))
+    };
+    if has(|end| *end != End::Done) {
+        text += " ND: no mesh without a triangle below the bound";
+        type Ended = fn(&End) -> bool;
+        let reasons: [(&str, Ended); 3] = [
+            ("budget: the vertices were used up", |end| *end == End::Budget),
+            ("time: the seconds were", |end| *end == End::Time),
+            ("any other reason: why most of the triangles that are left were given up", |end| {
+                matches!(end, End::Left(_))
+            }),
+        ];
+        let reasons: Vec<&str> =
+            reasons.into_iter().filter(|(_, wanted)| has(*wanted)).map(|(words, _)| words).collect();
+        text += &format!(" ({}).", reasons.join("; "));
+    }
+    text.push('\n');
+    text
+}
+
+/// What would be markup is no markup, and what a terminal would obey is left out.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars().filter(|c| !c.is_control()) {
+        if matches!(c, '|' | '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}

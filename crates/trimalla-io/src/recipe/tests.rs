@@ -1,0 +1,129 @@
+//! Recipes written and read again, and faults by place.
+
+use trimalla::refine::{
+    Centroid, ConstrainedSecond, Encroachment, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset,
+    Protect, Recipe, Recover, Select, Terminal,
+};
+
+use super::{CRITERIA, KEYS, LIMITS, RecipeFile, read, write};
+
+fn bytes(file: &RecipeFile) -> Vec<u8> {
+    let mut out = Vec::new();
+    write(&mut out, file).unwrap();
+    out
+}
+
+/// Fails unless the recipe comes back, and its bytes with it.
+fn comes_back(file: &RecipeFile) {
+    let text = bytes(file);
+    let again = read(&text, "again.toml").unwrap();
+    assert_eq!(&again, file, "{}", String::from_utf8_lossy(&text));
+    assert_eq!(bytes(&again), text);
+}
+
+fn fault(text: &str) -> String {
+    read(text.as_bytes(), "r.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn every_preset_comes_back() {
+    comes_back(&RecipeFile::default());
+    for &preset in Preset::ALL {
+        comes_back(&RecipeFile::of(preset));
+        let by_key = read(format!("preset = \"{preset}\"").as_bytes(), "p.toml").unwrap();
+        assert_eq!(by_key.recipe, preset.recipe());
+    }
+}
+
+/// Every choice of every step, one at a time.
+#[test]
+fn every_choice_comes_back() {
+    let mut recipes: Vec<Recipe> = Vec::new();
+    let base = Recipe::default();
+    recipes.extend(Initial::ALL.iter().map(|&initial| Recipe { initial, ..base }));
+    recipes.extend(Prepare::ALL.iter().map(|&prepare| Recipe { prepare, ..base }));
+    recipes.extend(PrepareWhen::ALL.iter().map(|&prepare_when| Recipe { prepare_when, ..base }));
+    recipes.extend(Encroachment::ALL.iter().map(|&encroachment| Recipe { encroachment, ..base }));
+    recipes.extend(Select::ALL.iter().map(|&select| Recipe { select, ..base }));
+    recipes.extend([true, false].map(|until_destroyed| Recipe { until_destroyed, ..base }));
+    recipes.extend(PlacePoint::ALL.iter().map(|&point| Recipe { point, ..base }));
+    recipes.extend(LeppRule::ALL.iter().map(|&lepp_rule| Recipe { lepp_rule, ..base }));
+    recipes.extend(Centroid::ALL.iter().map(|&centroid| Recipe { centroid, ..base }));
+    recipes.extend(ConstrainedSecond::ALL.iter().map(|&constrained_second| Recipe { constrained_second, ..base }));
+    recipes.extend(Terminal::ALL.iter().map(|&terminal| Recipe { terminal, ..base }));
+    recipes.extend(Insert::ALL.iter().map(|&insert| Recipe { insert, ..base }));
+    recipes.extend(Recover::ALL.iter().map(|&recover| Recipe { recover, ..base }));
+    for recipe in recipes {
+        comes_back(&RecipeFile { recipe, ..RecipeFile::default() });
+    }
+}
+
+#[test]
+fn numbers_and_names_come_back_bit_for_bit() {
+    let numbers = [f64::MIN_POSITIVE, 1e-7, 0.1 + 0.2, 30.0, 1e9, 1.0 / 3.0 * 1e22, f64::MAX];
+    for (number, protect) in numbers.into_iter().zip(Protect::ALL.into_iter().cycle()) {
+        comes_back(&RecipeFile {
+            name: Some("quote \" backslash \\ tab \t bell \u{7} delete \u{7f} next line \u{85} ñ".to_owned()),
+            protect: Some(protect),
+            min_angle_deg: Some(number.min(60.0)),
+            max_area: Some(number),
+            max_aspect_ratio: Some(number.max(1.0)),
+            max_vertices: Some(usize::MAX),
+            length_floor: Some(number),
+            ..RecipeFile::of(Preset::LeppCentroid)
+        });
+    }
+}
+
+#[test]
+fn what_is_left_out_is_the_presets_wherever_it_stands() {
+    let file = read(b"select = \"first\"\npreset = \"lepp-circumcenter\"\n", "r.toml").unwrap();
+    assert_eq!(file.recipe, Recipe { select: Select::First, ..Preset::LeppCircumcenter.recipe() });
+    assert_eq!(file.refine_options().criteria, trimalla::refine::Criteria::default());
+}
+
+#[test]
+fn unknown_keys_are_named_with_their_place_and_all_that_are_known() {
+    let text = fault("preset = \"sanhueza\"\n  selekt = 1\n");
+    assert!(text.starts_with("r.toml:2:3: expected one of the keys "), "{text}");
+    assert!(text.ends_with(", found 'selekt'"), "{text}");
+    assert!(KEYS.iter().all(|key| text.contains(key)), "{text}");
+    let text = fault("\n[criteria]\nmin-angle = 3\nmax-length = 2\n");
+    assert_eq!(text, format!("r.toml:4:1: expected one of the keys {}, found 'max-length'", CRITERIA.join(", ")));
+    let text = fault("limits.max-time = 2");
+    assert_eq!(text, format!("r.toml:1:8: expected one of the keys {}, found 'max-time'", LIMITS.join(", ")));
+}
+
+#[test]
+fn wrong_values_are_named_with_their_place() {
+    let cases = [
+        ("select = \"worst\"", "r.toml:1:10: expected one of shortest-edge, smallest-angle, "),
+        ("\r\nselect = 4", "r.toml:2:10: expected one of shortest-edge, "),
+        ("until-destroyed = \"yes\"", "r.toml:1:19: expected true or false, found 'yes'"),
+        ("name = 3", "r.toml:1:8: expected a name between quotes, found '3'"),
+        ("criteria = 3", "r.toml:1:12: expected a table, such as [criteria], found '3'"),
+        ("[criteria]\nmin-angle = 61", "r.toml:2:13: expected an angle from 0 to 60 degrees, found '61'"),
+        ("[criteria]\nmin-angle = nan", "r.toml:2:13: expected an angle from 0 to 60 degrees, found 'nan'"),
+        ("[criteria]\nmax-area = 0.0", "r.toml:2:12: expected a positive finite area, found '0.0'"),
+        ("[criteria]\nmax-area = 1e999", "r.toml:2:12: expected a positive finite area, found '1e999'"),
+        ("[criteria]\nmax-aspect-ratio = 0.9", "r.toml:2:20: expected a finite ratio of at least 1, found '0.9'"),
+        ("[limits]\nmax-vertices = 1.5", "r.toml:2:16: expected a number of vertices, found '1.5'"),
+        ("[limits]\nmax-vertices = -1", "r.toml:2:16: expected a number of vertices, found '-1'"),
+        ("[limits]\nlength-floor = inf", "r.toml:2:16: expected a finite length of at least 0, found 'inf'"),
+    ];
+    for (text, expected) in cases {
+        assert!(fault(text).starts_with(expected), "{text}: {}", fault(text));
+    }
+}
+
+#[test]
+fn what_is_no_toml_is_named_with_its_place() {
+    assert!(fault("select = first").starts_with("r.toml:1:10: expected TOML ("), "{}", fault("select = first"));
+    assert!(fault("a = 1\nname = \"x").starts_with("r.toml:2:"), "{}", fault("a = 1\nname = \"x"));
+    assert!(fault("point = \"off-center\"\npoint = \"circumcenter\"").starts_with("r.toml:2:1: expected TOML ("));
+    let text = read(b"name = \"\xff\"", "r.toml").unwrap_err().to_string();
+    assert_eq!(text, "r.toml:1:9: expected text in UTF-8, found '\\xff'");
+    let deep = "a = ".to_owned() + &"[".repeat(100_000);
+    assert!(fault(&deep).starts_with("r.toml:1:"));
+    assert!(read("\u{feff}select = \"first\"".as_bytes(), "r.toml").is_ok());
+}
