@@ -45,7 +45,7 @@ times, call `trimalla compare --jobs 1` without `--no-times`.
 
 The drawings: *A*, the letter of Shewchuk's Triangle (29 points, one hole), which is mesh A of [MeshSuite]; and two of our own,
 `mesh-b` (72 points, four holes) and `mesh-b-points` (the same and 50 points scattered inside). They stand in for MeshSuite's
-meshes B and C, which were never published: their counts are not comparable with those of B and C, only what happens to them is.
+meshes B and C, of which no file is to be found: their counts are not comparable with those of B and C, only what happens to them is.
 
 ## All presets
 
@@ -65,9 +65,9 @@ TEXT
     done
     cat <<'TEXT'
 
-What we see. Up to 30 degrees off-centers need the fewest vertices on all three drawings. On mesh A the paths overtake them at 31
-degrees, on `mesh-b` only from 36 on, where off-centers no longer end. Circumcenters are never better than off-centers. Above 35 degrees
-only placements along longest-edge paths end, and not the midpoint on every drawing; the 50 scattered points make it harder for all.
+What we see. Up to 27 degrees off-centers need the fewest vertices on all three drawings; on mesh A centroids overtake them at 28
+degrees, on the other two nothing does up to 34. Circumcenters never need fewer vertices than off-centers. At 37 degrees only
+placements along longest-edge paths end, and with the 50 scattered points not even they do.
 
 ## Does the order matter?
 
@@ -86,12 +86,16 @@ TEXT
         rm -f "$out/$preset"-*-triangles.svg
     done
     cat <<'TEXT'
-For centroids of terminal triangles, hardly: up to 34 degrees the five orders stay within six vertices of each other on both drawings.
-Beyond, at 36 and 37 degrees, they part by a tenth to a fifth, and none is best throughout. For off-centers it matters much:
-with points inside, 34 degrees cost 310 vertices by shortest edge and 1295 in the order of age, and on `mesh-b` age and smallest circumradius reach
-34 degrees where shortest edge reaches 35 and smallest angle 36. Up to 33 degrees the shortest edge is first or nearly so. To prefer triangles on the
-border (`boundary-shortest-edge`) never helps by more than a vertex or two, and for off-centers costs from 30 degrees on. All this agrees with what MeshSuite found
-on its mesh B.
+For centroids of terminal triangles, hardly: up to 34 degrees the five orders stay within six vertices of each other on both
+drawings. Beyond they part by up to a fifth (366 to 441 vertices on `mesh-b` at 37 degrees), and none is best throughout.
+
+For off-centers it matters much. With points inside, 34 degrees cost 310 vertices by shortest edge and 1295 by age; on `mesh-b` age and
+smallest circumradius end up to 34 degrees, shortest edge up to 35, smallest angle up to 36. By shortest edge the mesh is the smallest up to 33
+degrees or has two vertices more at most, with one exception: at 33 degrees on `mesh-b` triangles on the border first
+(`boundary-shortest-edge`) give 133 vertices against 138. Elsewhere that order seldom helps, and it costs more the larger the angle is: 616
+vertices against 444 at 35 degrees with points inside.
+
+MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.
 
 ## What 37 degrees cost
 
@@ -100,13 +104,13 @@ TEXT
     if [ -f "$a" ]; then set -- "$a"; fi
     set -- "$@" "$b" "$c" data/shapes/key.poly data/shapes/gear.poly data/shapes/guitar.poly data/shapes/plate.poly data/shapes/coast.poly
     compare "$@" --algorithms lepp-circumcenter,lepp-off-center,lepp-centroid --angles 30,37 --markdown "$temporary/table.md"
-    tables | grep -v '^$' | awk '/^### /{ if (seen++) print ""; print; print ""; next } /^\| (vertices|triangles)/{ if (!/vertices/) print "" } /^Each run/{ print "" } { print }'
+    tables
     cat <<'TEXT'
 
-MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does on the small drawings A, `mesh-b` and `key`, and on the guitar for more than
-five times the vertices of 30 degrees; on the others it uses up its vertices. 37 degrees cost at least twice the vertices of 30, mostly
-three times or more, and no placement is the best or even ends on all drawings: centroids end on the gear, the plate and the coast, where circumcenters do
-not. Whoever needs no more than 33 degrees should not ask for 37.
+MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does on A, `mesh-b` and `key`, and on the guitar for more than
+five times the vertices of 30 degrees; on the other four it uses up its vertices. Where a placement ends, 37 degrees cost twice the vertices
+of 30 at best, and more often three times. None ends on every drawing, and none is always the best: centroids end on the gear, the plate and the coast,
+where circumcenters do not. Whoever does not need 37 degrees should not ask for them.
 TEXT
     if [ -f "$a" ] && [ -f "$published" ]; then
         cat <<'TEXT'
@@ -122,8 +126,8 @@ TEXT
         cat <<'TEXT'
 
 Our centroids are within one vertex of the published ones up to 33 degrees and need fewer beyond: 125 vertices against 299 at 36
-degrees. For circumcenters of terminal triangles ours takes the larger one and no segment is split twice for nothing: 150 vertices against 752 at 37.
-Crosses are rows that no mesh can have.
+degrees. Of the circumcenters of terminal triangles ours takes the larger triangle's and guards segments by lenses: 150 vertices against
+752 at 37. Crosses are rows that no mesh can have.
 TEXT
     fi
     cat <<'TEXT'
@@ -133,14 +137,15 @@ TEXT
 * **37 degrees on B.** The text (4.2, and again the conclusions) says that `lepp-circumcenter` passes 37 degrees on meshes A and B. Its own table
   (appendix B) has ND for B at 37, and ends at 36 with 1619 vertices.
 * **The priority of lepp-circumcenter.** Section 4.2 defines it with the smallest angle first; appendix B says that neither LEPP algorithm used
-  any priority. The tables of A come out with smallest angle first.
+  any priority.
 * **One column, two headings.** The "no priority" centroids on B in appendix B are the smallest-angle column of appendix C; the column
   without priority there has other numbers (328 against 339 vertices at 30 degrees).
 * **One run, two results.** Off-centers by shortest edge on B at 30 degrees: 320 vertices in appendices A and B, 301 in C.
-* **Copied columns.** The vertices of off-centers on A in the framework's column are the *triangles* of Triangle's column, from 20 to 35 degrees.
+* **Copied columns.** The vertices of off-centers on A in the framework's column are the *triangles* of Triangle's column, from 20 to 30 degrees.
 * **Columns that Euler's formula forbids.** A mesh of V vertices, of which W lie on the border, in a domain with h holes has
   T = 2V − W + 2h − 2 triangles, and W is at most V: one hole asks for T ≥ V, four holes for T ≥ V + 6. Off-centers on A from 31 degrees on have T < V; the
-  triangles of circumcenters on B in appendix B (168 for 223 vertices at 20 degrees, 210 for 1557 at 33) fall short almost throughout.
+  triangles of circumcenters on B in appendix B (168 for 223 vertices at 20 degrees, 210 for 1557 at 33) fall short at thirteen of the fifteen
+  angles at which that column has numbers.
   Even the 80 triangles that B is said to begin with ask for two of its 72 points to lie inside.
 TEXT
 } >"$temporary/page.md"

@@ -81,7 +81,7 @@ impl RecipeFile {
 }
 
 /// The keys of the file itself.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "name",
     "preset",
     "initial",

@@ -1,4 +1,4 @@
-//! Outcomes so far, one JSON object a line, so that an experiment can go on after a stop.
+//! The experiment journal: outcomes so far, one JSON object a line, so that an experiment can go on after a stop.
 //!
 //! A line is written when a run ends. A line that a stop has torn has no end and is taken away; any other line that is no outcome
 //! is an error, so that no foreign file is written to. What a line says is believed only if its digest is that of the run: another
