@@ -87,13 +87,12 @@ TEXT
     done
     cat <<'TEXT'
 For centroids of terminal triangles, hardly: up to 34 degrees the five orders stay within six vertices of each other on both
-drawings. Beyond they part by up to a fifth (366 to 441 vertices on `mesh-b` at 37 degrees), and none is best throughout.
+drawings. Beyond they part by up to two fifths (370 to 511 vertices on `mesh-b` at 37 degrees), and none is best throughout.
 
-For off-centers it matters much. With points inside, 34 degrees cost 310 vertices by shortest edge and 1295 by age; on `mesh-b` age and
-smallest circumradius end up to 34 degrees, shortest edge up to 35, smallest angle up to 36. By shortest edge the mesh is the smallest up to 33
-degrees or has two vertices more at most, with one exception: at 33 degrees on `mesh-b` triangles on the border first
-(`boundary-shortest-edge`) give 133 vertices against 138. Elsewhere that order seldom helps, and it costs more the larger the angle is: 616
-vertices against 444 at 35 degrees with points inside.
+For off-centers it matters much. With points inside, 34 degrees cost 342 vertices by shortest edge and 3248 by age; on `mesh-b` age ends up to
+34 degrees, smallest angle, smallest circumradius and border first up to 35, shortest edge up to 36. From 28 degrees on the shortest edge gives
+the smallest mesh or has four vertices more at most. Triangles on the border first (`boundary-shortest-edge`) seldom help, and cost more the
+larger the angle is: 788 vertices against 394 at 35 degrees with points inside.
 
 MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.
 
