@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{ConstrainedSecond, Encroachment, Row, Terminal, registry};
+use trimalla::refine::{ConstrainedSecond, Encroachment, Initial, PrepareWhen, Row, Terminal, registry};
 use trimalla_io::Format;
 
 use crate::console;
@@ -27,8 +27,8 @@ const STEPS: [(u8, &str); 6] = [
     (1, "step 1, prepare: what is done to segments first (mesh --prepare)"),
     (2, "step 2, select: which bad triangle is next (mesh --select)"),
     (3, "step 3, point: where the new vertex goes (mesh --point)"),
-    (4, "step 4, insert: how it goes in"),
-    (5, "step 5, recover: what becomes of interior segments"),
+    (4, "step 4, insert: how it goes in (mesh --insert)"),
+    (5, "step 5, recover: what becomes of interior segments (mesh --recover)"),
 ];
 
 fn text() -> String {
@@ -48,7 +48,15 @@ fn text() -> String {
                 Terminal::ALL.iter().map(|c| with_source(&c.row())),
             );
         }
+        if step == 0 {
+            add(
+                &mut text,
+                "initial triangulation (mesh --initial)",
+                Initial::ALL.iter().map(|c| with_source(&c.row())),
+            );
+        }
         if step == 1 {
+            add(&mut text, "when (mesh --prepare-when)", PrepareWhen::ALL.iter().map(|c| with_source(&c.row())));
             add(
                 &mut text,
                 "encroachment: the region kept free around segments (mesh --encroachment)",
@@ -80,7 +88,7 @@ fn with_source(row: &Row) -> (&'static str, String) {
 fn add(text: &mut String, title: &str, rows: impl Iterator<Item = (&'static str, String)>) {
     let _ = writeln!(text, "{title}");
     for (key, summary) in rows {
-        let _ = writeln!(text, "  {key:<20} {summary}");
+        let _ = writeln!(text, "  {key:<22} {summary}");
     }
     text.push('\n');
 }
