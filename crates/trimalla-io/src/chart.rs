@@ -123,7 +123,7 @@ mod tests {
     fn gaps_part_the_line_and_doubts_are_on_none() {
         let mut chart = chart(&[[1.0, 1.0], [2.0, 2.0], [3.0, 3.0], [4.0, 4.0]]);
         let lines = |chart: &Chart| {
-            let text = text(&[chart.clone()], 1);
+            let text = text(std::slice::from_ref(chart), 1);
             let line = text.lines().find(|l| l.contains("class=\"curve\"")).unwrap().to_owned();
             (line.matches('M').count(), line.matches('L').count())
         };

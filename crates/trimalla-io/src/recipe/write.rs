@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use super::RecipeFile;
 
 /// Writes a recipe: every step, and what is said about criteria and limits. The same recipe gives the same bytes, and
-/// [`read`](super::read) gives the same recipe.
+/// [`read`](super::read()) gives the same recipe.
 ///
 /// # Errors
 /// Those of `out`.
