@@ -10,7 +10,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
-use crate::commands::{check, compare, convert, list, mesh, stats, triangulate};
+use crate::commands::{check, compare, convert, list, mesh, refine, stats, triangulate};
 use crate::console;
 use crate::exit::STATUSES;
 
@@ -27,6 +27,8 @@ Examples:
   trimalla mesh key.poly -o key.1.ele         mesh a drawing, no angle below 30 degrees
   trimalla mesh key.poly -o key.svg           the same, as a picture
   trimalla check key.1.ele --input key.poly   prove the mesh right
+  trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
+                                              refine it further
   trimalla compare key.poly --markdown        all algorithms at all angles, in a table
   trimalla list                               algorithms, steps, rules and formats
 
@@ -35,6 +37,7 @@ Examples:
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Mesh(mesh::Options),
+    Refine(refine::Options),
     Triangulate(triangulate::Options),
     Check(check::Options),
     Stats(stats::Options),

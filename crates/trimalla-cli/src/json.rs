@@ -1,28 +1,27 @@
 //! Reports for programs: one JSON object, keys in alphabetical order.
 
 use serde_json::{Map, Value, json};
-use trimalla::refine::{Report, StopReason};
+use trimalla::Meshed;
+use trimalla::refine::StopReason;
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console;
 use crate::exit::Failure;
+use crate::refining::Made;
 
 /// The report of a refinement.
-pub(crate) fn of_meshing(
-    mesh: &IndexedMesh,
-    report: &Report,
-    algorithm: &str,
-    seconds: f64,
-    warnings: &[String],
-) -> Value {
+pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
+    let Made { meshed: Meshed { mesh, report, outlook, .. }, warnings, foreseen, .. } = made;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
+    let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
     json!({
         "vertices": mesh.points.len(),
         "triangles": mesh.triangles.len(),
         "steiner_points": mesh.points.len() - mesh.input_points,
         "min_angle": report.min_angle_deg,
         "max_angle": report.max_angle_deg,
+        "angle_ceiling": outlook.as_ref().and_then(|o| o.angle_ceiling).map(|ceiling| ceiling.bound.degrees()),
         "below_bound": report.leftovers.len(),
         "reasons": reasons,
         "algorithm": algorithm,
@@ -30,8 +29,23 @@ pub(crate) fn of_meshing(
         "complete": report.complete(),
         "stop": stop_key(report.stop),
         "lost_segments": report.lost_segments,
+        "lepp_lengths": report.lepp_lengths,
+        "insertions": {
+            "free": report.points_inserted,
+            "on_segments": report.segments_split,
+            "taken_back": report.points_rejected,
+            "deleted": report.vertices_deleted,
+            "flips_instead": report.flips_instead,
+        },
+        "forecast_triangles": outlook.as_ref().map(|o| whole(o.forecast.triangles)),
         "warnings": warnings,
     })
+}
+
+/// A count that may be too large for one, as a whole number where it is not.
+fn whole(count: f64) -> Value {
+    const LARGEST: f64 = 9_007_199_254_740_992.0;
+    if count < LARGEST { json!(count as u64) } else { json!(count) }
 }
 
 /// The report of a triangulation.

@@ -6,7 +6,8 @@
 //! | [`commands`] | one file a subcommand |
 //! | [`experiment`] | the tables of `compare` |
 //! | [`input`] | drawings and meshes with the names that their files give to things |
-//! | [`names`], [`records`] | faults and warnings in the numbers and lines of the file |
+//! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
+//! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
 //! | [`recipe_options`], [`recipe_file`] | the five steps as options, and as files |
 //! | [`progress`] | the progress line, and Ctrl-C |
@@ -18,6 +19,8 @@ mod commands;
 mod console;
 mod exit;
 mod experiment;
+mod foresight;
+mod frames;
 mod input;
 mod json;
 mod names;
@@ -26,7 +29,10 @@ mod progress;
 mod recipe_file;
 mod recipe_options;
 mod records;
+mod refining;
+mod renumber;
 mod text;
+mod trace;
 
 use std::process::ExitCode;
 

@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use trimalla::constrained::{ConstraintError, CrossingPair};
 use trimalla::domain::{DomainError, OpenEnd, Pslg, Warning};
 use trimalla::geometry::Point;
+use trimalla::mesh::VertexId;
 
 use crate::console::count;
 use crate::exit::{Failure, Status};
@@ -148,7 +149,25 @@ impl<'a> Names<'a> {
         }
     }
 
-    fn of_file(&self, text: impl std::fmt::Display) -> String {
+    /// A vertex; those after the input are where segments cross.
+    pub(crate) fn vertex(&self, v: VertexId) -> String {
+        if v.index() < self.drawing.value.points.len() {
+            format!("vertex {}", self.drawing.number(v.index()))
+        } else {
+            "a crossing".to_owned()
+        }
+    }
+
+    /// A segment, with its line where that is known.
+    pub(crate) fn segment(&self, segment: usize) -> String {
+        let number = self.drawing.number(segment);
+        match self.records().segments.get(segment) {
+            Some(record) => format!("segment {number} (line {})", record.line),
+            None => format!("segment {number}"),
+        }
+    }
+
+    pub(crate) fn of_file(&self, text: impl std::fmt::Display) -> String {
         format!("{}: {text}", self.drawing.name())
     }
 

@@ -10,10 +10,12 @@ use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
-use trimalla::refine::{Observer, Progress};
+use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::refine::{Event, Observer, Progress};
 
 use crate::console;
 use crate::exit::{Failure, Status};
+use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -60,18 +62,25 @@ pub(crate) fn begin_writing() -> Result<(), Failure> {
 #[derive(Debug)]
 pub(crate) struct Watch {
     line: ProgressBar,
+    trace: Option<Trace>,
 }
 
 impl Watch {
     /// A line on standard error, if that is a terminal and the line is wanted.
     pub(crate) fn new(is_wanted: bool) -> Self {
         if !is_wanted {
-            return Self { line: ProgressBar::hidden() };
+            return Self { line: ProgressBar::hidden(), trace: None };
         }
         let template = "{spinner} {human_pos} vertices, {msg} bad triangles waiting, {elapsed}";
         let style = ProgressStyle::with_template(template);
         let line = ProgressBar::new_spinner(); // Draws on standard error, and there only on a terminal.
-        Self { line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())) }
+        Self { line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())), trace: None }
+    }
+
+    /// The same, recording every step.
+    pub(crate) fn with_trace(mut self, trace: Option<Trace>) -> Self {
+        self.trace = trace;
+        self
     }
 }
 
@@ -83,6 +92,16 @@ impl Observer for Watch {
             self.line.set_position(progress.vertices as u64);
         }
         !INTERRUPTED.load(Ordering::SeqCst)
+    }
+
+    fn wants_events(&self) -> bool {
+        self.trace.is_some()
+    }
+
+    fn event(&mut self, event: &Event, cdt: &ConstrainedDelaunay) {
+        if let Some(trace) = &self.trace {
+            trace.record(event, cdt);
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use clap::{ArgAction, Args};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset, Recipe,
-    Recover, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset,
+    Recipe, Recover, Select, Terminal,
 };
 
 use crate::args::one_of;
@@ -16,6 +16,11 @@ pub(crate) struct RecipeOptions {
     #[arg(long, value_name = "KEY",
           value_parser = one_of(Preset::ALL.iter().map(|p| (p.key(), p.row().summary, *p))))]
     pub(crate) algorithm: Option<Preset>,
+
+    /// The triangulation that refinement starts from [default: the preset's]
+    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
+          value_parser = one_of(Initial::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
+    initial: Option<Initial>,
 
     /// Step 1: what is done to segments first [default: the preset's]
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
@@ -86,6 +91,7 @@ impl RecipeOptions {
 
     /// Changes the steps that were asked for.
     pub(crate) fn change(&self, recipe: &mut Recipe) {
+        recipe.initial = self.initial.unwrap_or(recipe.initial);
         recipe.prepare = self.prepare.unwrap_or(recipe.prepare);
         recipe.prepare_when = self.prepare_when.unwrap_or(recipe.prepare_when);
         recipe.encroachment = self.encroachment.unwrap_or(recipe.encroachment);

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use trimalla::Meshed;
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::refine::{Leftover, Report};
+use trimalla::refine::{Leftover, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console::{self, count};
@@ -49,9 +50,9 @@ pub(crate) fn facts(pslg: &Pslg) -> String {
     parts.join(", ")
 }
 
-/// The size of a mesh.
-pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh) {
-    let added = mesh.points.len() - mesh.input_points;
+/// The size of a mesh, of whose vertices so many are not new.
+pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
+    let added = mesh.points.len() - old;
     lines.row("vertices", format_args!("{} ({added} added)", mesh.points.len()));
     lines.row("triangles", mesh.triangles.len());
 }
@@ -64,9 +65,36 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
         0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
         n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
     }
+    if let Some(paths) = paths(&report.lepp_lengths) {
+        lines.row("paths", paths);
+    }
     if !report.lost_segments.is_empty() {
         lines.row("lost", format_args!("{} (no chain of edges)", count(report.lost_segments.len(), "segment")));
     }
+}
+
+/// What the smallest input angle costs at worst, where some triangle pays for it and the argument for it holds.
+pub(crate) fn floor(meshed: &Meshed, options: &RefineOptions, drawing: &Input<Pslg>) -> Option<String> {
+    let outlook = meshed.outlook.as_ref()?;
+    let is_forced = meshed.report.complete() && !meshed.report.leftovers.is_empty();
+    let (floor, input) = (outlook.angle_floor(options).filter(|_| is_forced)?, outlook.smallest_input_angle?);
+    // Rounded down: what is said stays true.
+    let floor = (100.0 * floor.degrees()).floor() / 100.0;
+    let vertex = drawing.number(input.vertex.index());
+    Some(format!(
+        "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
+        input.angle.degrees()
+    ))
+}
+
+/// How long the longest-edge propagation paths were, if any was followed.
+fn paths(lengths: &[u64]) -> Option<String> {
+    let total: u64 = lengths.iter().sum();
+    let sum: u64 = (0..).zip(lengths).map(|(length, n)| length * n).sum();
+    let share = |n: u64| 100.0 * n as f64 / total as f64;
+    let counted = lengths.iter().enumerate().filter(|(_, n)| **n > 0);
+    let shares: Vec<String> = counted.map(|(length, &n)| format!("{length}: {:.0} %", share(n))).collect();
+    (total > 0).then(|| format!("{total}, mean length {:.2} ({})", sum as f64 / total as f64, shares.join(", ")))
 }
 
 /// The smallest and the largest angle.

@@ -5,12 +5,13 @@
 //! <number> <largest area>
 //! ```
 //! Numbers are consecutive and start at 0 or 1, as the first one says. A largest area that is zero or negative is none.
-//! Bounds are no part of an [`IndexedMesh`](trimalla::triangulation::IndexedMesh), so they are read and written here only.
+//! Bounds are no part of an [`IndexedMesh`](trimalla::triangulation::IndexedMesh): [`read_areas`](crate::read_areas) finds
+//! them beside a mesh.
 
 use std::io::{self, Write};
 
 use crate::columns::invalid;
-use crate::error::IoError;
+use crate::error::{Fault, IoError, Place};
 use crate::numbers::{Numbering, Real};
 use crate::tokens::Reader;
 
@@ -39,6 +40,15 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Areas, IoError> {
     }
     reader.end_file()?;
     Ok(Areas(bounds))
+}
+
+/// The fault of a file whose bounds are not one a triangle of its mesh; the count stands in its first record.
+pub(crate) fn miscounted(name: &str, found: usize, triangles: usize) -> IoError {
+    IoError::Value(Box::new(Fault {
+        place: Place { file: name.to_owned(), line: 1, column: 1 },
+        expected: format!("area bounds for the {triangles} triangles of the mesh"),
+        found: format!("{found}"),
+    }))
 }
 
 /// Bytes of the shortest row, `1 1` and the end of its line.

@@ -69,7 +69,7 @@ impl Format {
             Self::Poly => "a planar straight-line graph (Triangle); read and written",
             Self::Edge => "edges of a mesh (Triangle); written",
             Self::Neigh => "neighbours of triangles (Triangle); written",
-            Self::Area => "area bounds of triangles (Triangle); by the library only",
+            Self::Area => "area bounds of triangles (Triangle); read beside a mesh that is refined",
             Self::MeshSuite => "a drawing or a mesh in one file (MeshSuite); read and written",
             Self::Soup => "triangles by coordinates (Sanhueza; also read from .txt); read and written",
             Self::Vtu => "a mesh for ParaView (VTK, XML as plain text); written",

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | a path to a drawing (`.poly`, `.node`, `.mesh`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
 //! | a path to a mesh (`.ele`, `.mesh`, `.soup`, `.txt`) | [`read_mesh`], or [`read_mesh_numbered`] |
+//! | the area bounds beside a mesh | [`read_areas`] |
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
 //! | a drawing, and a path | [`write_pslg`] |
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
@@ -84,7 +85,7 @@ mod write;
 pub use error::{Fault, IoError, Place};
 pub use format::Format;
 pub use numbers::VertexRange;
-pub use read::{Numbered, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
+pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
 pub use recipe::RecipeFile;
 pub use svg::SvgOptions;
 pub use write::{

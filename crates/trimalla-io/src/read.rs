@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 
+use crate::area::{self, Areas};
 use crate::error::IoError;
 use crate::format::{Format, companion};
 use crate::node::{self, Nodes};
@@ -98,6 +99,30 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
         }
         _ => Err(unknown(path, MESH_ENDINGS)),
     }
+}
+
+/// Reads the area bounds of a mesh, which lie in an `.area` file beside its `.ele` file, with the name of that file.
+///
+/// `path` names the mesh as it does for [`read_mesh`]. `None` where there is no such file, or the mesh is in another format.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output; a count other than `triangles` is a fault in the file.
+pub fn read_areas(path: impl AsRef<Path>, triangles: usize) -> Result<Option<(Areas, PathBuf)>, IoError> {
+    let path = path.as_ref();
+    if !matches!(Format::from_path(path), None | Some(Format::Ele | Format::Node))
+        || !companion(path, Format::Ele).exists()
+    {
+        return Ok(None);
+    }
+    let beside = companion(path, Format::Area);
+    if fs::symlink_metadata(&beside).is_err() {
+        return Ok(None);
+    }
+    let areas = area::read(&read_file(&beside, None)?, &name_of(&beside))?;
+    if areas.0.len() != triangles {
+        return Err(area::miscounted(&name_of(&beside), areas.0.len(), triangles));
+    }
+    Ok(Some((areas, beside)))
 }
 
 fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {

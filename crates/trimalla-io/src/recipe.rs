@@ -81,9 +81,10 @@ impl RecipeFile {
 }
 
 /// The keys of the file itself.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "name",
     "preset",
+    "initial",
     "prepare",
     "prepare-when",
     "encroachment",

@@ -1,9 +1,12 @@
 //! The one-call functions: a drawing in, a mesh out.
 
-use crate::constrained::Crossings;
+use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::{self, DomainError, DomainRule, Pslg, Warning};
-use crate::refine::{NoObserver, Observer, OptionError, RefineOptions, Refinement, Report};
+use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Pslg, Warning};
+use crate::quality::{InputFault, against_input};
+use crate::refine::{
+    Initial, NoObserver, Observer, OptionError, Outlook, Prepare, Recipe, RefineOptions, Refinement, Report,
+};
 use crate::triangulation::IndexedMesh;
 
 /// How a drawing is read before it is triangulated or meshed.
@@ -33,9 +36,21 @@ pub enum Error {
     /// The drawing is at fault.
     #[error(transparent)]
     Domain(#[from] DomainError),
+    /// The mesh to be refined is.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The mesh to be refined is not one of the drawing: every disagreement.
+    #[error("the mesh is not one of the drawing: {}", first_of(.0))]
+    NotOfDrawing(Vec<InputFault>),
     /// An option is.
     #[error(transparent)]
     Option(#[from] OptionError),
+}
+
+/// The first disagreement in words, and how many more there are.
+fn first_of(faults: &[InputFault]) -> String {
+    let first = faults.first().map(ToString::to_string).unwrap_or_default();
+    if faults.len() > 1 { format!("{first}; and {} more faults", faults.len() - 1) } else { first }
 }
 
 /// Meshes a drawing: constrained Delaunay triangulation, domain, refinement.
@@ -73,9 +88,12 @@ pub struct Meshed {
     pub report: Report,
     /// What was odd about the drawing.
     pub warnings: Vec<Warning>,
+    /// What was foreseen of the refinement, where the observer wanted to know.
+    pub outlook: Option<Outlook>,
 }
 
-/// [`mesh`], watched: the observer learns of progress and may cancel, in which case the mesh so far is returned.
+/// [`mesh`], watched: the observer learns of the outlook, then of progress, and may cancel, in which case the mesh so far
+/// is returned.
 ///
 /// # Errors
 /// See [`mesh`].
@@ -83,10 +101,105 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
+    let outlook = foreseen(&cdt, &options.refine, observer);
     let mut refinement = Refinement::new(cdt, options.refine)?;
     refinement.run(observer);
     let (cdt, report) = refinement.finish();
-    Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings })
+    Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings, outlook })
+}
+
+/// The outlook, shown to an observer that wants it.
+fn foreseen(cdt: &ConstrainedDelaunay, options: &RefineOptions, observer: &mut dyn Observer) -> Option<Outlook> {
+    let outlook = observer.wants_outlook().then(|| Outlook::of(cdt, options));
+    if let Some(outlook) = &outlook {
+        observer.outlook(outlook);
+    }
+    outlook
+}
+
+/// Refines a mesh that exists, without triangulating it anew.
+///
+/// With the drawing that the mesh was made from, its segments are found again: splits are computed from their ends, and
+/// the rules for small input angles hold as they did when the mesh was made. Without it, subsegments that go straight on
+/// are joined, which a warning says. Triangle attributes are handed down.
+///
+/// # Guarantees
+/// Every vertex of the mesh is there in the result, at its index, bit for bit; new ones follow. A mesh that meets the
+/// bounds comes back as it is, if it is constrained Delaunay or step 4 of the recipe flips nothing; otherwise edges are
+/// flipped first, and a warning counts them. What [`mesh()`] promises of its result holds of this one.
+///
+/// # Errors
+/// [`Error`] names what is wrong in the mesh, in the drawing, between the two, or in the options.
+///
+/// # Examples
+/// ```
+/// use trimalla::domain::Pslg;
+/// use trimalla::geometry::Point;
+/// use trimalla::refine::RefineOptions;
+///
+/// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();
+/// let drawing = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
+/// let (coarse, _) = trimalla::mesh(&drawing, &trimalla::MeshOptions::default())?;
+/// let finer = RefineOptions::default().with_max_area(0.05);
+/// let fine = trimalla::refine_mesh(&coarse, Some(&drawing), &finer)?;
+/// assert!(fine.report.complete() && fine.mesh.points.len() > coarse.points.len());
+/// assert_eq!(fine.mesh.points[..coarse.points.len()], coarse.points);
+/// let again = trimalla::refine_mesh(&fine.mesh, Some(&drawing), &finer)?;
+/// assert_eq!(again.mesh, fine.mesh);
+/// # Ok::<(), trimalla::Error>(())
+/// ```
+pub fn refine_mesh(mesh: &IndexedMesh, input: Option<&Pslg>, options: &RefineOptions) -> Result<Meshed, Error> {
+    refine_mesh_with(mesh, &[], input, options, &mut NoObserver)
+}
+
+/// [`refine_mesh`] with area bounds triangle by triangle (none, or an entry a triangle), watched.
+///
+/// A triangle of the result is held against the bound of the given triangle in which its middle lies.
+///
+/// # Errors
+/// See [`refine_mesh`].
+pub fn refine_mesh_with(
+    mesh: &IndexedMesh,
+    areas: &[Option<f64>],
+    input: Option<&Pslg>,
+    options: &RefineOptions,
+    observer: &mut dyn Observer,
+) -> Result<Meshed, Error> {
+    options.validate()?;
+    let FromMesh { cdt, given, mut warnings } = domain::from_mesh(mesh, areas, input)?;
+    if let Some(pslg) = input {
+        let faults = against_input(mesh, pslg).faults;
+        if !faults.is_empty() {
+            return Err(Error::NotOfDrawing(faults));
+        }
+    }
+    let outlook = foreseen(&cdt, options, observer);
+    let mut refinement = Refinement::new(cdt, *options)?;
+    refinement.run(observer);
+    let (cdt, report) = refinement.finish();
+    if report.edges_flipped > 0 {
+        warnings.push(Warning::Flipped { flips: report.edges_flipped });
+    }
+    Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
+}
+
+/// The conforming Delaunay triangulation of a drawing's domain: segments inside are split until they are edges without being
+/// walls; the border is constrained.
+///
+/// # Guarantees
+/// Those of [`mesh()`] without bounds on triangles. Splitting stops at the vertex budget and the length floor of
+/// [`Limits`](crate::refine::Limits); what is missing then is put in as whole edges.
+///
+/// # Errors
+/// [`Error`].
+///
+/// # Source
+/// `[MeshSuite]` 2.6.1.
+pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), Error> {
+    let recipe = Recipe { initial: Initial::Conforming, prepare: Prepare::None, ..Recipe::default() };
+    let refine = RefineOptions { recipe, ..RefineOptions::default() }.with_min_angle_deg(0.0);
+    let meshed = mesh_with(pslg, &MeshOptions { domain: *options, refine }, &mut NoObserver)?;
+    Ok((meshed.mesh, meshed.warnings))
 }
 
 /// Triangulates a drawing and keeps its domain; no vertex is added but where segments cross.

@@ -43,7 +43,10 @@ pub mod quality;
 pub mod refine;
 pub mod triangulation;
 
-pub use facade::{DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, triangulate};
+pub use facade::{
+    DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, refine_mesh, refine_mesh_with, triangulate,
+    triangulate_conforming,
+};
 
 /// The README's example, compiled and run as a test.
 #[cfg(doctest)]

@@ -80,7 +80,7 @@ fn judge(drawing: &Pslg, options: RefineOptions) -> Verdict {
 /// The report of a run, judged; nothing where the drawing is flat.
 fn judged(drawing: &Pslg, options: RefineOptions) -> Result<Option<Report>, String> {
     let Some(Outcome { cdt, mesh, report }) = refined(drawing, options)? else { return Ok(None) };
-    if options.recipe.insert == Insert::Partition {
+    if matches!(options.recipe.insert, Insert::Partition | Insert::FlipOrCentroid) {
         none("library checker", &cdt.triangulation_faults())?;
         none("testkit checker", &check_indexed_with(&mesh, Some(drawing), DelaunayRule::Ignore))?;
     } else {

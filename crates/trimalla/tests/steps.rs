@@ -10,8 +10,8 @@ use trimalla::geometry::{Point, Triangle};
 use trimalla::mesh::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
-    Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover, RefineOptions,
-    Refinement, Report, Select, StepOutcome,
+    Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
+    RefineOptions, Refinement, Report, Select, StepOutcome,
 };
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
@@ -93,17 +93,21 @@ fn each_way_to_recover_does_what_it_says() {
 #[test]
 fn splitting_makes_a_conforming_triangulation() {
     let drawing = fenced();
-    let mut options = RefineOptions::default().with_min_angle_deg(0.0);
-    options.recipe.recover = Recover::BySplitting;
-    options.recipe.prepare = Prepare::None;
-    let mut refinement = begun(&drawing, options);
-    refinement.run(&mut NoObserver);
-    let (cdt, report) = refinement.finish();
-    let mesh = cdt.to_indexed(&drawing);
-    assert!(report.segments_split > 0 && report.points_inserted == 0);
-    assert_eq!(against_input(&mesh, &drawing).faults, []);
-    let unlocked = IndexedMesh { segments: vec![], segment_markers: vec![], ..mesh };
-    assert_eq!(check_indexed_with(&unlocked, None, DelaunayRule::Delaunay), Vec::<String>::new());
+    let in_the_end = Recipe { recover: Recover::BySplitting, prepare: Prepare::None, ..Recipe::default() };
+    let at_first = Recipe { initial: Initial::Conforming, prepare: Prepare::None, ..Recipe::default() };
+    let meshes = [in_the_end, at_first].map(|recipe| {
+        let options = RefineOptions { recipe, ..RefineOptions::default() }.with_min_angle_deg(0.0);
+        let mut refinement = begun(&drawing, options);
+        refinement.run(&mut NoObserver);
+        let (cdt, report) = refinement.finish();
+        let mesh = cdt.to_indexed(&drawing);
+        assert!(report.segments_split > 0 && report.points_inserted == 0);
+        assert_eq!(against_input(&mesh, &drawing).faults, []);
+        let unlocked = IndexedMesh { segments: vec![], segment_markers: vec![], ..mesh.clone() };
+        assert_eq!(check_indexed_with(&unlocked, None, DelaunayRule::Delaunay), Vec::<String>::new());
+        (mesh.points, cdt.canonical())
+    });
+    assert!(meshes[0] == meshes[1], "without angles to improve both are the same");
 }
 
 /// Segments that part regions stay, or attributes would run over.

@@ -12,11 +12,8 @@ use trimalla::triangulation::{IndexedMesh, MeshFault, check_mesh, check_mesh_del
 use crate::console::{self, count};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
+use crate::renumber::Renumber as _;
 use crate::text::corners;
-
-mod renumber;
-
-use renumber::Renumber as _;
 
 /// No more faults than this are named one by one.
 const MOST_FAULTS: usize = 50;

@@ -5,6 +5,7 @@ pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod list;
 pub(crate) mod mesh;
+pub(crate) mod refine;
 pub(crate) mod stats;
 pub(crate) mod triangulate;
 
@@ -15,6 +16,7 @@ use crate::exit::{Failure, Status};
 pub(crate) fn run(program: Program) -> Result<Status, Failure> {
     match program.command {
         Command::Mesh(options) => mesh::run(&options),
+        Command::Refine(options) => refine::run(&options),
         Command::Triangulate(options) => triangulate::run(&options),
         Command::Check(options) => check::run(&options),
         Command::Stats(options) => stats::run(&options),

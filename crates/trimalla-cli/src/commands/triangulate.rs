@@ -3,12 +3,15 @@
 use std::time::Instant;
 
 use clap::Args;
+use trimalla::Error;
 use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::{Pslg, Warning};
+use trimalla::triangulation::IndexedMesh;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::input::read_drawing;
+use crate::input::{Input, read_drawing};
 use crate::names::Names;
 use crate::outputs::Outputs;
 use crate::{json, progress, text};
@@ -20,19 +23,62 @@ Examples:
 
 The triangulation is unique: cocircular points are decided by a fixed rule, so that algorithms
 and the order of the points make no difference. No vertex is added, but at crossings with
---crossings split.";
+--crossings split; except by conforming-delaunay, which splits segments inside.";
 
-/// Triangulate a drawing: constrained Delaunay, no new vertices
+/// What to make, and how.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// The constrained Delaunay triangulation, by this algorithm.
+    Constrained(AlgorithmKey),
+    /// The conforming one.
+    Conforming,
+}
+
+/// The key of the conforming triangulation.
+const CONFORMING: &str = "conforming-delaunay";
+
+impl Kind {
+    fn all() -> impl Iterator<Item = (&'static str, &'static str, Self)> {
+        let constrained = AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), Self::Constrained(a)));
+        let conforming = "segments inside are split until the triangulation is Delaunay without walls";
+        constrained.into_iter().chain([(CONFORMING, conforming, Self::Conforming)])
+    }
+
+    fn key(self) -> &'static str {
+        match self {
+            Self::Constrained(algorithm) => algorithm.key(),
+            Self::Conforming => CONFORMING,
+        }
+    }
+
+    fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<(IndexedMesh, Vec<Warning>), Failure> {
+        let names = Names::of(drawing);
+        match self {
+            Self::Constrained(algorithm) => {
+                let made = trimalla::triangulate(&drawing.value, &options.domain_options(algorithm));
+                made.map_err(|error| names.failure(&error))
+            }
+            Self::Conforming => {
+                let options = options.domain_options(AlgorithmKey::default());
+                trimalla::triangulate_conforming(&drawing.value, &options).map_err(|error| match error {
+                    Error::Domain(error) => names.failure(&error),
+                    other => Failure::bad_input(other.to_string()),
+                })
+            }
+        }
+    }
+}
+
+/// Triangulate a drawing: constrained Delaunay, no new vertices; or conforming Delaunay
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
     #[command(flatten)]
     drawing: DrawingOptions,
 
-    /// How the points are triangulated; the result does not depend on it
-    #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(),
-          value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), a))))]
-    algorithm: AlgorithmKey,
+    /// How the points are triangulated, on which the result does not depend; or a conforming triangulation
+    #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), value_parser = one_of(Kind::all()))]
+    algorithm: Kind,
 
     #[command(flatten)]
     output: OutputOptions,
@@ -49,8 +95,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let stream = outputs.report_stream(&options.report)?;
     let names = Names::of(&drawing);
     let start = Instant::now();
-    let made = trimalla::triangulate(&drawing.value, &options.drawing.domain_options(options.algorithm));
-    let (mesh, warnings) = made.map_err(|error| names.failure(&error))?;
+    let (mesh, warnings) = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();
     progress::begin_writing()?;
     let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
@@ -62,8 +107,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     } else {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(&drawing));
-        lines.row("algorithm", options.algorithm);
-        text::add_counts(&mut lines, &mesh);
+        lines.row("algorithm", options.algorithm.key());
+        text::add_counts(&mut lines, &mesh, mesh.input_points);
         lines.row("angles", text::angles(angles_deg));
         text::add_end(&mut lines, seconds, &outputs.files());
         console::write(stream, &lines.into_text())?;

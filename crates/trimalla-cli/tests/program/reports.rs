@@ -14,7 +14,8 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 2] = ["stop", "warnings"];
+const EXTRA: [&str; 7] =
+    ["angle_ceiling", "forecast_triangles", "insertions", "lepp_lengths", "lost_segments", "stop", "warnings"];
 
 #[test]
 fn json_has_the_promised_keys_and_no_others() {
@@ -87,4 +88,23 @@ fn same_input_same_bytes() {
     assert_eq!(scratch.read("a.node"), scratch.read("c.node"));
     assert_eq!(scratch.read("a.ele"), scratch.read("c.ele"));
     assert_eq!(scratch.read("a.node"), scratch.read("b.node"));
+}
+
+#[test]
+fn every_step_is_traced_and_drawn() {
+    let scratch = Scratch::with_square("trace");
+    scratch.run("mesh square.poly --algorithm lepp-centroid --max-area 0.02 --trace t.jsonl --frames f -q").expect(0);
+    let lines: Vec<serde_json::Value> =
+        scratch.read("t.jsonl").lines().map(|l| serde_json::from_str(l).expect("a JSON object")).collect();
+    assert!(lines.len() > 10 && lines.last().expect("a line")["outcome"] == "finished");
+    let mut triangles = std::collections::BTreeSet::new();
+    for (i, line) in (1_u64..).zip(&lines) {
+        assert_eq!(line["step"], i);
+        for gone in line["destroyed"].as_array().expect("a list") {
+            triangles.remove(&gone.to_string());
+        }
+        triangles.extend(line["made"].as_array().expect("a list").iter().map(ToString::to_string));
+        assert!(scratch.read(&format!("f/{i:06}.svg")).ends_with("</svg>\n"));
+    }
+    assert!(triangles.len() > 20, "the mesh is what the steps made");
 }

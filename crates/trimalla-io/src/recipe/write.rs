@@ -19,6 +19,7 @@ fn text(file: &RecipeFile) -> String {
     let mut text = Text(String::from("# A recipe of trimalla; 'trimalla list' explains the keys.\n"));
     text.pair("name", file.name.as_deref().map(Quoted));
     text.pair("preset", file.preset.map(|p| Quoted(p.key())));
+    text.pair("initial", Some(Quoted(recipe.initial.key())));
     text.pair("prepare", Some(Quoted(recipe.prepare.key())));
     text.pair("prepare-when", Some(Quoted(recipe.prepare_when.key())));
     text.pair("encroachment", Some(Quoted(recipe.encroachment.key())));

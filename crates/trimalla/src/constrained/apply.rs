@@ -36,6 +36,9 @@ pub(super) fn apply<J: Journal>(
     if !plan.constrained.is_empty() {
         return None;
     }
+    if let [crossed] = plan.crossed[..] {
+        return flip_into_place(t, crossed, mark, lawson, j);
+    }
     let left = bank(t, plan.from, &plan.left, plan.to, plan.left_rim.clone(), filling)?;
     let right_chain: Vec<VertexId> = plan.right.iter().rev().copied().collect();
     let right = bank(t, plan.to, &right_chain, plan.from, plan.right_rim.iter().rev().copied().collect(), filling)?;
@@ -50,6 +53,32 @@ pub(super) fn apply<J: Journal>(
     }
     lawson.legalise_all(t, j);
     t.half_edge_between(plan.from, plan.to)
+}
+
+/// The segment that crosses a single edge is the other diagonal of its two faces.
+///
+/// ```text
+///        l                    l
+///       /|\                  / \        the segment runs inside both faces, so the quadrilateral is
+///   from ─ ─ to     ──>  from ═══ to     strictly convex
+///       \ /                  \ /
+///        r                    r
+/// ```
+fn flip_into_place<J: Journal>(
+    t: &mut Triangulation,
+    crossed: HalfEdgeId,
+    mark: u32,
+    lawson: &mut Lawson,
+    j: &mut J,
+) -> Option<HalfEdgeId> {
+    let h = t.mesh.flip(crossed, j);
+    t.mesh.set_mark(h, mark, j);
+    let o = t.twin(h);
+    for side in [h.next(), h.prev(), o.next(), o.prev()] {
+        lawson.push(side);
+    }
+    lawson.legalise_all(t, j);
+    Some(h)
 }
 
 fn crossed_faces(t: &Triangulation, plan: &SegmentPlan) -> Vec<FaceId> {

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::ops::Deref;
+use std::sync::Arc;
 
+use super::area_map::AreaMap;
 use super::constraints::Constraints;
 use super::crossing_pairs::crossing_pairs;
 use super::error::ConstraintError;
@@ -60,8 +62,16 @@ pub struct ConstrainedDelaunay {
     /// Where the vertices after the input come from.
     pub(crate) provenance: Provenances,
     pub(crate) input_points: usize,
+    /// The first vertex with a provenance of its own: the first after the input, or 0 where no input is known.
+    pub(crate) first_provenance: usize,
+    /// Vertices below it came with a mesh and stay, whatever their provenance.
+    pub(crate) given_points: usize,
+    /// The triangles that area bounds were given for, where they were given one by one.
+    pub(crate) area_map: Option<Arc<AreaMap>>,
     /// Border edges with something outside within rounding of them, lower vertex first; empty before carving.
     pub(crate) crowded: BTreeSet<[VertexId; 2]>,
+    /// Whether it was taken over as it stood: its edges may fail the circle test.
+    pub(crate) as_given: bool,
     pub(crate) last: FaceId,
     pub(crate) filling: Filling,
 }
@@ -132,7 +142,11 @@ impl ConstrainedDelaunay {
             regions: Vec::new(),
             provenance: Provenances::default(),
             input_points,
+            first_provenance: input_points,
+            given_points: input_points,
+            area_map: None,
             crowded: BTreeSet::new(),
+            as_given: false,
             last: FaceId(0),
             filling: Filling::default(),
         }
@@ -208,7 +222,13 @@ impl ConstrainedDelaunay {
     /// Where a vertex comes from.
     #[must_use]
     pub fn provenance(&self, v: VertexId) -> Provenance {
-        v.index().checked_sub(self.input_points).map_or(Provenance::Input, |i| self.provenance.get(i))
+        v.index().checked_sub(self.first_provenance).map_or(Provenance::Input, |i| self.provenance.get(i))
+    }
+
+    /// Whether refinement may delete a vertex: it is on no segment and did not come with the mesh that is refined.
+    #[must_use]
+    pub fn is_deletable(&self, v: VertexId) -> bool {
+        v.index() >= self.given_points && self.provenance(v).is_free()
     }
 
     /// Number of input vertices: those below it are the caller's.
@@ -218,9 +238,30 @@ impl ConstrainedDelaunay {
     }
 
     /// What holds in the region of a face; `None` where no region seed reached it.
+    ///
+    /// Where a mesh gave area bounds triangle by triangle, the bound is that of the triangle in which the middle of the
+    /// face lies.
     #[must_use]
     pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
-        self.t.region(f).checked_sub(1).and_then(|r| self.regions.get(r as usize)).copied()
+        let region = self.t.region(f).checked_sub(1)?;
+        let rule = self.regions.get(region as usize).copied()?;
+        match &self.area_map {
+            None => Some(rule),
+            Some(map) => Some(RegionRule { max_area: map.bound_in(self.t.corners(f), FaceId(region)), ..rule }),
+        }
+    }
+
+    /// Flips edges that fail the circle test until none does; returns how many flips it took.
+    ///
+    /// Nothing happens to a triangulation that is constrained Delaunay. One that vertices went into without flips, or
+    /// that was taken over from a mesh, need not be.
+    ///
+    /// # Complexity
+    /// Linear, and the flips.
+    pub fn legalise(&mut self) -> u64 {
+        let illegal: Vec<HalfEdgeId> = self.t.edges().filter(|&h| !self.t.is_locally_delaunay(h)).collect();
+        illegal.into_iter().rev().for_each(|h| self.lawson.push(h));
+        self.lawson.legalise_all(&mut self.t, &mut NoJournal)
     }
 
     /// Number of used vertices that are not input.
@@ -328,7 +369,7 @@ impl ConstrainedDelaunay {
     }
 
     pub(crate) fn set_provenance<J: Journal>(&mut self, v: VertexId, new: Provenance, j: &mut J) {
-        if let Some(i) = v.index().checked_sub(self.input_points) {
+        if let Some(i) = v.index().checked_sub(self.first_provenance) {
             self.provenance.set(i, new, j);
         }
     }

@@ -6,10 +6,17 @@
 use std::collections::BTreeMap;
 
 /// The classes of marks, each a sorted list of input segments.
+///
+/// Nearly all are of one segment: those are found by a look-up, and no class has an allocation of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Constraints {
-    classes: Vec<Vec<u32>>,
-    /// The class of each list, so that equal lists share one.
+    /// The lists, one behind the other.
+    members: Vec<u32>,
+    /// Where the list of each class ends.
+    ends: Vec<u32>,
+    /// The mark of the class of just this segment; 0 where there is none.
+    alone: Vec<u32>,
+    /// The class of each list of none or several, so that equal lists share one.
     class_of: BTreeMap<Vec<u32>, u32>,
 }
 
@@ -18,18 +25,31 @@ impl Constraints {
     ///
     /// The empty list marks edges that bound the domain without being part of any segment.
     pub(crate) fn mark_of(&mut self, segments: &[u32]) -> u32 {
-        if let Some(&class) = self.class_of.get(segments) {
-            return class + 1;
+        let known = self.existing_mark_of(segments);
+        if known != 0 {
+            return known;
         }
-        let class = self.classes.len() as u32;
-        self.classes.push(segments.to_vec());
-        self.class_of.insert(segments.to_vec(), class);
-        class + 1
+        self.members.extend_from_slice(segments);
+        self.ends.push(self.members.len() as u32);
+        let mark = self.ends.len() as u32;
+        match segments {
+            [segment] => {
+                let at = *segment as usize;
+                self.alone.resize(self.alone.len().max(at + 1), 0);
+                self.alone[at] = mark;
+            }
+            _ => drop(self.class_of.insert(segments.to_vec(), mark)),
+        }
+        mark
     }
 
     /// The mark of exactly these segments, 0 where they have no class.
     pub(crate) fn existing_mark_of(&self, segments: &[u32]) -> u32 {
-        self.class_of.get(segments).map_or(0, |class| class + 1)
+        let mark = match segments {
+            [segment] => self.alone.get(*segment as usize),
+            _ => self.class_of.get(segments),
+        };
+        mark.copied().unwrap_or(0)
     }
 
     /// The mark of an edge of two marks: all segments of either.
@@ -51,18 +71,30 @@ impl Constraints {
 
     /// The input segments of a mark, sorted; none for mark 0.
     pub(crate) fn segments(&self, mark: u32) -> &[u32] {
-        mark.checked_sub(1).and_then(|class| self.classes.get(class as usize)).map_or(&[], Vec::as_slice)
+        let Some(class) = mark.checked_sub(1).map(|class| class as usize) else { return &[] };
+        let Some(&end) = self.ends.get(class) else { return &[] };
+        let start = class.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.members[start as usize..end as usize]
     }
 
     /// Number of classes.
     pub(crate) fn len(&self) -> usize {
-        self.classes.len()
+        self.ends.len()
     }
 
     /// Forgets the newest classes, down to that many.
     pub(crate) fn truncate(&mut self, len: usize) {
-        for list in self.classes.drain(len..) {
-            self.class_of.remove(&list);
+        while self.ends.len() > len {
+            let list = self.segments(self.ends.len() as u32).to_vec();
+            match list[..] {
+                [segment] => self.alone[segment as usize] = 0,
+                _ => drop(self.class_of.remove(&list)),
+            }
+            self.ends.pop();
+            self.members.truncate(self.members.len() - list.len());
+        }
+        while self.alone.last() == Some(&0) {
+            self.alone.pop();
         }
     }
 }

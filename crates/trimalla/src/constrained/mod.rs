@@ -5,6 +5,7 @@
 //! overlapping segments share edges, and crossing segments are refused or split, as [`Crossings`] says.
 
 mod apply;
+mod area_map;
 mod by_cavity;
 mod check;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
@@ -25,6 +26,7 @@ mod straighten;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use area_map::AreaMap;
 pub use constrained::{ConstrainedDelaunay, RegionRule, SegmentId};
 pub use crossing_pairs::crossing_pairs;
 pub use error::{ConstraintError, CrossingPair};

@@ -44,7 +44,7 @@ impl ConstrainedDelaunay {
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
     ///
     /// Where segments overlap their common points are as good as those of the finest.
-    pub(super) fn finest_segment(&self, mark: u32) -> Option<u32> {
+    pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
         let extent = |s: &u32| {
             let [a, b] = self.segments[*s as usize].map(|v| self.t.point(v));
             Segment::new(a, b).largest_coordinate()

@@ -59,8 +59,9 @@ impl Lawson {
     /// are looked at again.
     ///
     /// Flips raise the lifted surface nowhere, so the loop ends; `[Lawson77]` bounds it by the square of the
-    /// number of vertices.
-    pub(crate) fn legalise_all<J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) {
+    /// number of vertices. Returns how many flips there were.
+    pub(crate) fn legalise_all<J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) -> u64 {
+        let mut flips = 0;
         while let Some(e) = self.stack.pop() {
             if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
                 continue;
@@ -69,9 +70,11 @@ impl Lawson {
             // A hull edge between a ghost and its face is legal.
             if t.points.get(t.apex(e).index()).is_some_and(|&q| conflicts(t, e, o, q)) {
                 t.mesh.flip(e, j);
+                flips += 1;
                 self.stack.extend([e, e.next(), o, o.next()]);
             }
         }
+        flips
     }
 }
 

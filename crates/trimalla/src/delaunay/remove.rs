@@ -54,9 +54,10 @@ pub(crate) fn remove_vertex<J: Journal>(
         1 => remove_from_chain(t, v, j),
         _ => {
             let rim: Vec<HalfEdgeId> = t.star(v).map(|h| h.next()).map(|h| t.twin(h)).collect();
+            let neighbour = t.neighbours(v).next();
             let flipped = flip_spokes_away(t, v, j);
             take_out(t, v, j);
-            lower_dimension(t, j);
+            lower_dimension(t, neighbour, j);
             legalise_hole(t, &rim, &flipped, lawson, j);
         }
     }
@@ -88,11 +89,9 @@ pub(crate) fn legalise_hole<J: Journal>(
     lawson.legalise_all(t, j);
 }
 
-/// Where removal left no face, what is left is a chain.
-fn lower_dimension<J: Journal>(t: &mut Triangulation, j: &mut J) {
-    // A triangulation of the plane has at least one real face beside a ghost.
-    let flat = t.ghost_faces().next().and_then(|g| t.ghost_edge(g)).is_some_and(|e| t.is_ghost(t.twin(e).face()));
-    if flat {
+/// Where removal left no face, what is left is a chain: in the plane every vertex has a real face.
+fn lower_dimension<J: Journal>(t: &mut Triangulation, neighbour: Option<VertexId>, j: &mut J) {
+    if neighbour.is_some_and(|w| t.star(w).all(|h| t.is_ghost(h.face()))) {
         t.set_state(1, t.closure, None, j);
     }
 }

@@ -1,6 +1,6 @@
 //! Carving: what is outside away, in one change that can be taken back.
 
-use super::crowded::crowded;
+use super::crowded::{crowded, whole_segment};
 use crate::constrained::ConstrainedDelaunay;
 use crate::mesh::Journal;
 use crate::triangulation::Closure;
@@ -20,7 +20,7 @@ impl ConstrainedDelaunay {
         if keep.len() < self.face_slots() || !self.real_faces().any(|f| keep[f.index()]) {
             return false;
         }
-        self.crowded = crowded(self, keep);
+        self.crowded = crowded(self, keep, |h| whole_segment(self, h));
         self.t.mesh.carve(keep, j);
         self.t.set_state(2, Closure::Domain, None, j);
         self.constrain_border(j);

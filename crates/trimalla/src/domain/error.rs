@@ -147,6 +147,33 @@ pub enum Warning {
         /// How many crossing vertices were made.
         vertices: usize,
     },
+    /// Subsegments of a mesh were joined into chains, as no drawing says what they are pieces of.
+    Rejoined {
+        /// How many chains of two subsegments or more were made.
+        chains: usize,
+        /// How many subsegments they have.
+        subsegments: usize,
+    },
+    /// Subsegments inside a mesh that lie on no segment of its drawing; they are kept.
+    NotInDrawing {
+        /// How many.
+        subsegments: usize,
+    },
+    /// Edges of a mesh between triangles with different attributes that it does not list as segments; they are kept as such.
+    RegionBorders {
+        /// How many.
+        edges: usize,
+    },
+    /// A mesh falls into pieces that share no edge.
+    Pieces {
+        /// How many.
+        pieces: usize,
+    },
+    /// A mesh was not Delaunay, and edges were flipped until it was.
+    Flipped {
+        /// How many flips there were.
+        flips: u64,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -168,6 +195,25 @@ impl std::fmt::Display for Warning {
                 write!(f, "region seeds {a} and {b} lie in one region; the first counts")
             }
             Self::Crossings { vertices } => write!(f, "crossing segments were split at {vertices} new vertices"),
+            Self::Rejoined { chains, subsegments } => {
+                write!(
+                    f,
+                    "{subsegments} subsegments go straight on and were joined into {chains} chains; the drawing would tell which belong together"
+                )
+            }
+            Self::NotInDrawing { subsegments } => {
+                write!(f, "{subsegments} subsegments inside the mesh lie on no segment of the drawing; they are kept")
+            }
+            Self::RegionBorders { edges } => {
+                write!(
+                    f,
+                    "{edges} edges part triangles with different attributes and are kept, though they are not listed as segments"
+                )
+            }
+            Self::Pieces { pieces } => write!(f, "the mesh falls into {pieces} pieces that share no edge"),
+            Self::Flipped { flips } => {
+                write!(f, "the mesh was not constrained Delaunay: it took {flips} flips to make it so")
+            }
         }
     }
 }

@@ -52,7 +52,7 @@ impl ConstrainedDelaunay {
         (0..self.points().len())
             .map(VertexId::from_index)
             .map(|v| {
-                if v.index() >= self.input_points && !self.is_used(v) {
+                if v.index() >= self.given_points && !self.is_used(v) {
                     return u32::MAX;
                 }
                 next += 1;

@@ -9,22 +9,32 @@
 //! | `nesting` | what lies behind an odd number of segments, counted from outside |
 //! | `hull` | the convex hull, but what hole seeds reach |
 //!
+//! [`from_mesh()`] takes up a mesh that exists, triangle by triangle, and finds its segments again.
+//!
 //! [`Contours`] names an outer ring and hole rings instead, by orientation.
 
 mod attributes;
 mod build;
 mod carve;
+mod chains;
 mod contours;
 mod crowded;
 mod error;
 mod flood;
+mod from_mesh;
+mod given;
 mod indexed;
+mod mesh_error;
 mod pslg;
 mod regions;
+mod shells;
 #[cfg(test)]
 mod tests;
 
 pub use build::{DomainRule, build, triangulate};
 pub use contours::Contours;
 pub use error::{DomainError, OpenEnd, Warning};
+pub use from_mesh::{FromMesh, from_mesh};
+pub use given::Given;
+pub use mesh_error::MeshError;
 pub use pslg::{Pslg, Region};

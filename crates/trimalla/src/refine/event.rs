@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use super::bad_triangles::{Badness, sorted};
 use super::lepp::lepp;
 use super::refinement::{Refinement, StepOutcome};
-use super::report::Reason;
+use super::report::{Observer, Reason};
 use super::steps::Proposal;
 use crate::geometry::Point;
 use crate::mesh::{Column, FaceId, HalfEdgeId, VertexId};
@@ -131,6 +131,18 @@ impl Refinement {
     pub fn step(&mut self) -> Event {
         self.remember();
         let number = self.count_step();
+        self.advance_with_event(number)
+    }
+
+    /// One step of a run, told to an observer.
+    pub(super) fn told(&mut self, observer: &mut dyn Observer) -> StepOutcome {
+        self.steps_told += 1;
+        let event = self.advance_with_event(self.steps_told);
+        observer.event(&event, &self.cdt);
+        event.outcome
+    }
+
+    fn advance_with_event(&mut self, number: u64) -> Event {
         self.event = Some(Box::new(Event { number, ..Event::default() }));
         let given_up = self.given_up.len();
         let outcome = self.advance();

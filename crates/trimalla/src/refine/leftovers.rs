@@ -79,6 +79,10 @@ impl Refinement {
     /// # Source
     /// `[MillerPavWalkington03]`.
     pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
+        let on_segments = self.cdt.face_vertices(f).into_iter().filter(|&v| self.segment_of(v).is_some()).count();
+        if on_segments < 2 {
+            return false;
+        }
         let shortest = self.shortest_edge(f);
         self.joins_shells(self.cdt.origin(shortest), self.cdt.dest(shortest))
     }
@@ -123,14 +127,36 @@ impl Refinement {
         }
     }
 
+    /// The smallest and the largest angle in degrees: found by signed squared cosines, which fall as angles rise, and measured
+    /// in the two triangles alone.
     fn extreme_angles(&self) -> (f64, f64) {
-        let mut extremes = (180.0_f64, 0.0_f64);
+        let mut sharpest = (f64::NEG_INFINITY, None);
+        let mut bluntest = (f64::INFINITY, None);
         for f in self.cdt.real_faces() {
-            let [a, b, c] = self.cdt.corners(f);
-            for angle in Triangle::new(a, b, c).angles() {
-                extremes = (extremes.0.min(angle.degrees()), extremes.1.max(angle.degrees()));
+            let (least, most) = self.cosines(f);
+            if most > sharpest.0 {
+                sharpest = (most, Some(f));
+            }
+            if least < bluntest.0 {
+                bluntest = (least, Some(f));
             }
         }
-        extremes
+        let triangle = |f: FaceId| {
+            let [a, b, c] = self.cdt.corners(f);
+            Triangle::new(a, b, c)
+        };
+        let least = sharpest.1.map_or(180.0, |f| triangle(f).min_angle().degrees());
+        let most = bluntest.1.map_or(0.0, |f| triangle(f).max_angle().degrees());
+        (least, most)
+    }
+
+    /// The least and the greatest of a face's three signed squared cosines, rounded.
+    fn cosines(&self, f: FaceId) -> (f64, f64) {
+        let [a, b, c] = self.cdt.face_points(f);
+        let [u, v, w] = [self.ruler.vector(a, b), self.ruler.vector(b, c), self.ruler.vector(c, a)];
+        let [uu, vv, ww] = [u, v, w].map(|s| s.length_sq());
+        let signed_sq = |dot: f64, p: f64, q: f64| -dot * dot.abs() / (p * q);
+        let all = [signed_sq(u.dot(w), uu, ww), signed_sq(v.dot(u), vv, uu), signed_sq(w.dot(v), ww, vv)];
+        (all[0].min(all[1]).min(all[2]), all[0].max(all[1]).max(all[2]))
     }
 }

@@ -16,6 +16,8 @@
 //! 4. *Insert*: the point goes in; triangles around it that are bad join the queue.
 //! 5. *Recover*: segments stay edges throughout (`whole-edge`).
 //!
+//! Before the loop, an [`Outlook`] says how large the mesh will be and which angles are out of reach.
+//!
 //! # Guarantees
 //! The loop ends: the number of vertices and of insertions is bounded, and so are the lengths of edges from below.
 //! Every triangle that stays bad has a [`Reason`]. At angle bounds up to 26.45 degrees without protected segments only
@@ -27,10 +29,12 @@
 mod bad_triangles;
 mod encroachment;
 mod event;
+mod forecast;
 mod history;
 mod leftovers;
 pub mod lepp;
 mod options;
+mod outlook;
 mod recipe;
 mod refinement;
 mod report;
@@ -48,11 +52,13 @@ mod tests;
 
 pub use bad_triangles::UserTest;
 pub use event::{Candidate, Event, InsertedKind, InsertedVertex, Name, Why};
+pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
+pub use outlook::Outlook;
 pub use recipe::{
-    ConstrainedSecond, Encroachment, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover, Row, Select,
-    Terminal, UnknownKey, registry,
+    ConstrainedSecond, Encroachment, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover, Row,
+    Select, Terminal, UnknownKey, registry,
 };
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};

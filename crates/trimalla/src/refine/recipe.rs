@@ -80,6 +80,15 @@ pub struct UnknownKey {
 }
 
 step! {
+    /// The triangulation that refinement starts from.
+    Initial, 0, Constrained, {
+        Constrained = "constrained", "constrained Delaunay: segments are edges; what is not Delaunay is flipped first", "Chew89a";
+        Conforming = "conforming", "conforming Delaunay: segments inside are split until they are edges without being walls", "MeshSuite";
+        Given = "given", "the triangulation as it stands, Delaunay or not", "Sanhueza";
+    }
+}
+
+step! {
     /// Step 1: what is done to segments before points go in.
     Prepare, 1, SplitEncroached, {
         None = "none", "segments are left as they are", "MeshSuite";
@@ -168,6 +177,8 @@ step! {
 /// One choice for each of the five steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Recipe {
+    /// What to start from.
+    pub initial: Initial,
     /// Step 1.
     pub prepare: Prepare,
     /// Step 1: when.
@@ -228,6 +239,7 @@ impl Preset {
             Self::LeppCircumcenter => Recipe { point: PlacePoint::LeppCircumcenter, ..lepp_center },
             Self::LeppOffCenter => Recipe { point: PlacePoint::LeppOffCenter, ..lepp_center },
             Self::Sanhueza => Recipe {
+                initial: Initial::Given,
                 point: PlacePoint::LeppCentroid,
                 centroid: Centroid::Average,
                 constrained_second: ConstrainedSecond::Never,

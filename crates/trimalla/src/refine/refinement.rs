@@ -8,7 +8,9 @@ use super::bad_triangles::{Badness, Queue, Test, sorted};
 use super::encroachment::Region;
 use super::event::{Event, InsertedKind};
 use super::history::History;
+use super::lepp::lepp;
 use super::options::{OptionError, RefineOptions};
+use super::recipe::Initial;
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::split_segments::Encroached;
@@ -72,6 +74,8 @@ pub struct Refinement {
     pub(super) report: Report,
     /// What the step at work did, where somebody wants to know.
     pub(super) event: Option<Box<Event>>,
+    /// Steps of runs told to an observer.
+    pub(super) steps_told: u64,
     /// How to go back, where somebody may want to.
     pub(super) history: Option<History>,
 }
@@ -102,7 +106,10 @@ pub enum StepOutcome {
 }
 
 impl Refinement {
-    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build).
+    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build) or taken over by
+    /// [`domain::from_mesh`](crate::domain::from_mesh()).
+    ///
+    /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
     ///
     /// # Errors
     /// [`OptionError`].
@@ -124,7 +131,7 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
-            bisection_floor_sq: shortest_edge_sq(&cdt, ruler) / (BISECTIONS * BISECTIONS),
+            bisection_floor_sq: 0.0,
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
@@ -139,18 +146,33 @@ impl Refinement {
             insertions: 0,
             report: Report { recipe, ..Report::default() },
             event: None,
+            steps_told: 0,
             history: None,
             cdt,
             options,
         };
+        if refinement.insert.keeps_small_angles() {
+            refinement.bisection_floor_sq = shortest_edge_sq(&refinement.cdt, ruler) / (BISECTIONS * BISECTIONS);
+        }
         refinement.start();
         Ok(refinement)
     }
 
-    /// Segments that are not locked let go; step 1 for the input; every bad triangle into the queue.
+    /// The initial triangulation made what the recipe asks; segments that are not locked let go; step 1 for the input; every
+    /// bad triangle into the queue.
     fn start(&mut self) {
-        if !self.recover.locks_segments() {
+        let initial = self.options.recipe.initial;
+        if self.cdt.as_given && self.insert.keeps_delaunay() && initial != Initial::Given {
+            self.report.edges_flipped = self.cdt.legalise();
+        }
+        if initial == Initial::Conforming || !self.recover.locks_segments() {
             self.released = self.cdt.release_inner_segments();
+        }
+        if initial == Initial::Conforming {
+            self.split_released();
+            if !self.recover.locks_segments() {
+                self.released = self.cdt.release_inner_segments();
+            }
         }
         self.look_at_everything();
     }
@@ -165,6 +187,29 @@ impl Refinement {
         }
     }
 
+    /// The same with a step 2 of the caller's own.
+    #[must_use]
+    pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
+        self.select = Arc::new(select);
+        self.queue = Queue::default();
+        self.look_at_everything();
+        self
+    }
+
+    /// The same with a step 3 of the caller's own: `examples/own_strategy.rs` shows one.
+    #[must_use]
+    pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
+        self.point = Arc::new(point);
+        self
+    }
+
+    /// The same with a step 4 of the caller's own.
+    #[must_use]
+    pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
+        self.insert = Arc::new(insert);
+        self
+    }
+
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
     ///
     /// The test gets the triangle, counter-clockwise, and the attribute of its region (0 without). It must answer the same
@@ -177,8 +222,8 @@ impl Refinement {
     /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
     /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
-    /// // Small triangles near the left side.
-    /// let fine = |t: trimalla::geometry::Triangle, _| t.centroid().x < 1.0 && t.area() > 0.05;
+    /// // The smaller the farther left.
+    /// let fine = |t: trimalla::geometry::Triangle, _| t.area() > 0.05 + 0.1 * t.centroid().x;
     /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(fine);
     /// refinement.run(&mut NoObserver);
     /// # assert!(refinement.finish().1.triangles > 20);
@@ -211,7 +256,8 @@ impl Refinement {
                     break StopReason::Cancelled;
                 }
             }
-            match self.advance() {
+            let outcome = if observer.wants_events() { self.told(observer) } else { self.advance() };
+            match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
                 StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered => {}
@@ -265,7 +311,7 @@ impl Refinement {
             return Some(face);
         }
         if !self.select.is_manual() {
-            return self.queue.pop(&self.cdt);
+            return self.queue.pop(&self.cdt, self.select.takes_oldest());
         }
         while let Some(picked) = self.picked.pop_front() {
             if there(&picked) {
@@ -302,6 +348,7 @@ impl Refinement {
         if of_shape && self.is_beyond_help(self.cdt.corners(face)) {
             return Err(Reason::StrategyCannotImprove);
         }
+        self.count_path(face);
         let mut places = std::mem::take(&mut self.places);
         places.clear();
         self.point.propose(self.view(), face, &mut places);
@@ -314,6 +361,16 @@ impl Refinement {
         });
         self.places = places;
         if taken { Ok(()) } else { Err(refused) }
+    }
+
+    /// Counts the length of the path, where the strategy follows it.
+    fn count_path(&mut self, face: FaceId) {
+        if self.point.follows_path() {
+            let length = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule).len();
+            let lengths = &mut self.report.lepp_lengths;
+            lengths.resize(lengths.len().max(length + 1), 0);
+            lengths[length] += 1;
+        }
     }
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
@@ -333,8 +390,10 @@ impl Refinement {
     fn flip(&mut self, h: HalfEdgeId) {
         let h = self.cdt.flip_edge(h, &mut self.log);
         self.insertions += 1;
-        self.report.edges_flipped += 1;
-        self.look_at_faces(&mut [h.face(), self.cdt.twin(h).face()]);
+        self.report.flips_instead += 1;
+        let mut faces = [h.face(), self.cdt.twin(h).face()];
+        self.put_in_order(&mut faces);
+        self.look_at_faces(&faces);
     }
 
     /// Subsegments are in the way: one that can be is split, and the triangle waits.
@@ -453,22 +512,23 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        let mut faces: Vec<FaceId> = self.cdt.faces_around(v).collect();
-        self.look_at_faces(&mut faces);
+        // From the lowest neighbour on, so that the order depends on no slot.
+        let spokes = self.cdt.star(v).filter(|&h| self.cdt.dest(h).is_finite());
+        let Some(first) = spokes.min_by_key(|&h| self.cdt.dest(h)) else { return };
+        let faces =
+            self.cdt.star_from(first).map(HalfEdgeId::face).filter(|&f| self.cdt.is_real(f)).collect::<Vec<_>>();
+        self.look_at_faces(&faces);
     }
 
-    /// Puts faces in the order of their vertices, where the order in which they are looked at matters.
-    fn put_in_order(&self, faces: &mut [FaceId]) {
-        if self.select.is_by_arrival() {
-            faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
-        }
+    /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
+    pub(super) fn put_in_order(&self, faces: &mut [FaceId]) {
+        faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
     }
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
-    pub(super) fn look_at_faces(&mut self, faces: &mut [FaceId]) {
-        self.put_in_order(faces);
+    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
         let mut subsegments: Vec<HalfEdgeId> = Vec::new();
-        for &mut f in faces {
+        for &f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
@@ -531,7 +591,7 @@ fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2] {
 }
 
 /// The length floor in the ruler's units, and the reason it is given as.
-fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
+pub(super) fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
     let largest =
         cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
     let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
+use super::event::Event;
+use super::outlook::Outlook;
 use super::recipe::Recipe;
+use crate::constrained::ConstrainedDelaunay;
 
 /// Why a triangle stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -117,14 +120,18 @@ pub struct Report {
     pub lost_segments: Vec<u32>,
     /// Why it ended.
     pub stop: StopReason,
+    /// Edges flipped before the first insertion, to make a given mesh Delaunay.
+    pub edges_flipped: u64,
     /// Points inserted inside triangles.
     pub points_inserted: u64,
     /// Points taken back because they encroached upon a segment.
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
+    /// Lengths of longest-edge propagation paths that the strategy followed: how many had 0, 1, 2, … triangles.
+    pub lepp_lengths: Vec<u64>,
     /// Edges flipped instead of inserting a point, by strategies that do.
-    pub edges_flipped: u64,
+    pub flips_instead: u64,
     /// Free vertices deleted before a split.
     pub vertices_deleted: u64,
 }
@@ -162,6 +169,22 @@ pub struct Progress {
 pub trait Observer {
     /// Called now and then, at least once in every 256 insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
+
+    /// Whether it wants the outlook, which costs about a tenth of the work.
+    fn wants_outlook(&self) -> bool {
+        false
+    }
+
+    /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
+    fn outlook(&mut self, _outlook: &Outlook) {}
+
+    /// Whether it wants to know of every step.
+    fn wants_events(&self) -> bool {
+        false
+    }
+
+    /// Called after every step, if it is wanted, with the triangulation as it is then.
+    fn event(&mut self, _event: &Event, _cdt: &ConstrainedDelaunay) {}
 }
 
 /// Watches nothing.

@@ -24,7 +24,7 @@ impl SelectStep for ShortestEdge {
 pub(super) struct BoundaryShortestEdge;
 
 /// Brings every squared length below those of other triangles, and keeps their order.
-const FIRST: f64 = f64::from_bits((1023 - 500) << 52); // 2^-500
+const FIRST: f64 = f64::from_bits((1023 - 110) << 52); // 2^-110
 
 impl SelectStep for BoundaryShortestEdge {
     fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
@@ -78,7 +78,7 @@ impl SelectStep for First {
         joined as f64
     }
 
-    fn is_by_arrival(&self) -> bool {
+    fn takes_oldest(&self) -> bool {
         true
     }
 }

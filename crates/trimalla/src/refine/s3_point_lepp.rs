@@ -64,6 +64,10 @@ impl PointStep for LeppPoint {
     fn shells_at_every_joint(&self) -> bool {
         false
     }
+
+    fn follows_path(&self) -> bool {
+        true
+    }
 }
 
 impl LeppPoint {
@@ -125,6 +129,10 @@ impl PointStep for LeppCenter {
 
     fn shells_at_every_joint(&self) -> bool {
         false
+    }
+
+    fn follows_path(&self) -> bool {
+        true
     }
 }
 

@@ -73,6 +73,13 @@ impl Refinement {
         if self.released.is_empty() || !self.recover.splits_back() {
             return false;
         }
+        self.split_released();
+        self.look_at_everything();
+        true
+    }
+
+    /// Splits what was let go until it is edges, and locks it.
+    pub(super) fn split_released(&mut self) {
         let released = std::mem::take(&mut self.released);
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
@@ -82,8 +89,6 @@ impl Refinement {
         self.vertices += inserted;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
-        self.look_at_everything();
-        true
     }
 
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.

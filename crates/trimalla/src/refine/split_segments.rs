@@ -180,7 +180,8 @@ impl Refinement {
         dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
 
-    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first.
+    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first; those that
+    /// came with the mesh stay.
     ///
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
@@ -191,7 +192,7 @@ impl Refinement {
                 let Some(h) = self.cdt.half_edge_between(from, to) else { return };
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
-                    && self.cdt.provenance(apex).is_free()
+                    && self.cdt.is_deletable(apex)
                     && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
                         == CircleSide::Inside;
                 if !inside || !self.delete(apex) {
@@ -201,25 +202,42 @@ impl Refinement {
         }
     }
 
+    /// The faces inside a rim, given by the half-edges outside it.
+    fn hole_faces(&self, rim: &mut [HalfEdgeId]) -> Vec<FaceId> {
+        rim.sort_unstable();
+        let mut faces: Vec<FaceId> = Vec::with_capacity(rim.len());
+        let mut stack: Vec<HalfEdgeId> = rim.to_vec();
+        while let Some(outer) = stack.pop() {
+            let f = self.cdt.twin(outer).face();
+            if !faces.contains(&f) {
+                faces.push(f);
+                stack.extend(f.half_edges().into_iter().filter(|&h| rim.binary_search(&self.cdt.twin(h)).is_err()));
+            }
+        }
+        faces
+    }
+
     /// Deletes a free vertex; looks at the triangles and subsegments of the hole.
     fn delete(&mut self, v: VertexId) -> bool {
-        let link: Vec<VertexId> = self.cdt.neighbours(v).collect();
         let at = self.cdt.point(v);
+        // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
+        let mut rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
+        let link: Vec<VertexId> = self.cdt.neighbours(v).collect();
         if self.cdt.remove_with(v, &mut self.log).is_err() {
             return false;
         }
         self.note(|event| event.deleted.push((v, at)));
         self.vertices -= 1;
         self.report.vertices_deleted += 1;
-        let mut faces: Vec<FaceId> = Vec::new();
-        for &w in &link {
-            faces.extend(
-                self.cdt.faces_around(w).filter(|&f| self.cdt.face_vertices(f).iter().all(|u| link.contains(u))),
-            );
-        }
-        faces.sort_unstable();
+        let mut faces: Vec<FaceId> = if self.insert.keeps_delaunay() {
+            self.hole_faces(&mut rim)
+        } else {
+            // Flips may have gone on beyond the rim.
+            link.iter().flat_map(|&w| self.cdt.faces_around(w)).collect()
+        };
+        self.put_in_order(&mut faces);
         faces.dedup();
-        self.look_at_faces(&mut faces);
+        self.look_at_faces(&faces);
         true
     }
 }

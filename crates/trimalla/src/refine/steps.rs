@@ -33,14 +33,14 @@ pub trait PrepareStep {
 
 /// Step 2: the order of bad triangles.
 pub trait SelectStep {
-    /// How long a bad triangle can wait, not negative: the one of lowest value is treated first, of equal ones that with
-    /// the lowest vertices.
+    /// How long a bad triangle can wait, not negative: the one of lowest value is treated first, to within a 128th;
+    /// of equal ones that which came last, unless [`takes_oldest`](Self::takes_oldest).
     ///
     /// `joined` counts the triangles that were bad before it.
     fn patience(&self, view: View<'_>, face: FaceId, joined: u64) -> f64;
 
-    /// Whether the value depends on when a triangle joined: those that join together do so by their vertices then.
-    fn is_by_arrival(&self) -> bool {
+    /// Whether of equally patient triangles that which came first is treated first.
+    fn takes_oldest(&self) -> bool {
         false
     }
 
@@ -90,6 +90,11 @@ pub trait PointStep {
     /// Adds places for a new vertex that helps `face`, the best first; the next is tried where the one before cannot be had
     /// for rounding or the length floor.
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>);
+
+    /// Whether it follows longest-edge propagation paths, whose lengths are counted then.
+    fn follows_path(&self) -> bool {
+        false
+    }
 
     /// Whether a free point that encroaches upon a subsegment is taken back and the subsegment split instead.
     fn minds_encroachment(&self) -> bool {

@@ -10,6 +10,7 @@ mod canonical;
 mod check;
 mod check_indexed;
 mod compact;
+mod from_indexed;
 mod indexed;
 mod operators;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]

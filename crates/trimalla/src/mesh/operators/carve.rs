@@ -37,17 +37,29 @@ impl HalfEdgeMesh {
             touched.extend(self.face_vertices(f).into_iter().filter(|v| v.is_finite()));
             self.free_face(f, j);
         }
-        let ghosts: Vec<FaceId> = border.iter().zip(&marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
-        for (&ghost, &b) in ghosts.iter().zip(&before) {
+        self.close_border(&border, &marks, &before, j);
+        for v in touched {
+            self.rehome(v, HalfEdgeId::NONE, j);
+        }
+    }
+
+    /// Hangs a ghost on each border half-edge a→b, with its mark, and joins it at `a` to the ghost of the border half-edge
+    /// c→a that comes `before` it: the one met first, turning clockwise around `a` through what is outside.
+    pub(crate) fn close_border<J: Journal>(
+        &mut self,
+        border: &[HalfEdgeId],
+        marks: &[u32],
+        before: &[HalfEdgeId],
+        j: &mut J,
+    ) {
+        let ghosts: Vec<FaceId> = border.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
+        for (&ghost, &b) in ghosts.iter().zip(before) {
             // a→∞ of the ghost of a→b meets ∞→a of the ghost of c→a.
             let other = self.twin(b).face();
             self.glue(ghost.half_edge(1), other.half_edge(2), j);
         }
-        for &h in &border {
+        for &h in border {
             self.rehome(self.origin(h), h, j);
-        }
-        for v in touched {
-            self.rehome(v, HalfEdgeId::NONE, j);
         }
     }
 

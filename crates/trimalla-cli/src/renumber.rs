@@ -4,7 +4,7 @@ use trimalla::quality::InputFault;
 use trimalla::triangulation::{MeshFault, MeshVertex};
 
 /// Gives everything the number that it has in a file whose first number is `first`.
-pub(super) trait Renumber {
+pub(crate) trait Renumber {
     fn renumber(&mut self, first: u32);
 
     fn renumbered(mut self, first: u32) -> Self

@@ -1,0 +1,145 @@
+//! `trimalla refine`: a mesh in, a finer mesh out.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use trimalla::Error;
+use trimalla::domain::{MeshError, Pslg, Warning};
+use trimalla::triangulation::IndexedMesh;
+
+use crate::console::count;
+use crate::exit::{Failure, STATUSES, Status};
+use crate::input::{Input, read_drawing, read_mesh};
+use crate::names::Names;
+use crate::progress;
+use crate::refining::{Made, Read, RefiningOptions};
+use crate::renumber::Renumber as _;
+
+/// No more faults than this are named one by one.
+const MOST_FAULTS: usize = 50;
+
+const HELP: &str = "\
+Examples:
+  trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
+                                                  smaller triangles
+  trimalla refine key.1.ele --input key.poly --min-angle 33 -o key.2.ele
+                                                  rounder ones
+  trimalla refine scan.ele --min-angle 0 --algorithm lepp-bisection --max-area 2 -o fine.ele
+                                                  nested triangles, no flips
+
+The mesh is an .ele file with its .node file beside it; what lies beside them counts too:
+  .poly  subsegments with their markers, and holes
+  .area  for each triangle the largest area that triangles in it may have (none if not positive)
+Triangles are taken as they are, attributes are handed down. The vertices of the mesh come first
+in the result, in order, bit for bit.
+
+Give the drawing that the mesh was made from with --input. Then its segments are found again in
+the mesh: splits are computed from their ends, and small input angles are known as such. A mesh
+that meets the bounds comes back as it is. Without --input, subsegments that go straight on are
+joined, every vertex counts as one of the input, and a warning says so.
+
+A mesh that is not constrained Delaunay is made so by flips first, which a warning counts; but
+lepp-bisection, which flips nothing, keeps it as it is.
+What is no mesh (triangles inverted or on one another, corners inside edges, two vertices on one
+place) is named with triangles, vertices and coordinates, in the numbers of the file.";
+
+/// Refine a mesh further: smaller triangles, larger angles, what exists stays
+#[derive(Debug, Args)]
+#[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
+pub(crate) struct Options {
+    /// The mesh: an .ele file with its .node file beside it, or the stem of both
+    mesh: PathBuf,
+
+    /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'
+    #[arg(long, value_name = "DRAWING", help_heading = "Drawing")]
+    input: Option<PathBuf>,
+
+    #[command(flatten)]
+    refining: RefiningOptions,
+}
+
+/// Runs it.
+pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
+    let asked = options.refining.asked()?;
+    progress::handle_ctrl_c();
+    let mut mesh = read_mesh(&options.mesh)?;
+    let areas = read_areas(&options.mesh, &mut mesh)?;
+    let drawing = options.input.as_deref().map(read_drawing).transpose()?;
+    mesh.files.extend(drawing.iter().flat_map(|drawing| drawing.files.clone())); // None of these is overwritten.
+    let outputs = options.refining.outputs(&mesh)?;
+    let read = Read {
+        heading: heading(&mesh),
+        first_index: mesh.first_index,
+        vertices: mesh.value.points.len(),
+        make: &|refine, mut watch, _| {
+            let input = drawing.as_ref().map(|drawing| &drawing.value);
+            let meshed = trimalla::refine_mesh_with(&mesh.value, &areas, input, refine, &mut watch)
+                .map_err(|error| failure(error, &mesh, drawing.as_ref()))?;
+            let warnings = meshed.warnings.iter().map(|w| warning(w, &mesh, drawing.as_ref())).collect();
+            Ok(Made { meshed, warnings, foreseen: Vec::new(), floor: None })
+        },
+    };
+    options.refining.run(&asked, &read, &outputs)
+}
+
+/// The area bounds beside a mesh; none where there is no such file.
+fn read_areas(path: &Path, mesh: &mut Input<IndexedMesh>) -> Result<Vec<Option<f64>>, Failure> {
+    let found = trimalla_io::read_areas(path, mesh.value.triangles.len())?;
+    Ok(found.map_or_else(Vec::new, |(areas, file)| {
+        mesh.files.push(file);
+        areas.0
+    }))
+}
+
+/// What was read, in one line.
+fn heading(mesh: &Input<IndexedMesh>) -> String {
+    let IndexedMesh { points, triangles, segments, .. } = &mesh.value;
+    let parts = [(points.len(), "vertex"), (triangles.len(), "triangle"), (segments.len(), "subsegment")];
+    let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
+    format!("{}: {}", mesh.name(), parts.join(", "))
+}
+
+/// A warning in the words of the drawing where it is about that.
+fn warning(warning: &Warning, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> String {
+    match (warning, drawing) {
+        (Warning::IdleRegion { .. } | Warning::RegionTwice { .. }, Some(drawing)) => {
+            Names::of(drawing).warning(warning)
+        }
+        _ => format!("{}: {warning}", mesh.name()),
+    }
+}
+
+/// An error of the library as the user shall read it.
+fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> Failure {
+    let first = mesh.first_index;
+    match (error, drawing) {
+        (Error::Mesh(MeshError::Faults(faults)), _) => {
+            of_faults(mesh, faults.into_iter().map(|fault| fault.renumbered(first).to_string()).collect())
+        }
+        (Error::NotOfDrawing(faults), _) => {
+            let first = drawing.map_or(first, |drawing| drawing.first_index);
+            of_faults(mesh, faults.into_iter().map(|fault| fault.renumbered(first).to_string()).collect())
+                .hint("--input takes the drawing that this mesh was made from")
+        }
+        (Error::Mesh(MeshError::VertexChanged { vertex, was, is }), Some(drawing)) => Failure::bad_input(format!(
+            "{}: vertex {} of {} lies at {was}, but at {is} in the mesh",
+            mesh.name(),
+            drawing.number(vertex),
+            drawing.name()
+        ))
+        .hint("--input takes the drawing that this mesh was made from"),
+        (Error::Mesh(MeshError::Drawing(error)), Some(drawing)) => Names::of(drawing).failure(&error),
+        (Error::Option(error), _) => error.into(),
+        (other, _) => Failure::bad_input(format!("{}: {other}", mesh.name())),
+    }
+}
+
+/// The first faults, one a line, and how many more there are.
+fn of_faults(mesh: &Input<IndexedMesh>, faults: Vec<String>) -> Failure {
+    let name = mesh.name();
+    let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).map(|fault| format!("{name}: {fault}")).collect();
+    if faults.len() > MOST_FAULTS {
+        lines.push(format!("{name}: {} more", count(faults.len() - MOST_FAULTS, "fault")));
+    }
+    Failure::of_many(Status::BadInput, lines)
+}

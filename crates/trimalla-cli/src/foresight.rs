@@ -1,0 +1,134 @@
+//! What is said before the work: angles that no mesh can reach, meshes that the budget will cut short.
+
+use indicatif::HumanCount;
+use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::geometry::Point;
+use trimalla::quality::AngleCeiling;
+use trimalla::refine::{Cause, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
+
+use crate::console;
+use crate::names::Names;
+use crate::progress::Watch;
+
+/// By what factor a forecast may be wrong.
+const UNSURE: f64 = 3.0;
+
+/// Shows progress, and warns before the work.
+#[derive(Debug)]
+pub(crate) struct Foresight<'a> {
+    watch: Watch,
+    names: &'a Names<'a>,
+    options: RefineOptions,
+    is_quiet: bool,
+    /// What was said.
+    pub(crate) warnings: Vec<String>,
+}
+
+impl<'a> Foresight<'a> {
+    pub(crate) fn new(watch: Watch, names: &'a Names<'a>, options: RefineOptions, is_quiet: bool) -> Self {
+        Self { watch, names, options, is_quiet, warnings: Vec::new() }
+    }
+
+    fn warn(&mut self, text: String) {
+        let warning = self.names.of_file(text);
+        if !self.is_quiet {
+            console::note("warning", &warning);
+        }
+        self.warnings.push(warning);
+    }
+
+    /// An angle bound that no mesh can meet.
+    fn describe_ceiling(&self, ceiling: &AngleCeiling) -> String {
+        format!(
+            "no mesh has all angles at {} degrees or above: the corner of {} degrees at {}, {}, allows {}",
+            short(self.options.criteria.min_angle.degrees()),
+            short(ceiling.sector.degrees()),
+            self.names.vertex(ceiling.vertex),
+            ceiling.at,
+            short(ceiling.bound.degrees())
+        )
+    }
+
+    /// A budget that will not do.
+    fn describe_forecast(&self, forecast: &Forecast) -> String {
+        let cause = match forecast.cause {
+            Cause::Gap(gap) => format!("{} is the cause", self.describe_gap(&gap)),
+            Cause::Area => "the area bound is the cause".to_owned(),
+            _ => "the drawing itself has so many".to_owned(),
+        };
+        let limits = &self.options.limits;
+        let is_sure = forecast.vertices > UNSURE * limits.max_vertices as f64;
+        let verb = if is_sure { "will" } else { "may" };
+        format!(
+            "about {} triangles are needed, more than the budget of {} vertices allows: {cause}; the mesh {verb} stop at the budget",
+            about(forecast.triangles),
+            HumanCount(limits.max_vertices as u64)
+        )
+    }
+
+    fn describe_gap(&self, gap: &Gap) -> String {
+        let [one, other] = gap.between.map(|feature| self.describe_feature(feature));
+        let Point { x, y } = gap.at;
+        format!("the gap of {} between {one} and {other} near ({}, {})", short(gap.width), short(x), short(y))
+    }
+
+    fn describe_feature(&self, feature: Feature) -> String {
+        match feature {
+            Feature::Vertex(v) => self.names.vertex(v),
+            Feature::Segment(s) => self.names.segment(s as usize),
+            _ => "the convex hull".to_owned(),
+        }
+    }
+}
+
+impl Observer for Foresight<'_> {
+    fn wants_outlook(&self) -> bool {
+        true
+    }
+
+    fn outlook(&mut self, outlook: &Outlook) {
+        if let Some(ceiling) = outlook.angle_ceiling.filter(|c| c.forbids(self.options.criteria.min_angle)) {
+            self.warn(self.describe_ceiling(&ceiling));
+        }
+        if outlook.forecast.exceeds(&self.options.limits) {
+            self.warn(self.describe_forecast(&outlook.forecast));
+        }
+    }
+
+    fn progress(&mut self, progress: Progress) -> bool {
+        self.watch.progress(progress)
+    }
+
+    fn wants_events(&self) -> bool {
+        self.watch.wants_events()
+    }
+
+    fn event(&mut self, event: &Event, cdt: &ConstrainedDelaunay) {
+        self.watch.event(event, cdt);
+    }
+}
+
+/// A number in five digits, as short as they allow.
+fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
+    let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
+    if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }
+}
+
+/// A large number in two digits.
+fn about(x: f64) -> String {
+    let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
+    if rounded < 1e7 { HumanCount(rounded as u64).to_string() } else { format!("{rounded:e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let texts = [0.0, 0.1 + 0.2, 90.00000000000001, -499.99999999, 1e-6, 1.23456789e-9, 1e9].map(short);
+        assert_eq!(texts, ["0", "0.3", "90", "-500", "1e-6", "1.2346e-9", "1e9"]);
+        assert_eq!([93.0, 124_853.0, 1_953_125.0, 2.04e9].map(about), ["93", "120,000", "2,000,000", "2e9"]);
+    }
+}

@@ -1,0 +1,159 @@
+//! What `mesh` and `refine` share: the options of a refinement, the flow from input to output, the report.
+
+use std::time::Instant;
+
+use clap::Args;
+use trimalla::Meshed;
+use trimalla::refine::{Limits, Protect, RefineOptions};
+use trimalla_io::RecipeFile;
+
+use crate::args::{OutputOptions, ReportOptions, one_of};
+use crate::console;
+use crate::exit::{Failure, Status};
+use crate::input::Input;
+use crate::outputs::Outputs;
+use crate::progress::{self, Watch};
+use crate::recipe_file::{self, RecipeFileOptions};
+use crate::recipe_options::RecipeOptions;
+use crate::trace::TraceOptions;
+use crate::{json, text};
+
+/// What is asked of a refinement, where results go, and how the report looks.
+#[derive(Debug, Args)]
+pub(crate) struct RefiningOptions {
+    /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
+    ///
+    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, the vertex budget ends it.
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = "Refinement")]
+    min_angle: Option<f64>,
+
+    /// The largest area that a triangle may have, in squared units of the input [default: no limit]
+    #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
+    max_area: Option<f64>,
+
+    /// The largest aspect ratio that a triangle may have: circumradius over twice the inradius, 1 for equilateral triangles [default: no limit]
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true, help_heading = "Refinement")]
+    max_aspect: Option<f64>,
+
+    #[command(flatten)]
+    recipe: RecipeOptions,
+
+    #[command(flatten)]
+    recipe_file: RecipeFileOptions,
+
+    /// Segments that may not be split; beside those that are kept, angles below the bound may stay [default: none]
+    #[arg(long, value_name = "WHICH", help_heading = "Refinement",
+          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
+    protect: Option<Protect>,
+
+    /// Stop at this many vertices, those of the input included [default: 5000000]
+    #[arg(long, value_name = "N", help_heading = "Limits")]
+    max_vertices: Option<usize>,
+
+    /// Bring no two vertices closer together than this, in units of the input [default: 256 units in the last place of the largest coordinate]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = "Limits")]
+    length_floor: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) output: OutputOptions,
+
+    #[command(flatten)]
+    trace: TraceOptions,
+
+    #[command(flatten)]
+    report: ReportOptions,
+}
+
+fn summary_of(protect: Protect) -> &'static str {
+    match protect {
+        Protect::None => "all segments may be split",
+        Protect::Boundary => "those on the border of the domain stay whole",
+        Protect::All => "all segments stay whole",
+    }
+}
+
+/// What came of the work, its warnings in the words of the input.
+pub(crate) struct Made {
+    pub(crate) meshed: Meshed,
+    /// What is odd about the input.
+    pub(crate) warnings: Vec<String>,
+    /// What was warned of before the work.
+    pub(crate) foreseen: Vec<String>,
+    /// What is promised in spite of small input angles.
+    pub(crate) floor: Option<String>,
+}
+
+/// From options and a progress bar to a mesh.
+pub(crate) type Make<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Made, Failure> + 'a;
+
+/// What was read: what the flow needs to know of it.
+pub(crate) struct Read<'a> {
+    /// The line of the report that says what it was.
+    pub(crate) heading: String,
+    /// The number of the first vertex in the file.
+    pub(crate) first_index: u32,
+    /// Vertices that are not new.
+    pub(crate) vertices: usize,
+    /// Makes the mesh, watched; the last argument silences warnings before the work.
+    pub(crate) make: &'a Make<'a>,
+}
+
+impl RefiningOptions {
+    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses what
+    /// cannot be meant, before anything else is read.
+    pub(crate) fn asked(&self) -> Result<RecipeFile, Failure> {
+        let mut asked = self.recipe_file.read(&self.recipe)?;
+        asked.min_angle_deg = self.min_angle.or(asked.min_angle_deg).or(Some(30.0));
+        asked.max_area = self.max_area.or(asked.max_area);
+        asked.max_aspect_ratio = self.max_aspect.or(asked.max_aspect_ratio);
+        asked.protect = Some(self.protect.or(asked.protect).unwrap_or_default());
+        asked.max_vertices = self.max_vertices.or(asked.max_vertices).or(Some(Limits::default().max_vertices));
+        asked.length_floor = self.length_floor.or(asked.length_floor);
+        asked.refine_options().validate()?;
+        Ok(asked)
+    }
+
+    /// The outputs, checked before any work.
+    pub(crate) fn outputs<T>(&self, input: &Input<T>) -> Result<Outputs, Failure> {
+        Outputs::plan(&self.output, input)?.with_recipe(&self.recipe_file, input)
+    }
+
+    /// From what was read to files and report.
+    pub(crate) fn run(&self, asked: &RecipeFile, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
+        let stream = outputs.report_stream(&self.report)?;
+        let start = Instant::now();
+        let trace = self.trace.begin()?;
+        let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone());
+        let made = (read.make)(&asked.refine_options(), watch, self.report.quiet)?;
+        let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
+        let seconds = start.elapsed().as_secs_f64();
+        progress::begin_writing()?;
+        self.report.warn(warnings);
+        let prepared = outputs.prepare_mesh(mesh)?.with_recipe(&self.recipe_file, asked)?;
+        if self.report.json {
+            json::print(&json::of_meshing(&made, &recipe_file::title(asked), seconds))?;
+        } else {
+            let mut lines = text::Lines::default();
+            lines.heading(&read.heading);
+            lines.row("algorithm", recipe_file::title(asked));
+            text::add_counts(&mut lines, mesh, read.vertices);
+            text::add_outcome(&mut lines, report, asked.min_angle_deg.unwrap_or_default());
+            if let Some(floor) = &made.floor {
+                lines.row("floor", floor);
+            }
+            text::add_end(&mut lines, seconds, &outputs.files());
+            console::write(stream, &lines.into_text())?;
+        }
+        if let Some(trace) = trace {
+            trace.finish()?;
+        }
+        prepared.commit()?;
+        if report.complete() {
+            return Ok(Status::Done);
+        }
+        if !self.report.quiet {
+            text::name_leftovers(mesh, read.first_index, report);
+        }
+        Ok(Status::Unmet)
+    }
+}

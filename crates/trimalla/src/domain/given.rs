@@ -1,0 +1,157 @@
+//! What a given mesh hands to the mesh that comes out of it: attributes, markers, area bounds, holes.
+//!
+//! Each combination of triangle attributes, and of the drawing's region seed where there is one, is a region; splits hand
+//! regions down, and no flip crosses the edges between them, which are locked. Where area bounds come triangle by
+//! triangle, each given triangle is a region of its own, and flips may carry a face from one to another: its attributes
+//! are the same, and its bound is looked up by its place (`constrained/area_map.rs`).
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::error::{DomainError, Warning};
+use super::pslg::Pslg;
+use super::regions;
+use crate::constrained::{AreaMap, ConstrainedDelaunay, RegionRule};
+use crate::mesh::{FaceId, NoJournal};
+use crate::triangulation::{IndexedMesh, Triangulation};
+
+/// What plain arrays hold and a triangulation does not, kept for the result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Points, segments, markers and holes as [`ConstrainedDelaunay::to_indexed`] wants them.
+    drawing: Pslg,
+    attributes_per_triangle: usize,
+    /// The attributes of each region, row after row.
+    rows: Vec<f64>,
+    /// Marker and attributes of every given vertex; empty where the mesh has none.
+    point_markers: Vec<i32>,
+    point_attributes: Vec<f64>,
+}
+
+impl Given {
+    /// The mesh as plain arrays, as [`ConstrainedDelaunay::to_indexed`] gives it, with what was given.
+    ///
+    /// # Guarantees
+    /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle has
+    /// the attributes of the given one that it came out of.
+    #[must_use]
+    pub fn to_indexed(&self, cdt: &ConstrainedDelaunay) -> IndexedMesh {
+        let mut mesh = cdt.to_indexed(&self.drawing);
+        for (slot, &marker) in mesh.point_markers.iter_mut().zip(&self.point_markers) {
+            *slot = if marker == 0 { *slot } else { marker };
+        }
+        for (slot, &attribute) in mesh.point_attributes.iter_mut().zip(&self.point_attributes) {
+            *slot = attribute;
+        }
+        let n = self.attributes_per_triangle;
+        let row = |f: FaceId| {
+            let at = (cdt.region(f) as usize).saturating_sub(1) * n;
+            self.rows.get(at..at + n).unwrap_or_default()
+        };
+        mesh.attributes_per_triangle = n;
+        mesh.triangle_attributes = cdt.real_faces().flat_map(row).copied().collect();
+        mesh
+    }
+}
+
+/// Makes regions of attributes, seeds and bounds, and keeps the rest for the result.
+pub(super) fn take_over(
+    cdt: &mut ConstrainedDelaunay,
+    mesh: &IndexedMesh,
+    areas: &[Option<f64>],
+    bare: Option<Triangulation>,
+    input: Option<&Pslg>,
+    segment_markers: Vec<i32>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Given, DomainError> {
+    let mut given = Given { drawing: drawing(mesh, input, segment_markers), ..Given::default() };
+    given.point_markers.clone_from(&mesh.point_markers);
+    if given.drawing.attributes_per_point == mesh.attributes_per_point {
+        given.point_attributes.clone_from(&mesh.point_attributes);
+    }
+    let seeds = input.map_or(&[][..], |pslg| &pslg.regions);
+    if !seeds.is_empty() {
+        regions::assign(cdt, seeds, warnings)?;
+    }
+    if seeds.is_empty() && mesh.triangle_attributes.is_empty() && areas.is_empty() {
+        given.attributes_per_triangle = 0;
+        return Ok(given);
+    }
+    let faces = face_rules(cdt, mesh, areas);
+    given.attributes_per_triangle = match (mesh.triangle_attributes.is_empty(), seeds.is_empty()) {
+        (false, _) => mesh.attributes_per_triangle,
+        (true, false) => 1,
+        (true, true) => 0,
+    };
+    number_regions(cdt, faces, areas.is_empty(), &mut given);
+    if let Some(bare) = bare {
+        let bounds = cdt.regions.iter().map(|r| r.max_area).collect();
+        cdt.area_map = Some(Arc::new(AreaMap::new(bare, bounds)));
+    }
+    Ok(given)
+}
+
+/// Attributes and bound of a face.
+struct FaceRule {
+    row: Vec<f64>,
+    /// One more than the seed that reached it.
+    seed: u32,
+    max_area: Option<f64>,
+}
+
+fn face_rules(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, areas: &[Option<f64>]) -> Vec<FaceRule> {
+    let n = mesh.attributes_per_triangle;
+    let rule = |t: usize| {
+        let f = FaceId::from_index(t);
+        let own = mesh.triangle_attributes.get(t * n..(t + 1) * n).unwrap_or_default();
+        let of_seed = cdt.region_rule(f);
+        let seed_attribute = of_seed.map_or(0.0, |rule| rule.attribute);
+        let bounds = [of_seed.and_then(|rule| rule.max_area), areas.get(t).copied().flatten()];
+        FaceRule {
+            row: if own.is_empty() { vec![seed_attribute] } else { own.to_vec() },
+            seed: cdt.region(f),
+            max_area: bounds.into_iter().flatten().min_by(f64::total_cmp),
+        }
+    };
+    (0..mesh.triangles.len()).map(rule).collect()
+}
+
+/// Numbers the regions in the order of their first faces; each face is one of its own unless they are `shared`.
+fn number_regions(cdt: &mut ConstrainedDelaunay, faces: Vec<FaceRule>, shared: bool, given: &mut Given) {
+    cdt.regions.clear();
+    let mut known: BTreeMap<(Vec<u64>, u32), u32> = BTreeMap::new();
+    for (t, FaceRule { row, seed, max_area }) in faces.into_iter().enumerate() {
+        let bits = || row.iter().map(|x| x.to_bits()).collect();
+        let next = cdt.regions.len() as u32;
+        let region = if shared { *known.entry((bits(), seed)).or_insert(next) } else { next };
+        if region == next {
+            cdt.regions.push(RegionRule { attribute: row.first().copied().unwrap_or(0.0), max_area });
+            given.rows.extend(row.iter().take(given.attributes_per_triangle));
+        }
+        cdt.t.mesh.set_region(FaceId::from_index(t), region + 1, &mut NoJournal);
+    }
+}
+
+/// The drawing that the result is written by: points that count as input, segments, markers, holes.
+fn drawing(mesh: &IndexedMesh, input: Option<&Pslg>, segment_markers: Vec<i32>) -> Pslg {
+    let points = input.map_or(&mesh.points, |pslg| &pslg.points).clone();
+    let own = !mesh.point_attributes.is_empty();
+    let attributes_per_point = match input {
+        Some(pslg) if !own => pslg.attributes_per_point,
+        _ if own => mesh.attributes_per_point,
+        _ => 0,
+    };
+    let point_attributes = match input {
+        Some(pslg) if !own => pslg.point_attributes.clone(),
+        _ => mesh.point_attributes.iter().take(points.len() * attributes_per_point).copied().collect(),
+    };
+    let point_markers = match input {
+        Some(pslg) if mesh.point_markers.is_empty() => pslg.point_markers.clone(),
+        _ => mesh.point_markers.iter().take(points.len()).copied().collect(),
+    };
+    let holes = match input {
+        Some(pslg) if mesh.holes.is_empty() => pslg.holes.clone(),
+        _ => mesh.holes.clone(),
+    };
+    Pslg { points, point_markers, attributes_per_point, point_attributes, segment_markers, holes, ..Pslg::default() }
+}

@@ -1,0 +1,173 @@
+//! How the size runs along a subsegment, on one side of it, and how much of the domain belongs to it there.
+//!
+//! Along a subsegment the size is the least of: what its ends allow, and the distance to the segment that faces it.
+//! The second is measured by rays; where two segments run beside each other it is all that says so:
+//!
+//! ```text
+//!      ════════════════════        │ ray, perpendicular, through the triangles between;
+//!       │      │      │            between rays that meet something the distance is taken to be linear
+//!      ════════════════════        region: halfway to what a ray meets
+//! ```
+
+use super::feet::{Footed, Piece, shared_end};
+use super::sizes::Sizes;
+use crate::geometry::{Point, Vector};
+use crate::mesh::HalfEdgeId;
+
+/// Where rays start, as parameters of the subsegment.
+const RAYS: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 63.0 / 64.0];
+/// A ray crosses no more triangles than this.
+const MOST_CROSSED: usize = 256;
+/// A ray that has gone this many sizes over the grading need go no further: the triangles out there are few.
+const FAR: f64 = 16.0;
+
+/// A point of a profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    /// Distance along the subsegment, in the ruler's units.
+    pub(super) s: f64,
+    /// The size there.
+    pub(super) size: f64,
+    /// How deep the part of the domain is that belongs to the subsegment.
+    pub(super) depth: f64,
+}
+
+/// What a ray met.
+#[derive(Clone, Copy, Debug)]
+struct Ray {
+    s: f64,
+    /// How far it went.
+    length: f64,
+    /// The distance to the segment that it met, if that does not meet the subsegment's own at an end.
+    facing: f64,
+}
+
+/// The profile of one side of a subsegment, from `origin(h)` to `dest(h)`, piecewise linear.
+pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f64, into: &mut Vec<Sample>) {
+    into.clear();
+    let [a, b] = footed.cdt.edge_points(h);
+    let along = footed.ruler.vector(a, b);
+    let length = along.length_sq().sqrt();
+    let tents = Tents { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
+    let rays = RAYS.map(|t| {
+        let ray = cast(footed, h, t, FAR * tents.at(t * length) / grading);
+        Ray { facing: ray.facing.max(sizes.floor), ..ray }
+    });
+    let mut from = Ray { s: 0.0, ..rays[0] };
+    let last = Ray { s: length, ..rays[RAYS.len() - 1] };
+    for to in rays.into_iter().chain([last]) {
+        add_interval(&tents, from, to, into);
+        from = to;
+    }
+}
+
+/// What the ends of a subsegment allow along it.
+#[derive(Clone, Copy, Debug)]
+struct Tents {
+    ends: [f64; 2],
+    length: f64,
+    grading: f64,
+}
+
+impl Tents {
+    fn lines(&self) -> [Line; 2] {
+        let g = self.grading;
+        [Line { at_zero: self.ends[0], slope: g }, Line { at_zero: self.ends[1] + g * self.length, slope: -g }]
+    }
+
+    fn at(&self, s: f64) -> f64 {
+        self.lines().iter().map(|line| line.at(s)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A linear bound on the size.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    at_zero: f64,
+    slope: f64,
+}
+
+impl Line {
+    fn at(&self, s: f64) -> f64 {
+        self.at_zero + self.slope * s
+    }
+
+    fn through(s: f64, value: f64, slope: f64) -> Self {
+        Self { at_zero: value - slope * s, slope }
+    }
+
+    /// Where two lines cross.
+    fn crossing(&self, other: &Self) -> f64 {
+        (other.at_zero - self.at_zero) / (self.slope - other.slope)
+    }
+}
+
+/// The lower envelope of the tents and of what two rays met, between them.
+fn add_interval(tents: &Tents, from: Ray, to: Ray, into: &mut Vec<Sample>) {
+    let width = to.s - from.s;
+    let g = tents.grading;
+    let [left, right] = tents.lines();
+    let [third, fourth] = if from.facing < f64::INFINITY && to.facing < f64::INFINITY {
+        let line = Line::through(from.s, from.facing, (to.facing - from.facing) / width);
+        [line, line]
+    } else {
+        // What one ray met the other missed: away from it the distance grows.
+        [Line::through(from.s, from.facing, g), Line::through(to.s, to.facing, -g)]
+    };
+    let lines = [left, right, third, fourth];
+    let mut cuts = [from.s; 8];
+    cuts[1] = to.s;
+    let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+    for (cut, (i, j)) in cuts[2..].iter_mut().zip(pairs) {
+        let s = lines[i].crossing(&lines[j]);
+        if s > from.s && s < to.s {
+            *cut = s;
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    let size = |s: f64| lines.iter().map(|line| line.at(s)).filter(|v| !v.is_nan()).fold(f64::INFINITY, f64::min);
+    let depth = |s: f64| 0.5 * (from.length + (to.length - from.length) * ((s - from.s) / width));
+    into.extend(cuts.into_iter().map(|s| Sample { s, size: size(s), depth: depth(s) }));
+}
+
+/// Casts a ray from parameter `t` of a subsegment to its left, no further than `far`.
+fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
+    let cdt = &footed.cdt;
+    let [a, b] = cdt.edge_points(h);
+    let along = footed.ruler.vector(a, b);
+    let length = along.length_sq().sqrt();
+    let normal = Vector::new(-along.y / length, along.x / length);
+    // Coordinates relative to a; the ray starts at `from`.
+    let from = along.scaled(t);
+    let local = |p: Point| footed.ruler.vector(a, p) - from;
+    let start = Point::lerp(a, b, t);
+    let missed = |went: f64| Ray { s: t * length, length: went, facing: f64::INFINITY };
+    let (mut edge, mut went) = (h, 0.0_f64);
+    for _ in 0..MOST_CROSSED {
+        let apex = local(cdt.point(cdt.apex(edge)));
+        let exit = if normal.cross(apex) > 0.0 { edge.next() } else { edge.prev() };
+        let [p, q] = cdt.edge_points(exit).map(local);
+        let reached = p.cross(q - p) / normal.cross(q - p);
+        went = if reached.is_finite() { went.max(reached) } else { went };
+        if cdt.is_marked(exit) || cdt.is_ghost(cdt.twin(exit).face()) {
+            let counts = is_facing(footed, h, start, exit);
+            return if counts { Ray { facing: went, ..missed(went) } } else { missed(went) };
+        }
+        if went > far {
+            break;
+        }
+        edge = cdt.twin(exit);
+    }
+    missed(went)
+}
+
+/// Whether the segment that a ray from a side met counts as close to it where the ray starts.
+///
+/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one.
+fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
+    let (own, other) = (footed.piece_of(h), footed.piece_of(met));
+    let Some(joint) = shared_end(own, other) else { return true };
+    let distance_sq = |p: Point, q: Point| footed.ruler.length_sq(p, q);
+    let length_sq = |piece: Piece| distance_sq(footed.cdt.point(piece[0]), footed.cdt.point(piece[1]));
+    own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other))
+}
