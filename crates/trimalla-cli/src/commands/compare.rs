@@ -40,10 +40,11 @@ Examples:
         stop it with Ctrl-C, and start it again: what is done is not done again
 
 A run ends when every triangle is good, or at a limit: then the table says ND and the reason,
-and its curve has a gap. That is a result, and the status is 0. Drawings that cannot be read are named below the tables, and the others
-are run all the same. Results come in the order of inputs, recipes and angles whatever ends
-first; with --no-times they are the same bytes for any number of jobs. Times are of triangulation
-and refinement together, without reading and writing; for times to trust, use --jobs 1.";
+and its curve has a gap. That is a result, and the status is 0. Drawings that cannot be read are
+named in the tables, and the others are run all the same. Results come in the order of inputs,
+recipes and angles whatever ends first; with --no-times they are the same bytes for any number
+of jobs. Times are of triangulation and refinement together, without reading and writing; for
+times to trust, use --jobs 1.";
 
 /// Compare algorithms and recipes on drawings at many angles: tables, CSV, JSON, plots
 #[derive(Debug, Args)]
