@@ -126,8 +126,8 @@ TEXT
     done
     cat <<'TEXT'
 For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part a little beyond, and no
-order is best throughout. For off-centers it does: by age or by smallest circumradius meshes become much larger from 30 degrees on,
-and refinement ends at smaller angles than by shortest edge or smallest angle. Triangles on the border first (`boundary-shortest-edge`) is
+order is best throughout. For off-centers it does: by age or by smallest circumradius meshes are larger from 28 degrees on, by
+age refinement ends at smaller angles too, and the shortest edge is the best or nearly so. Triangles on the border first (`boundary-shortest-edge`) is
 no gain over the shortest edge alone but for single cases, and a loss at large angles.
 
 MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.

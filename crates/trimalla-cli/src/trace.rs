@@ -123,6 +123,7 @@ pub(crate) fn outcome_key(outcome: StepOutcome) -> &'static str {
         StepOutcome::Subsegment => "subsegment",
         StepOutcome::Triangle => "triangle",
         StepOutcome::Recovered => "recovered",
+        StepOutcome::Retried => "retried",
         StepOutcome::Finished => "finished",
         StepOutcome::Exhausted => "exhausted",
     }

@@ -1,4 +1,4 @@
-//! Insertion and splits by cavity: what [`Cavity`] does, with segments and provenance.
+//! Insertion and splits by cavity: what `delaunay::cavity` does, with segments and provenance.
 
 use super::constrained::ConstrainedDelaunay;
 use super::provenance::Provenance;

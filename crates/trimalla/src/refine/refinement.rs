@@ -23,6 +23,8 @@ use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
+/// No more rounds than this for triangles that had no room.
+const MOST_RETRIES: u32 = 64;
 /// Insertions between two calls of the observer.
 const PROGRESS_EVERY: u64 = 128;
 
@@ -71,6 +73,9 @@ pub struct Refinement {
     pub(super) vertices: usize,
     /// Vertices inserted in all, those deleted or taken back included.
     pub(super) insertions: u64,
+    /// How many vertices had come and gone at the last retry, and how many retries there were.
+    changes_at_retry: u64,
+    retries: u32,
     pub(super) report: Report,
     /// What the step at work did, where somebody wants to know.
     pub(super) event: Option<Box<Event>>,
@@ -98,6 +103,8 @@ pub enum StepOutcome {
     Triangle,
     /// Segments that had been let go were brought back.
     Recovered,
+    /// Triangles for which there was no room wait once more, since there may be now.
+    Retried,
     /// Nothing is left to do.
     #[default]
     Finished,
@@ -144,6 +151,8 @@ impl Refinement {
             picked: VecDeque::new(),
             vertices,
             insertions: 0,
+            changes_at_retry: 0,
+            retries: 0,
             report: Report { recipe, ..Report::default() },
             event: None,
             steps_told: 0,
@@ -260,7 +269,7 @@ impl Refinement {
             match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
-                StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered => {}
+                StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered | StepOutcome::Retried => {}
             }
         };
         self.report.stop = stop;
@@ -284,7 +293,10 @@ impl Refinement {
             return StepOutcome::Subsegment;
         }
         let Some(face) = self.next_face() else {
-            return if self.recover_segments() { StepOutcome::Recovered } else { StepOutcome::Finished };
+            if self.recover_segments() {
+                return StepOutcome::Recovered;
+            }
+            return if self.retry() { StepOutcome::Retried } else { StepOutcome::Finished };
         };
         let name = sorted(self.cdt.face_vertices(face));
         self.note_selected(face);
@@ -294,6 +306,24 @@ impl Refinement {
             Err(reason) => self.given_up.push((name, reason)),
         }
         StepOutcome::Triangle
+    }
+
+    /// Lets triangles wait again that were given up for want of room, if anything has changed since; says whether any does.
+    ///
+    /// So a mesh that is refined again finds nothing left to do.
+    fn retry(&mut self) -> bool {
+        let is_worth_it = self.given_up.iter().any(|g| g.1 == Reason::PrecisionFloor) && self.retries < MOST_RETRIES;
+        let r = &self.report;
+        let changes = r.points_inserted + r.segments_split + r.vertices_deleted;
+        if !is_worth_it || changes == self.changes_at_retry {
+            return false;
+        }
+        self.retries += 1;
+        self.changes_at_retry = changes;
+        self.given_up.clear();
+        self.unsplittable.clear();
+        self.look_at_everything();
+        true
     }
 
     /// The treated triangle waits again if its own treatment left it as it was.
