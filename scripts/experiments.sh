@@ -32,6 +32,42 @@ orders() { # the recipes of a preset, separated by commas
     done | cut -c 2-
 }
 
+spread() { # a row each drawing: how far orders part while all of them end, and the angle up to which each ends
+    printf '| drawing | largest difference up to 33° |'
+    printf ' %s |' first smallest-angle shortest-edge smallest-circumradius boundary-shortest-edge
+    printf '\n|---|---:|---:|---:|---:|---:|---:|\n'
+    awk -F, '
+        NR == 1 { next }
+        !($1 in seen) { seen[$1] = 1; inputs[++n] = $1 }
+        !(($1, $2) in last) { last[$1, $2] = "none"; orders[$1] = orders[$1] " " $2 }
+        $4 != "done" { stopped[$1, $2] = 1; next }
+        !(($1, $2) in stopped) { last[$1, $2] = $3 "°" }
+        $3 <= 33 {
+            if (!(($1, $3) in least) || $5 < least[$1, $3]) least[$1, $3] = $5
+            if ($5 > most[$1, $3]) most[$1, $3] = $5
+            part = 100 * (most[$1, $3] - least[$1, $3]) / least[$1, $3]
+            if (part > widest[$1]) widest[$1] = part
+        }
+        END {
+            for (i = 1; i <= n; i++) {
+                name = inputs[i]; sub(/.*\//, "", name); sub(/\.poly$/, "", name)
+                printf "| %s | %.0f %% |", name, widest[inputs[i]]
+                count = split(orders[inputs[i]], order, " ")
+                for (o = 1; o <= count; o++) printf " %s |", last[inputs[i], order[o]]
+                print ""
+            }
+        }' "$temporary/table.csv"
+}
+ratios() { # a row each drawing: vertices at 37 degrees, and how many times those at 30 that is
+    printf '| drawing | lepp-circumcenter | lepp-off-center | lepp-centroid |\n|---|---:|---:|---:|\n'
+    awk -F, '
+        NR == 1 { next }
+        !($1 in seen) { if (row) print row; seen[$1] = 1; row = $1; sub(/.*\//, "", row); sub(/\.poly$/, "", row); row = "| " row " |" }
+        $3 == 30 { base = $5 }
+        $3 == 37 { row = row ($4 == "done" ? sprintf(" %d (%.1f ×) |", $5, $5 / base) : " ND (" $4 ") |") }
+        END { print row }' "$temporary/table.csv"
+}
+
 presets=off-center,circumcenter,lepp-midpoint,lepp-centroid,lepp-circumcenter,lepp-off-center,sanhueza
 rm -f "$out"/*.svg
 
@@ -65,9 +101,9 @@ TEXT
     done
     cat <<'TEXT'
 
-What we see. Up to 27 degrees off-centers need the fewest vertices on all three drawings; on mesh A centroids overtake them at 28
-degrees, on the other two nothing does up to 34. Circumcenters never need fewer vertices than off-centers. At 37 degrees only
-placements along longest-edge paths end, and with the 50 scattered points not even they do.
+What we see. At small angles off-centers need the fewest vertices. On A placements along longest-edge paths need fewer from 28 degrees
+on; on the other two off-centers stay ahead as long as they end. Circumcenters need more vertices than off-centers nearly everywhere. At 37 degrees only
+placements along longest-edge paths end, and the 50 scattered points make it harder for them too.
 
 ## Does the order matter?
 
@@ -77,8 +113,11 @@ TEXT
     for preset in lepp-centroid off-center; do
         printf '### %s\n\n' "$preset"
         compare "$b" "$c" --recipes "$(orders "$preset")" --angles 20..37 --markdown "$temporary/table.md" \
-            --svg "$temporary/plots"
+            --csv "$temporary/table.csv" --svg "$temporary/plots"
         plots "$preset"
+        printf 'How far the orders part, and the angle up to which each ends:\n\n'
+        spread
+        echo
         tables | sed 's/^### /#### /'
         for plot in "$out/$preset"-*-vertices.svg; do
             printf '\n![vertices by order](experiments/%s)\n\n' "$(basename "$plot")"
@@ -86,13 +125,10 @@ TEXT
         rm -f "$out/$preset"-*-triangles.svg
     done
     cat <<'TEXT'
-For centroids of terminal triangles, hardly: up to 34 degrees the five orders stay within six vertices of each other on both
-drawings. Beyond they part by up to two fifths (370 to 511 vertices on `mesh-b` at 37 degrees), and none is best throughout.
-
-For off-centers it matters much. With points inside, 34 degrees cost 342 vertices by shortest edge and 3248 by age; on `mesh-b` age ends up to
-34 degrees, smallest angle, smallest circumradius and border first up to 35, shortest edge up to 36. From 28 degrees on the shortest edge gives
-the smallest mesh or has four vertices more at most. Triangles on the border first (`boundary-shortest-edge`) seldom help, and cost more the
-larger the angle is: 788 vertices against 394 at 35 degrees with points inside.
+For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part a little beyond, and no
+order is best throughout. For off-centers it does: by age or by smallest circumradius meshes are larger from 28 degrees on, by
+age refinement ends at smaller angles too, and the shortest edge is the best or nearly so. Triangles on the border first (`boundary-shortest-edge`) is
+no gain over the shortest edge alone but for single cases, and a loss at large angles.
 
 MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.
 
@@ -102,14 +138,14 @@ TEXT
     set --
     if [ -f "$a" ]; then set -- "$a"; fi
     set -- "$@" "$b" "$c" data/shapes/key.poly data/shapes/gear.poly data/shapes/guitar.poly data/shapes/plate.poly data/shapes/coast.poly
-    compare "$@" --algorithms lepp-circumcenter,lepp-off-center,lepp-centroid --angles 30,37 --markdown "$temporary/table.md"
-    tables
+    compare "$@" --algorithms lepp-circumcenter,lepp-off-center,lepp-centroid --angles 30,37 --csv "$temporary/table.csv"
+    printf 'Vertices at 37 degrees, and how many times those at 30 degrees:\n\n'
+    ratios
     cat <<'TEXT'
 
-MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does on A, `mesh-b` and `key`, and on the guitar for more than
-five times the vertices of 30 degrees; on the other four it uses up its vertices. Where a placement ends, 37 degrees cost twice the vertices
-of 30 at best, and more often three times. None ends on every drawing, and none is always the best: centroids end on the gear, the plate and the coast,
-where circumcenters do not. Whoever does not need 37 degrees should not ask for them.
+MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does on small drawings; on larger ones it may use up its 20 000
+vertices. Where a placement ends, 37 degrees cost twice the vertices of 30 at best, and often three times or more. None ends on
+every drawing, and none is always the best. Whoever does not need 37 degrees should not ask for them.
 TEXT
     if [ -f "$a" ] && [ -f "$published" ]; then
         cat <<'TEXT'
@@ -124,9 +160,9 @@ TEXT
         printf '\n![vertices, ours and published](experiments/published-A-vertices.svg)\n'
         cat <<'TEXT'
 
-Our centroids are within one vertex of the published ones up to 33 degrees and need fewer beyond: 125 vertices against 299 at 36
-degrees. Of the circumcenters of terminal triangles ours takes the larger triangle's and guards segments by lenses: 150 vertices against
-752 at 37. Crosses are rows that no mesh can have.
+Our centroids agree with the published ones up to 33 degrees, and need fewer vertices beyond. Of the circumcenters of terminal triangles ours
+takes the larger triangle's and guards segments by lenses: it needs fewer vertices throughout, and at 37 degrees a fifth of the published ones.
+Crosses are rows that no mesh can have.
 TEXT
     fi
     cat <<'TEXT'

@@ -40,10 +40,11 @@ Examples:
         stop it with Ctrl-C, and start it again: what is done is not done again
 
 A run ends when every triangle is good, or at a limit: then the table says ND and the reason,
-and its curve has a gap. Drawings that cannot be read are named below the tables, and the others
-are run all the same. Results come in the order of inputs, recipes and angles whatever ends
-first; with --no-times they are the same bytes for any number of jobs. Times are of triangulation
-and refinement together, without reading and writing; for times to trust, use --jobs 1.";
+and its curve has a gap. That is a result, and the status is 0. Drawings that cannot be read are
+named in the tables, and the others are run all the same. Results come in the order of inputs,
+recipes and angles whatever ends first; with --no-times they are the same bytes for any number
+of jobs. Times are of triangulation and refinement together, without reading and writing; for
+times to trust, use --jobs 1.";
 
 /// Compare algorithms and recipes on drawings at many angles: tables, CSV, JSON, plots
 #[derive(Debug, Args)]
@@ -66,8 +67,9 @@ pub(crate) struct Options {
           value_parser = AngleList::parse)]
     angles: AngleList,
 
-    /// A published table to stand beside ours: a CSV file with mesh, algorithm, `angle_deg`, vertices, triangles, comment
+    /// A published table to stand beside ours: a CSV file with a row each mesh, algorithm and angle
     ///
+    /// Its header names mesh, algorithm, `angle_deg`, vertices and triangles, and may name appendix, priority, program and comment.
     /// Its rows stand beside the drawing whose stem is their mesh. Rows with a comment that begins with 'impossible' are marked.
     #[arg(long, value_name = "FILE", help_heading = "Experiment")]
     baseline: Option<PathBuf>,

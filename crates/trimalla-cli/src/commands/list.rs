@@ -23,7 +23,7 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
 
 /// The steps of a recipe, 0 for whole recipes.
 const STEPS: [(u8, &str); 6] = [
-    (0, "algorithms: recipes by name (mesh --algorithm)"),
+    (0, "algorithms: recipes by name (mesh --algorithm, compare --algorithms)"),
     (1, "step 1, prepare: what is done to segments first (mesh --prepare)"),
     (2, "step 2, select: which bad triangle is next (mesh --select)"),
     (3, "step 3, point: where the new vertex goes (mesh --point)"),

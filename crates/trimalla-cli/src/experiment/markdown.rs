@@ -66,23 +66,9 @@ fn add_notes(text: &mut String, sheet: &Sheet<'_>) {
     if cells().any(|cell| matches!(cell, Cell::Ours(run) if run.is_done() && run.below_bound > 0)) {
         notes.push("\\* with triangles below the bound that the drawing's own angles force".to_owned());
     }
-    type Note = fn(&Cell) -> Option<&str>;
-    let signs: [(&str, Note); 2] = [("†", Cell::impossible), ("‡", Cell::remark)];
     for column in &sheet.columns {
-        for (sign, comment_of) in signs {
-            let mut comments: Vec<(&str, Vec<String>)> = Vec::new();
-            for (cell, angle) in column.cells.iter().zip(sheet.angles) {
-                let Some(comment) = comment_of(cell) else { continue };
-                match comments.iter_mut().find(|(c, _)| *c == comment) {
-                    Some((_, angles)) => angles.push(format!("{angle}°")),
-                    None => comments.push((comment, vec![format!("{angle}°")])),
-                }
-            }
-            let note = |(comment, angles): (&str, Vec<String>)| {
-                format!("{sign} {}, {}: {}", escaped(&column.label), angles.join(" "), escaped(comment))
-            };
-            notes.extend(comments.into_iter().map(note));
-        }
+        notes.extend(comments(column, sheet.angles, "†", Cell::impossible));
+        notes.extend(comments(column, sheet.angles, "‡", Cell::remark));
     }
     notes.iter().for_each(|note| *text += &format!("- {note}\n"));
     if !notes.is_empty() {
@@ -90,26 +76,39 @@ fn add_notes(text: &mut String, sheet: &Sheet<'_>) {
     }
 }
 
+/// A note each comment of a column, with the angles that it is about.
+fn comments(column: &Column, angles: &[f64], sign: &str, comment_of: impl Fn(&Cell) -> Option<&str>) -> Vec<String> {
+    let mut comments: Vec<(&str, Vec<String>)> = Vec::new();
+    for (cell, angle) in column.cells.iter().zip(angles) {
+        let Some(comment) = comment_of(cell) else { continue };
+        match comments.iter_mut().find(|(c, _)| *c == comment) {
+            Some((_, angles)) => angles.push(format!("{angle}°")),
+            None => comments.push((comment, vec![format!("{angle}°")])),
+        }
+    }
+    let note = |(comment, angles): (&str, Vec<String>)| {
+        format!("{sign} {}, {}: {}", escaped(&column.label), angles.join(" "), escaped(comment))
+    };
+    comments.into_iter().map(note).collect()
+}
+
 /// The limits of a run, and what the reasons beside ND mean, as far as they occur.
 fn limits(plan: &Plan, sheets: &[Sheet<'_>]) -> String {
     let mut text = format!("Each run: at most {} vertices and {} seconds.", plan.max_vertices, plan.time_limit);
-    let has = |wanted: fn(&End) -> bool| {
-        let cells = sheets.iter().flat_map(|s| &s.columns).flat_map(|c| &c.cells);
-        cells.into_iter().any(|cell| matches!(cell, Cell::Ours(run) if wanted(&run.end)))
-    };
-    if has(|end| *end != End::Done) {
-        text += " ND: no mesh without a triangle below the bound";
-        type Ended = fn(&End) -> bool;
-        let reasons: [(&str, Ended); 3] = [
-            ("budget: the vertices were used up", |end| *end == End::Budget),
-            ("time: the seconds were", |end| *end == End::Time),
-            ("any other reason: why most of the triangles that are left were given up", |end| {
-                matches!(end, End::Left(_))
-            }),
-        ];
-        let reasons: Vec<&str> =
-            reasons.into_iter().filter(|(_, wanted)| has(*wanted)).map(|(words, _)| words).collect();
-        text += &format!(" ({}).", reasons.join("; "));
+    let cells = sheets.iter().flat_map(|s| &s.columns).flat_map(|c| &c.cells);
+    let ends: Vec<End> =
+        cells.filter_map(|cell| if let Cell::Ours(run) = cell { Some(run.end) } else { None }).collect();
+    let reasons = [
+        (ends.contains(&End::Budget), "budget: the vertices were used up"),
+        (ends.contains(&End::Time), "time: the seconds were"),
+        (
+            ends.iter().any(|end| matches!(end, End::Left(_))),
+            "any other reason: why most of the triangles that are left were given up",
+        ),
+    ];
+    let reasons: Vec<&str> = reasons.into_iter().filter(|(occurs, _)| *occurs).map(|(_, words)| words).collect();
+    if !reasons.is_empty() {
+        text += &format!(" ND: no mesh without a triangle below the bound ({}).", reasons.join("; "));
     }
     text.push('\n');
     text

@@ -127,3 +127,35 @@ fn what_is_no_toml_is_named_with_its_place() {
     assert!(fault(&deep).starts_with("r.toml:1:"));
     assert!(read("\u{feff}select = \"first\"".as_bytes(), "r.toml").is_ok());
 }
+
+proptest::proptest! {
+    /// Recipes with bytes changed, added and taken away: an error with a place, or a recipe that comes back.
+    #[test]
+    fn no_bytes_are_too_much(
+        preset in 0..Preset::ALL.len(),
+        edits in proptest::collection::vec((0..400_usize, proptest::option::of(0..=255_u8), 0..3_u8), 0..4),
+    ) {
+        let mut text = bytes(&RecipeFile {
+            min_angle_deg: Some(31.5),
+            max_vertices: Some(1000),
+            name: Some("a".to_owned()),
+            ..RecipeFile::of(Preset::ALL[preset])
+        });
+        for (at, byte, how) in edits {
+            let at = at.min(text.len() - 1);
+            match (byte, how) {
+                (Some(byte), 0) => text[at] = byte,
+                (Some(byte), _) => text.insert(at, byte),
+                (None, _) if text.len() > 1 => drop(text.remove(at)),
+                (None, _) => {}
+            }
+        }
+        match read(&text, "r.toml") {
+            Ok(file) => comes_back(&file),
+            Err(error) => {
+                let place = &error.fault().unwrap().place;
+                proptest::prop_assert!(place.line >= 1 && place.column >= 1);
+            }
+        }
+    }
+}
