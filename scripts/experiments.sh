@@ -125,7 +125,7 @@ TEXT
         rm -f "$out/$preset"-*-triangles.svg
     done
     cat <<'TEXT'
-For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part a little beyond, and no
+For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part beyond, and no
 order is best throughout. For off-centers it does: by age or by smallest circumradius meshes are larger from 28 degrees on, by
 age refinement ends at smaller angles too, and the shortest edge is the best or nearly so. Triangles on the border first (`boundary-shortest-edge`) is
 no gain over the shortest edge alone but for single cases, and a loss at large angles.
