@@ -49,6 +49,7 @@ mod split_segments;
 pub mod steps;
 #[cfg(test)]
 mod tests;
+mod treat;
 
 pub use bad_triangles::UserTest;
 pub use event::{Candidate, Event, InsertedKind, InsertedVertex, Name, Why};

@@ -1,0 +1,191 @@
+//! The treatment of one bad triangle: steps 3 and 4 of the loop.
+//!
+//! 1. Those that no point can help are given up, with the reason.
+//! 2. The point strategy proposes places, the best first.
+//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; a point goes in through the
+//!    journal, and comes out again if it is too near to another vertex or encroaches upon a subsegment, which then waits for
+//!    its split instead.
+
+use super::bad_triangles::Badness;
+use super::event::InsertedKind;
+use super::lepp::lepp;
+use super::refinement::{Refinement, ends_of};
+use super::report::Reason;
+use super::steps::Proposal;
+use crate::constrained::Provenance;
+use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+
+impl Refinement {
+    /// Treats a bad triangle; the error says why it is given up.
+    pub(super) fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
+        let of_shape = self.badness(face).is_some_and(Badness::is_of_shape);
+        if of_shape && self.is_across_small_input_angle(face) {
+            return Err(Reason::AcrossSmallInputAngle);
+        }
+        if of_shape && self.is_beyond_help(self.cdt.corners(face)) {
+            return Err(Reason::StrategyCannotImprove);
+        }
+        self.count_path(face);
+        let mut places = std::mem::take(&mut self.places);
+        places.clear();
+        self.point.propose(self.view(), face, &mut places);
+        let mut refused = Reason::PrecisionFloor;
+        // Nothing changes until one is taken, so that the loci stay right.
+        let taken = places.iter().any(|&place| {
+            let tried = self.try_place(place);
+            self.note_candidate(place, tried);
+            tried.map_err(|reason| refused = reason).is_ok()
+        });
+        self.places = places;
+        if taken { Ok(()) } else { Err(refused) }
+    }
+
+    /// Counts the length of the path, where the strategy follows it.
+    fn count_path(&mut self, face: FaceId) {
+        if self.point.follows_path() {
+            let length = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule).len();
+            let lengths = &mut self.report.lepp_lengths;
+            lengths.resize(lengths.len().max(length + 1), 0);
+            lengths[length] += 1;
+        }
+    }
+
+    /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
+    fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
+        if let Some(h) = self.insert.flip_instead(self.view(), place) {
+            self.flip(h);
+            return Ok(());
+        }
+        match place {
+            Proposal::Split(h) => self.split_instead(&[h]),
+            Proposal::OnEdge { edge, point } => self.try_on_edge(edge, point),
+            Proposal::Free { point, locus } => self.try_point(point, locus),
+        }
+    }
+
+    /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
+    fn flip(&mut self, h: HalfEdgeId) {
+        let h = self.cdt.flip_edge(h, &mut self.log);
+        self.insertions += 1;
+        self.report.flips_instead += 1;
+        let mut faces = [h.face(), self.cdt.twin(h).face()];
+        self.put_in_order(&mut faces);
+        self.look_at_faces(&faces);
+    }
+
+    /// Subsegments are in the way: one that can be is split, and the triangle waits.
+    ///
+    /// One split often clears the way of the others too, so they are left until they are met again. With lenses the
+    /// longest is split, with disks the shortest: measured on drawings, that leaves fewest vertices.
+    fn split_instead(&mut self, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
+        let length = |h: HalfEdgeId| {
+            let [a, b] = self.cdt.edge_points(h);
+            self.ruler.length_sq(a, b)
+        };
+        let mut order = subsegments.to_vec();
+        order.sort_by(|&h, &g| {
+            let shorter = length(h).total_cmp(&length(g));
+            let by_length = if self.region.is_lens() { shorter.reverse() } else { shorter };
+            by_length.then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g)))
+        });
+        let mut refused = Reason::PrecisionFloor;
+        for h in order {
+            match self.queue_subsegment(h, true) {
+                Ok(()) => return Ok(()),
+                Err(reason) => refused = reason,
+            }
+        }
+        Err(refused)
+    }
+
+    /// Inserts a free point; takes it back if it encroaches upon subsegments.
+    fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
+        if self.nearest_sq(point, locus) < self.floor_sq {
+            return Err(self.floor_reason);
+        }
+        let here = self.log.checkpoint();
+        let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
+        self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(self.floor_reason);
+        }
+        let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
+        if encroached.is_empty() {
+            self.vertices += 1;
+            self.report.points_inserted += 1;
+            self.note_inserted(v, InsertedKind::Free);
+            self.look_around(v);
+            return Ok(());
+        }
+        let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
+        self.note(|event| event.encroached.clone_from(&ends));
+        self.cdt.rollback(&mut self.log, here);
+        self.report.points_rejected += 1;
+        let subsegments: Vec<HalfEdgeId> =
+            ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
+        self.split_instead(&subsegments)
+    }
+
+    /// Splits an unconstrained edge.
+    fn try_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
+        if self.nearest_sq(point, Locus::Edge(h)) < self.floor_sq {
+            return Err(self.floor_reason);
+        }
+        let here = self.log.checkpoint();
+        let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
+        let v = split.map_err(|_| Reason::PrecisionFloor)?;
+        self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(self.floor_reason);
+        }
+        self.vertices += 1;
+        self.report.points_inserted += 1;
+        self.note_inserted(v, InsertedKind::OnEdge);
+        self.look_around(v);
+        Ok(())
+    }
+
+    /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
+    pub(super) fn crowds_a_neighbour(&self, v: VertexId) -> bool {
+        let p = self.cdt.point(v);
+        self.cdt.neighbours(v).any(|w| self.ruler.length_sq(p, self.cdt.point(w)) < self.floor_sq)
+    }
+
+    /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
+    /// there is nothing to win.
+    fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
+        let shortest = self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
+        self.insert.keeps_small_angles() && shortest < self.bisection_floor_sq
+    }
+
+    /// The square of the distance from a point to the nearest vertex of the faces it lies in.
+    fn nearest_sq(&self, p: Point, locus: Locus) -> f64 {
+        let corners = |f: FaceId| {
+            self.cdt
+                .face_vertices(f)
+                .into_iter()
+                .filter(|v| v.is_finite())
+                .map(|v| self.ruler.length_sq(p, self.cdt.point(v)))
+        };
+        let least = |f: FaceId| corners(f).fold(f64::INFINITY, f64::min);
+        match locus {
+            Locus::Face(f) => least(f),
+            Locus::Edge(h) => least(h.face()).min(least(self.cdt.twin(h).face())),
+            _ => 0.0,
+        }
+    }
+
+    /// The subsegments opposite a new vertex that it encroaches upon.
+    fn encroached_by(&self, v: VertexId) -> Vec<HalfEdgeId> {
+        let p = self.cdt.point(v);
+        let encroached = |h: &HalfEdgeId| {
+            let [a, b] = self.cdt.edge_points(*h);
+            self.region.holds(a, b, p, self.ruler)
+        };
+        self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h)).filter(encroached).collect()
+    }
+}
