@@ -227,7 +227,6 @@ fn every_combination_of_the_five_steps_is_sound() {
             } else {
                 assert_eq!(recipe.recover, Recover::None, "{name}: {recipe}");
             }
-            // What a recovery needs within the budget may be a vertex or two more than the loop had used.
             assert!(mesh.points.len() <= 60, "{name}: {recipe}: {} vertices", mesh.points.len());
             let told: usize = report.reasons().iter().map(|r| r.1).sum();
             assert_eq!(told, report.leftovers.len(), "{name}: {recipe}");

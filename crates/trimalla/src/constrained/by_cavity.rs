@@ -38,11 +38,7 @@ impl ConstrainedDelaunay {
         }
         let v = self.fill_cavity(p, provenance, j);
         if !straight {
-            // The bend may have spoilt spokes that were legal beside the straight edge.
-            for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
-                self.lawson.push(e);
-            }
-            self.lawson.legalise_all(&mut self.t, j);
+            self.legalise_star(v, j);
         }
         Ok(v)
     }

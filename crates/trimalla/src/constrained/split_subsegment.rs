@@ -103,13 +103,18 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
         let v = self.cut_subsegment(h, p, provenance, j)?;
-        // Off the edge by its rounding, a vertex may also spoil the spokes to the apexes.
+        self.legalise_star(v, j);
+        self.last = self.t.outgoing(v).map_or(self.last, |out| out.face());
+        Ok(v)
+    }
+
+    /// Legalises the spokes and the rim of a vertex that parted an edge: off the edge by its rounding, it may spoil also the
+    /// spokes to the apexes, which were legal beside the straight edge.
+    pub(super) fn legalise_star<J: Journal>(&mut self, v: VertexId, j: &mut J) {
         for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
             self.lawson.push(e);
         }
         self.lawson.legalise_all(&mut self.t, j);
-        self.last = self.t.outgoing(v).map_or(self.last, |out| out.face());
-        Ok(v)
     }
 
     /// [`split_subsegment`](Self::split_subsegment) without the flips: the circle test may fail afterwards.

@@ -7,7 +7,7 @@ use super::recipe::{Insert, Recipe};
 use super::ruler::Ruler;
 use super::steps::{InsertStep, Proposal, View};
 use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
-use crate::geometry::Point;
+use crate::geometry::{BoundingBox, Point};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 use crate::triangulation::Triangulation;
@@ -121,8 +121,12 @@ impl InsertStep for FlipOrCentroid {
     }
 
     fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        let ruler = Ruler::for_box(cdt.bounding_box());
-        let in_pair = Self::edge_of(cdt, ruler, locus).and_then(|h| cdt.insert_in_pair(p, h, log));
+        // The scale is a power of two: that of the face itself orders its edges as that of the drawing does.
+        let corners = match locus {
+            Locus::Face(f) => BoundingBox::of(cdt.face_points(f)),
+            _ => None,
+        };
+        let in_pair = Self::edge_of(cdt, Ruler::for_box(corners), locus).and_then(|h| cdt.insert_in_pair(p, h, log));
         in_pair.or_else(|| cdt.place_vertex_at(p, locus, log))
     }
 
