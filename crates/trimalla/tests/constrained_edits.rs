@@ -326,7 +326,8 @@ fn run(edited: Edited, plan: Plan) -> (Tally, [usize; SORTS.len()]) {
 
 #[test]
 fn a_hundred_thousand_edits_stay_constrained_delaunay_and_are_taken_back() {
-    let small = PointSetKind::ALL.into_iter().zip(0..).map(|(kind, seed)| {
+    // From this seed on segments are led past one of their own vertices twice, which must leave one path.
+    let small = PointSetKind::ALL.into_iter().zip(1000..).map(|(kind, seed)| {
         let places = point_set(kind, 24, seed);
         let places = if places.is_empty() { vec![Point::default()] } else { places };
         let start = places.len() / 2;
