@@ -102,7 +102,7 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
     let outlook = foreseen(&cdt, &options.refine, observer);
-    let mut refinement = Refinement::new(cdt, options.refine)?;
+    let mut refinement = Refinement::timed(cdt, options.refine, observer.clock())?;
     refinement.run(observer);
     let (cdt, report) = refinement.finish();
     Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings, outlook })
@@ -174,7 +174,7 @@ pub fn refine_mesh_with(
         }
     }
     let outlook = foreseen(&cdt, options, observer);
-    let mut refinement = Refinement::new(cdt, *options)?;
+    let mut refinement = Refinement::timed(cdt, *options, observer.clock())?;
     refinement.run(observer);
     let (cdt, report) = refinement.finish();
     if report.edges_flipped > 0 {

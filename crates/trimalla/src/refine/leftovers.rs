@@ -4,6 +4,7 @@ use super::bad_triangles::sorted;
 use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
+use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
 use crate::geometry::Triangle;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
@@ -18,7 +19,9 @@ impl Refinement {
     /// Linear.
     #[must_use]
     pub fn finish(mut self) -> (ConstrainedDelaunay, Report) {
+        self.stopwatch.enter(Part::Recover);
         self.claim_segments();
+        self.stopwatch.enter(Part::Rest);
         self.given_up.sort_unstable();
         let leftovers = self.leftovers();
         let mut report = std::mem::take(&mut self.report);
@@ -27,6 +30,8 @@ impl Refinement {
         report.steiner_points = self.cdt.steiner_vertices();
         report.triangles = self.cdt.face_count();
         (report.min_angle_deg, report.max_angle_deg) = self.extreme_angles();
+        self.stopwatch.enter(Part::Outside);
+        report.step_times = self.stopwatch.times();
         (self.cdt, report)
     }
 

@@ -47,6 +47,7 @@ mod s4_insert;
 mod s5_recover;
 mod split_segments;
 pub mod steps;
+mod stopwatch;
 #[cfg(test)]
 mod tests;
 mod treat;
@@ -64,3 +65,4 @@ pub use recipe::{
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
 pub use ruler::Ruler;
+pub use stopwatch::{Clock, StepTimes};

@@ -14,6 +14,7 @@ use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
+use super::stopwatch::{Clock, Part, Stopwatch};
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::geometry::Triangle;
@@ -79,6 +80,8 @@ pub struct Refinement {
     pub(super) event: Option<Box<Event>>,
     /// Steps of runs told to an observer.
     pub(super) steps_told: u64,
+    /// Time per step.
+    pub(super) stopwatch: Stopwatch,
     /// How to go back, where somebody may want to.
     pub(super) history: Option<History>,
 }
@@ -119,6 +122,14 @@ impl Refinement {
     /// # Errors
     /// [`OptionError`].
     pub fn new(cdt: ConstrainedDelaunay, options: RefineOptions) -> Result<Self, OptionError> {
+        Self::timed(cdt, options, None)
+    }
+
+    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by: [`Report::step_times`].
+    ///
+    /// # Errors
+    /// [`OptionError`].
+    pub fn timed(cdt: ConstrainedDelaunay, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
         options.validate()?;
         let ruler = Ruler::for_box(cdt.bounding_box());
         let (floor, floor_reason) = length_floor(&cdt, &options, ruler);
@@ -154,6 +165,7 @@ impl Refinement {
             report: Report { recipe, ..Report::default() },
             event: None,
             steps_told: 0,
+            stopwatch: Stopwatch::new(clock),
             history: None,
             cdt,
             options,
@@ -168,6 +180,7 @@ impl Refinement {
     /// The initial triangulation made what the recipe asks; segments that are not locked let go; step 1 for the input; every
     /// bad triangle into the queue.
     fn start(&mut self) {
+        self.stopwatch.enter(Part::Rest);
         let initial = self.options.recipe.initial;
         if self.cdt.as_given && self.insert.keeps_delaunay() && initial != Initial::Given {
             self.report.edges_flipped = self.cdt.legalise();
@@ -182,16 +195,20 @@ impl Refinement {
             }
         }
         self.look_at_everything();
+        self.stopwatch.enter(Part::Outside);
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
     pub(super) fn look_at_everything(&mut self) {
+        let before = self.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
+        self.stopwatch.enter(Part::Select);
         let mut faces: Vec<FaceId> = self.cdt.real_faces().collect();
         self.put_in_order(&mut faces);
         for f in faces {
             self.look_at_bad(f);
         }
+        self.stopwatch.enter(before);
     }
 
     /// The same with a step 2 of the caller's own.
@@ -255,6 +272,7 @@ impl Refinement {
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
         self.history = None;
+        self.stopwatch = self.stopwatch.or_clock(observer.clock());
         let mut reported = self.insertions;
         let stop = loop {
             if self.insertions >= reported + PROGRESS_EVERY || self.insertions == 0 {
@@ -282,7 +300,14 @@ impl Refinement {
     ///
     /// The log holds what it changed, and nothing else.
     pub(super) fn advance(&mut self) -> StepOutcome {
+        self.stopwatch.enter(Part::Prepare);
         self.log.clear();
+        let outcome = self.take_step();
+        self.stopwatch.enter(Part::Outside);
+        outcome
+    }
+
+    fn take_step(&mut self) -> StepOutcome {
         if self.is_exhausted() {
             let waits = !self.encroached.is_empty() || self.queue.len() > 0;
             return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
@@ -290,6 +315,7 @@ impl Refinement {
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;
         }
+        self.stopwatch.enter(Part::Select);
         let Some(face) = self.next_face() else {
             if self.recover_segments() {
                 return StepOutcome::Recovered;
@@ -298,6 +324,7 @@ impl Refinement {
         };
         let name = sorted(self.cdt.face_vertices(face));
         self.note_selected(face);
+        self.stopwatch.enter(Part::Point);
         match self.treat(face) {
             Ok(()) if self.options.recipe.until_destroyed => self.current = Some((face, name)),
             Ok(()) => self.queue_if_there(face, name),
@@ -384,12 +411,17 @@ impl Refinement {
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
     pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
+        let before = self.stopwatch.enter(Part::Select);
         let mut subsegments: Vec<HalfEdgeId> = Vec::new();
         for &f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
-        self.queue_encroached_of(subsegments);
+        if !subsegments.is_empty() {
+            self.stopwatch.enter(Part::Prepare);
+            self.queue_encroached_of(subsegments);
+        }
+        self.stopwatch.enter(before);
     }
 
     /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.

@@ -5,6 +5,7 @@ use std::fmt;
 use super::event::Event;
 use super::outlook::Outlook;
 use super::recipe::Recipe;
+use super::stopwatch::{Clock, StepTimes};
 use crate::constrained::ConstrainedDelaunay;
 
 /// Why a triangle stayed bad.
@@ -134,6 +135,8 @@ pub struct Report {
     pub flips_instead: u64,
     /// Free vertices deleted before a split.
     pub vertices_deleted: u64,
+    /// How long each step took, where the caller gave a clock.
+    pub step_times: Option<StepTimes>,
 }
 
 impl Report {
@@ -169,6 +172,11 @@ pub struct Progress {
 pub trait Observer {
     /// Called now and then, at least once in every 256 insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
+
+    /// A clock to measure the steps by; none, and nothing is measured.
+    fn clock(&self) -> Option<Clock> {
+        None
+    }
 
     /// Whether it wants the outlook, which costs about a tenth of the work.
     fn wants_outlook(&self) -> bool {

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use super::recipe::{Recipe, Recover};
 use super::refinement::Refinement;
 use super::steps::RecoverStep;
+use super::stopwatch::Part;
 use crate::constrained::SplitLimits;
 use crate::geometry::Point;
 use crate::mesh::NoJournal;
@@ -80,6 +81,7 @@ impl Refinement {
 
     /// Splits what was let go until it is edges, and locks it.
     pub(super) fn split_released(&mut self) {
+        let before = self.stopwatch.enter(Part::Recover);
         let released = std::mem::take(&mut self.released);
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
@@ -89,6 +91,7 @@ impl Refinement {
         self.vertices += inserted;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
+        self.stopwatch.enter(before);
     }
 
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.

@@ -202,3 +202,35 @@ fn paths_rise_to_their_terminal_edge() {
         assert_eq!(path.terminal_edge, lepp::terminal_edge(&cdt, ruler, f, LeppRule::StopAtConstraints));
     }
 }
+
+/// A clock of one tick a reading: every reading ends a part, so the parts add up to all readings but the first.
+fn ticks() -> u64 {
+    thread_local!(static READINGS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) });
+    READINGS.with(|readings| readings.replace(readings.get() + 1))
+}
+
+#[test]
+fn every_step_is_timed_where_there_is_a_clock() {
+    let options = RefineOptions {
+        recipe: Recipe { recover: Recover::BySplitting, ..Recipe::default() },
+        ..RefineOptions::default()
+    };
+    let mut fenced = polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0], [1.0, 4.0], [7.0, 4.5]]);
+    fenced.points.extend((2..7).flat_map(|i| [Point::new(f64::from(i), 3.9), Point::new(f64::from(i) + 0.3, 4.8)]));
+    fenced.segments = vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]];
+    let timed = |clock: Option<Clock>| {
+        let mut r = Refinement::timed(carved(&fenced, AlgorithmKey::Incremental), options, clock).unwrap();
+        r.run(&mut NoObserver);
+        let (cdt, report) = r.finish();
+        (cdt.canonical(), report)
+    };
+    let (mesh, report) = timed(Some(ticks));
+    let times = report.step_times.expect("a clock was given");
+    assert!(times.by_name().into_iter().all(|(_, seconds)| seconds > 0.0), "{times:?}");
+    // The part before the first reading, and those between the calls, are the caller's.
+    let inside = (times.total() * 1e9).round() as u64;
+    assert!(inside < ticks() && inside > 4 * (report.points_inserted + report.segments_split), "{times:?}");
+    let (untimed, silent) = timed(None);
+    assert_eq!((silent.step_times, untimed), (None, mesh));
+    assert_eq!(silent, Report { step_times: None, ..report });
+}

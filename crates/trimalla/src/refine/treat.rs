@@ -12,6 +12,7 @@ use super::lepp::lepp;
 use super::refinement::{Refinement, ends_of};
 use super::report::Reason;
 use super::steps::Proposal;
+use super::stopwatch::Part;
 use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::locate::Locus;
@@ -31,6 +32,7 @@ impl Refinement {
         let mut places = std::mem::take(&mut self.places);
         places.clear();
         self.point.propose(self.view(), face, &mut places);
+        self.stopwatch.enter(Part::Insert);
         let mut refused = Reason::PrecisionFloor;
         // Nothing changes until one is taken, so that the loci stay right.
         let taken = places.iter().any(|&place| {

@@ -1,0 +1,132 @@
+//! How long each step takes, by a clock of the caller's: the library has none.
+
+use std::fmt;
+
+/// A clock: nanoseconds since some fixed moment.
+///
+/// # Examples
+/// ```
+/// use std::sync::OnceLock;
+/// use std::time::Instant;
+/// use trimalla::refine::Clock;
+///
+/// fn now() -> u64 {
+///     static START: OnceLock<Instant> = OnceLock::new();
+///     u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
+/// }
+/// let clock: Clock = now;
+/// assert!(clock() <= clock());
+/// ```
+pub type Clock = fn() -> u64;
+
+/// Seconds that the parts of a refinement took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepTimes {
+    /// Step 1: subsegments looked at and split, and the free vertices in their way deleted.
+    pub prepare: f64,
+    /// Step 2: triangles tested, put into the queue and taken from it.
+    pub select: f64,
+    /// Step 3: places proposed.
+    pub point: f64,
+    /// Step 4: places tried, and points put in or taken back.
+    pub insert: f64,
+    /// Step 5: segments that were let go brought back.
+    pub recover: f64,
+    /// The initial triangulation made what the recipe asks, and the report.
+    pub rest: f64,
+}
+
+impl StepTimes {
+    /// Every part by name, in order.
+    #[must_use]
+    pub const fn by_name(&self) -> [(&'static str, f64); 6] {
+        [
+            ("prepare", self.prepare),
+            ("select", self.select),
+            ("point", self.point),
+            ("insert", self.insert),
+            ("recover", self.recover),
+            ("rest", self.rest),
+        ]
+    }
+
+    /// All together.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.by_name().into_iter().map(|(_, seconds)| seconds).sum()
+    }
+}
+
+/// What time is spent on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Part {
+    Prepare,
+    Select,
+    Point,
+    Insert,
+    Recover,
+    Rest,
+    /// What the caller does between calls.
+    #[default]
+    Outside,
+}
+
+/// Adds up what each part takes. Without a clock it stands still.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Stopwatch {
+    clock: Option<Clock>,
+    part: Part,
+    /// The reading when the part began.
+    since: u64,
+    /// Nanoseconds, by part.
+    spent: [u64; 7],
+}
+
+impl Stopwatch {
+    pub(super) fn new(clock: Option<Clock>) -> Self {
+        Self { clock, ..Self::default() }
+    }
+
+    /// The same with this clock, if it had none.
+    pub(super) fn or_clock(mut self, clock: Option<Clock>) -> Self {
+        self.clock = self.clock.or(clock);
+        self
+    }
+
+    /// Another part begins; says which one ends, so that it can go on later.
+    #[inline]
+    pub(super) fn enter(&mut self, part: Part) -> Part {
+        match self.clock {
+            Some(clock) => self.lap(clock(), part),
+            None => part,
+        }
+    }
+
+    #[cold]
+    fn lap(&mut self, now: u64, part: Part) -> Part {
+        let ended = std::mem::replace(&mut self.part, part);
+        self.spent[ended as usize] += now.saturating_sub(self.since);
+        self.since = now;
+        ended
+    }
+
+    /// What was measured, if anything was.
+    pub(super) fn times(&self) -> Option<StepTimes> {
+        self.clock?;
+        let seconds = |part: Part| self.spent[part as usize] as f64 * 1e-9;
+        Some(StepTimes {
+            prepare: seconds(Part::Prepare),
+            select: seconds(Part::Select),
+            point: seconds(Part::Point),
+            insert: seconds(Part::Insert),
+            recover: seconds(Part::Recover),
+            rest: seconds(Part::Rest),
+        })
+    }
+}
+
+impl fmt::Debug for Stopwatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Stopwatch").field("part", &self.part).field("spent", &self.spent).finish_non_exhaustive()
+    }
+}
