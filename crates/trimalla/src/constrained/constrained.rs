@@ -4,11 +4,13 @@ use std::collections::BTreeSet;
 use std::ops::Deref;
 use std::sync::Arc;
 
+use super::apply::Corridor;
 use super::area_map::AreaMap;
 use super::constraints::Constraints;
 use super::crossing_pairs::crossing_pairs;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
+use super::plan::SegmentPlan;
 use super::provenance::{Provenance, Provenances};
 use super::pseudo_polygon::Filling;
 use crate::delaunay::{
@@ -54,6 +56,8 @@ pub struct ConstrainedDelaunay {
     pub(crate) t: Triangulation,
     pub(crate) lawson: Lawson,
     pub(crate) cavity: Cavity,
+    pub(super) plan: SegmentPlan,
+    pub(super) corridor: Corridor,
     pub(crate) constraints: Constraints,
     /// Ends of each segment, duplicates replaced by their representatives.
     pub(crate) segments: Vec<[VertexId; 2]>,
@@ -137,6 +141,8 @@ impl ConstrainedDelaunay {
             t,
             lawson: Lawson::default(),
             cavity: Cavity::default(),
+            plan: SegmentPlan::new(VertexId(0), VertexId(0)),
+            corridor: Corridor::default(),
             constraints: Constraints::default(),
             segments: Vec::new(),
             regions: Vec::new(),

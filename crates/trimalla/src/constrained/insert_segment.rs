@@ -2,10 +2,9 @@
 //!
 //! Where crossings are split, `split_crossings` takes over.
 
-use super::apply::apply;
+use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
-use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::geometry::{Point, Segment};
 use crate::mesh::{Column, Journal, NoJournal, UndoLog, VertexId};
@@ -75,21 +74,17 @@ impl ConstrainedDelaunay {
         if let Some(vertex) = [a, b].into_iter().find(|&v| v.index() >= self.t.points().len() || !self.t.is_used(v)) {
             return Err(ConstraintError::UnusedVertex { segment: segment as usize, vertex });
         }
-        if a != b {
-            let plans = self.plans(segment, a, b)?;
-            if crossings == Crossings::Refuse {
-                let pairs = self.pairs_in(segment, [a, b], &plans);
-                if !pairs.is_empty() {
-                    return Err(ConstraintError::Crossing(pairs));
-                }
-            }
+        if a == b {
             self.begin_segment([a, b], j);
-            match &plans[..] {
-                [plan] if plan.constrained.is_empty() => self.apply_piece(plan, self.class_of(segment), j),
-                _ => self.work_off(Piece { from: a, to: b, mark: self.class_of(segment) }, segment, j)?,
-            }
+            return Ok(segment);
+        }
+        let is_whole = self.survey(segment, [a, b], crossings)?;
+        let mark = self.begin_segment([a, b], j);
+        if is_whole {
+            let before = if self.as_given { Before::Any } else { Before::Delaunay };
+            self.apply_plan(mark, before, j);
         } else {
-            self.begin_segment([a, b], j);
+            self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
         }
         Ok(segment)
     }
@@ -107,10 +102,6 @@ impl ConstrainedDelaunay {
         mark
     }
 
-    fn class_of(&self, segment: SegmentId) -> u32 {
-        self.constraints.existing_mark_of(&[segment])
-    }
-
     /// Notes that classes were added since there were `before`.
     pub(crate) fn note_classes<J: Journal>(&self, before: usize, j: &mut J) {
         if J::ACTIVE && self.constraints.len() > before {
@@ -118,41 +109,49 @@ impl ConstrainedDelaunay {
         }
     }
 
-    /// The plans of all pieces of a segment, as long as nothing changes.
-    fn plans(&self, segment: SegmentId, a: VertexId, b: VertexId) -> Result<Vec<SegmentPlan>, ConstraintError> {
-        let mut plans = Vec::with_capacity(1);
-        let mut from = a;
+    /// Looks at the whole way of a segment before anything changes. Returns whether it is a single piece that crosses no
+    /// constraint: the plan made last is that of the segment then.
+    fn survey(
+        &mut self,
+        segment: SegmentId,
+        [a, b]: [VertexId; 2],
+        crossings: Crossings,
+    ) -> Result<bool, ConstraintError> {
+        let (mut from, mut is_free) = (a, true);
+        let mut pairs: Vec<CrossingPair> = Vec::new();
         while from != b {
-            let plan = self.t.plan_towards(from, b).map_err(|_| ConstraintError::LeavesDomain {
+            self.t.plan_into(&mut self.plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
                 segment: segment as usize,
                 from: self.t.point(a),
                 to: self.t.point(b),
             })?;
-            from = plan.to;
-            plans.push(plan);
+            is_free &= self.plan.constrained.is_empty();
+            if crossings == Crossings::Refuse {
+                self.add_pairs(segment, [a, b], &mut pairs);
+            }
+            from = self.plan.to;
         }
-        Ok(plans)
+        if pairs.is_empty() { Ok(is_free && self.plan.from == a) } else { Err(ConstraintError::Crossing(pairs)) }
     }
 
-    /// The input segments that the plans cross.
-    fn pairs_in(&self, segment: SegmentId, ends: [VertexId; 2], plans: &[SegmentPlan]) -> Vec<CrossingPair> {
-        let line = ends.map(|v| self.t.point(v));
-        let mut pairs: Vec<CrossingPair> = Vec::new();
-        for &h in plans.iter().flat_map(|p| &p.constrained) {
-            let at = crossing_of(line, self.t.edge_points(h));
+    /// Adds the input segments that the plan crosses.
+    fn add_pairs(&self, segment: SegmentId, ends: [VertexId; 2], pairs: &mut Vec<CrossingPair>) {
+        for &h in &self.plan.constrained {
+            let at = crossing_of(ends.map(|v| self.t.point(v)), self.t.edge_points(h));
             let others = self.constraints.segments(self.t.mark(h));
             pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o as usize, segment as usize], at }));
         }
-        pairs
     }
 
-    /// Puts one uncrossed piece in.
-    pub(super) fn apply_piece<J: Journal>(&mut self, plan: &SegmentPlan, mark: u32, j: &mut J) {
-        let mark = match plan.existing {
+    /// Carries the plan out, which crosses no constraint.
+    pub(super) fn apply_plan<J: Journal>(&mut self, mark: u32, before: Before, j: &mut J) {
+        let mark = match self.plan.existing {
             Some(h) => self.joined(self.t.mark(h), mark, j),
             None => mark,
         };
-        apply(&mut self.t, plan, mark, self.filling, &mut self.lawson, j);
+        let how = (self.filling, before);
+        let applied = self.corridor.apply(&mut self.t, &self.plan, mark, how, &mut self.lawson, j);
+        debug_assert!(applied, "a plan that crosses no constraint can be carried out");
     }
 
     /// The class of an edge of two classes.

@@ -38,6 +38,33 @@ pub struct SegmentPlan {
     pub(super) right_rim: Vec<HalfEdgeId>,
 }
 
+impl SegmentPlan {
+    /// Nothing planned yet.
+    pub(super) fn new(from: VertexId, to: VertexId) -> Self {
+        Self {
+            from,
+            to,
+            existing: None,
+            crossed: Vec::new(),
+            constrained: Vec::new(),
+            left: Vec::new(),
+            right: Vec::new(),
+            left_rim: Vec::new(),
+            right_rim: Vec::new(),
+        }
+    }
+
+    /// Forgets what was planned before; what that took room for is kept.
+    fn start(&mut self, from: VertexId, to: VertexId) {
+        (self.from, self.to, self.existing) = (from, to, None);
+        self.left.clear();
+        self.right.clear();
+        for list in [&mut self.crossed, &mut self.constrained, &mut self.left_rim, &mut self.right_rim] {
+            list.clear();
+        }
+    }
+}
+
 /// Why no plan can be made: the way leaves the triangulated domain across this boundary edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LeavesDomain;
@@ -55,49 +82,73 @@ impl Triangulation {
     }
 
     pub(super) fn plan_towards(&self, from: VertexId, to: VertexId) -> Result<SegmentPlan, LeavesDomain> {
-        let mut plan = SegmentPlan {
-            from,
-            to,
-            existing: None,
-            crossed: Vec::new(),
-            constrained: Vec::new(),
-            left: Vec::new(),
-            right: Vec::new(),
-            left_rim: Vec::new(),
-            right_rim: Vec::new(),
-        };
+        let mut plan = SegmentPlan::new(from, to);
+        self.plan_into(&mut plan, from, to)?;
+        Ok(plan)
+    }
+
+    /// [`plan_towards`](Self::plan_towards), written over an earlier plan.
+    pub(super) fn plan_into(&self, plan: &mut SegmentPlan, from: VertexId, to: VertexId) -> Result<(), LeavesDomain> {
+        plan.start(from, to);
         match self.first_step(from, to)? {
             FirstStep::Along(h) => {
                 plan.to = self.dest(h);
                 plan.existing = Some(h);
+                Ok(())
             }
-            FirstStep::Across(spoke) => self.march(&mut plan, spoke)?,
+            FirstStep::Across(spoke) => self.march(plan, spoke),
         }
-        Ok(plan)
     }
 
     /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside.
+    ///
+    /// ```text
+    ///        l  l            a turn that starts on the right goes counter-clockwise, one that starts
+    ///         \ |            on the left clockwise: the shorter way to where the side changes
+    ///      r ─ from ═══▶ to
+    ///         / |
+    ///        r  r
+    /// ```
     fn first_step(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
-        let (a, b) = (self.point(from), self.point(to));
-        for h in self.star(from) {
-            let x = self.dest(h);
-            if !x.is_finite() {
-                continue;
+        let first = self.outgoing(from).ok_or(LeavesDomain)?;
+        let (mut spoke, mut bearing) = (first, self.bearing(first, from, to));
+        let clockwise = bearing == Bearing::Left;
+        // A star has no more spokes than there are faces.
+        for _ in 0..self.face_slots() {
+            if bearing == Bearing::Ahead {
+                return Ok(FirstStep::Along(spoke));
             }
-            match orient2d(a, b, self.point(x)) {
-                Orientation::Collinear if lexicographic(a, self.point(x)) == lexicographic(a, b) => {
-                    return Ok(FirstStep::Along(h));
-                }
-                Orientation::Clockwise => {
-                    let y = self.apex(h);
-                    if y.is_finite() && orient2d(a, b, self.point(y)) == Orientation::CounterClockwise {
-                        return Ok(FirstStep::Across(h));
-                    }
-                }
-                _ => {}
+            let next = if clockwise { self.cw(spoke) } else { self.ccw(spoke) };
+            if next == first {
+                break;
+            }
+            let next_bearing = self.bearing(next, from, to);
+            match (bearing, next_bearing) {
+                (Bearing::Right, Bearing::Left) if !clockwise => return Ok(FirstStep::Across(spoke)),
+                (Bearing::Left, Bearing::Right) if clockwise => return Ok(FirstStep::Across(next)),
+                _ => (spoke, bearing) = (next, next_bearing),
             }
         }
         Err(LeavesDomain)
+    }
+
+    /// Where a spoke of `from` points.
+    #[inline]
+    fn bearing(&self, spoke: HalfEdgeId, from: VertexId, to: VertexId) -> Bearing {
+        let x = self.dest(spoke);
+        if x == to {
+            return Bearing::Ahead;
+        }
+        if !x.is_finite() {
+            return Bearing::Elsewhere;
+        }
+        let [a, b, x] = [from, to, x].map(|v| self.point(v));
+        match orient2d(a, b, x) {
+            Orientation::CounterClockwise => Bearing::Left,
+            Orientation::Clockwise => Bearing::Right,
+            Orientation::Collinear if lexicographic(a, x) == lexicographic(a, b) => Bearing::Ahead,
+            Orientation::Collinear => Bearing::Elsewhere,
+        }
     }
 
     /// Goes from face to face along the segment; `spoke` is the first face's edge at its start.
@@ -119,7 +170,8 @@ impl Triangulation {
                 return Err(LeavesDomain);
             }
             // In face (y, x, z): t = y→x, then x→z on the right, z→y on the left.
-            match orient2d(a, b, self.point(z)) {
+            let side = if z == plan.to { Orientation::Collinear } else { orient2d(a, b, self.point(z)) };
+            match side {
                 Orientation::Collinear => {
                     plan.to = z;
                     plan.right_rim.push(t.next());
@@ -140,6 +192,17 @@ impl Triangulation {
         }
         Err(LeavesDomain)
     }
+}
+
+/// Where a spoke points, for who looks along the segment.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bearing {
+    /// Along the segment.
+    Ahead,
+    Left,
+    Right,
+    /// To infinity, or backwards.
+    Elsewhere,
 }
 
 enum FirstStep {

@@ -20,6 +20,7 @@
 
 use std::collections::BTreeSet;
 
+use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::insert_segment::crossing_of;
@@ -80,11 +81,11 @@ impl ConstrainedDelaunay {
                 from: self.t.point(piece.from),
                 to: self.t.point(piece.to),
             };
-            let plan = self.t.plan_towards(piece.from, piece.to).map_err(|_| leaves)?;
-            match plan.constrained.first() {
+            self.t.plan_into(&mut self.plan, piece.from, piece.to).map_err(|_| leaves)?;
+            match self.plan.constrained.first() {
                 None => {
-                    work.push(Piece { from: plan.to, ..piece });
-                    self.apply_piece(&plan, piece.mark, j);
+                    work.push(Piece { from: self.plan.to, ..piece });
+                    self.apply_plan(piece.mark, Before::Any, j);
                 }
                 Some(&h) => {
                     if steps > bound {

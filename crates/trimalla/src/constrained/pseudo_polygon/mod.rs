@@ -13,9 +13,14 @@
 //! ```
 //!
 //! Two ways to fill it, with one result:
-//! * [`randomised`]: expected linear time, the default;
-//! * [`recursive`]: Vigo's, quadratic; the step view's, the oracle's, and what is fallen back on where
-//!   the former meets a region too twisted for it.
+//! * [`randomised`]: expected linear time, the default for all but short borders;
+//! * [`recursive`]: Vigo's, quadratic; quick where the border is short, the step view's, the oracle's, and what is fallen
+//!   back on where the former meets a region too twisted for it.
+//!
+//! # Guarantees
+//! Every vertex of the border sees the base: edges lead from it across the base, which no other part of the border crosses.
+//! So the constrained Delaunay triangulation of the region is found by circles alone, as `[Vigo97]` shows. Only signs of the
+//! exact predicates decide.
 
 mod randomised;
 mod recursive;
@@ -23,25 +28,10 @@ mod recursive;
 mod tests;
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
+use crate::mesh::Patch;
 
-/// What lies across a side of a filled triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Across {
-    /// Side `.1` of triangle `.0` of the same filling.
-    Triangle(u32, u32),
-    /// The rim between vertices `i` and `i + 1`.
-    Rim(u32),
-    /// The base.
-    Base,
-}
-
-/// A triangle of a filling: positions in the list of vertices, counter-clockwise, and what lies
-/// across the side from `vertices[k]` to `vertices[k + 1]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Filled {
-    pub(super) vertices: [u32; 3],
-    pub(super) across: [Across; 3],
-}
+/// Up to this many border vertices recursion is quicker.
+const SHORT: usize = 8;
 
 /// How a pseudo-polygon is filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,25 +43,66 @@ pub enum Filling {
     Recursive,
 }
 
-/// Fills the pseudo-polygon with one triangle fewer than two for each vertex, all counter-clockwise.
-///
-/// Returns `None` only where the vertices do not bound such a region.
-pub(super) fn fill(points: &[Point], filling: Filling) -> Option<Vec<Filled>> {
-    match filling {
-        Filling::Randomised => randomised::fill(points).or_else(|| recursive::fill(points)),
-        Filling::Recursive => recursive::fill(points),
+/// What is known of the inner edges of a filling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Edges {
+    /// They pass the circle test.
+    Legal,
+    /// Some may not.
+    Unproved,
+}
+
+/// Fills pseudo-polygons, one after the other, in room that is kept.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Filler {
+    /// The border of the next one.
+    pub(super) points: Vec<Point>,
+    randomised: randomised::Room,
+    recursive: recursive::Room,
+}
+
+impl Filler {
+    /// Fills the pseudo-polygon with one triangle fewer than two for each vertex, all counter-clockwise.
+    ///
+    /// Returns `None` only where the points do not bound such a region.
+    pub(super) fn fill(&mut self, patch: &mut Patch, filling: Filling) -> Option<Edges> {
+        let border = Border(&self.points);
+        if filling == Filling::Randomised && self.points.len() > SHORT {
+            if let Some(edges) = randomised::fill(border, patch, &mut self.randomised) {
+                return Some(edges);
+            }
+        }
+        recursive::fill(border, patch, &mut self.recursive)
     }
 }
 
-/// Whether the triangle of three positions is strictly counter-clockwise.
-fn is_ccw(points: &[Point], [a, b, c]: [u32; 3]) -> bool {
-    let [a, b, c] = [a, b, c].map(|i| points[i as usize]);
-    orient2d(a, b, c) == Orientation::CounterClockwise
-}
+/// The border of a pseudo-polygon; its vertices are named by their positions.
+#[derive(Clone, Copy, Debug)]
+struct Border<'a>(&'a [Point]);
 
-/// Whether `d` lies inside the circle of counter-clockwise `a`, `b`, `c`; a vertex that stands in the list twice
-/// is not inside a circle through itself.
-fn is_inside(points: &[Point], [a, b, c]: [u32; 3], d: u32) -> bool {
-    let [a, b, c, d] = [a, b, c, d].map(|i| points[i as usize]);
-    d != a && d != b && d != c && in_circle_perturbed(a, b, c, d) == CircleSide::Inside
+impl Border<'_> {
+    /// Number of vertices; `None` where there are too few for a triangle.
+    fn len(self) -> Option<u32> {
+        u32::try_from(self.0.len()).ok().filter(|&n| n >= 3)
+    }
+
+    #[inline]
+    fn at<const N: usize>(self, vertices: [u32; N]) -> [Point; N] {
+        vertices.map(|i| self.0[i as usize])
+    }
+
+    /// Whether the triangle of three vertices is strictly counter-clockwise.
+    #[inline]
+    fn is_ccw(self, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = self.at(triangle);
+        orient2d(a, b, c) == Orientation::CounterClockwise
+    }
+
+    /// Whether `d` lies inside the circle of a counter-clockwise triangle; a vertex that stands on the border twice is not
+    /// inside a circle through itself.
+    #[inline]
+    fn is_inside(self, triangle: [u32; 3], d: u32) -> bool {
+        let ([a, b, c], [d]) = (self.at(triangle), self.at([d]));
+        in_circle_perturbed(a, b, c, d) == CircleSide::Inside && d != a && d != b && d != c
+    }
 }

@@ -13,113 +13,133 @@
 //!     \  x  /                 \ | / x
 //! ```
 //!
-//! Every triangle is proved counter-clockwise before it is added; where one is not, the region is too twisted for
-//! this method and the caller falls back. The caller also runs Lawson's loop over the result, so a
-//! hole dug for want of sight costs flips, not correctness.
+//! Every triangle is counter-clockwise: proved, or one of the two that a vertex inside the circle beyond an edge that it
+//! sees makes with the far corner. Where one is not, the region is too twisted for this method and the caller falls back.
+//! A triangle dug out for want of sight alone may leave edges that fail the circle test: Lawson's loop looks at them then.
 //!
 //! # Source
 //! `[ShewchukBrown15]`, after Chew's algorithm for convex polygons; written from the paper's idea. The paper marks
 //! vertices around doubtful holes and fills again; here Lawson's loop does that.
 
-use super::{Across, Filled, is_ccw, is_inside};
+use super::{Border, Edges};
 use crate::geometry::Point;
+use crate::mesh::Patch;
 
-const NONE: u32 = u32::MAX;
+const NONE: u32 = Patch::BORDER;
 /// Draws before the farthest vertex is taken instead.
 const DRAWS: u32 = 16;
 
-/// See [`super::fill`].
-pub(super) fn fill(points: &[Point]) -> Option<Vec<Filled>> {
-    let n = u32::try_from(points.len()).ok().filter(|&n| n >= 3)?;
-    let mut border = Border::new(n);
-    let taken = border.take_out(points);
-    let mut fan = Filler::start(points, taken[0])?;
-    for &u in &taken[1..] {
-        fan.put_back(u, border.prev[u as usize], border.next[u as usize])?;
-    }
-    Some(fan.finish(n))
+/// What the work takes room for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room {
+    shrinking: Shrinking,
+    free: Vec<u32>,
+    pending: Vec<Pending>,
 }
 
-/// The border as a linked list.
-struct Border {
+/// See [`super::Filler::fill`].
+pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
+    let n = border.len()?;
+    let Room { shrinking, free, pending } = room;
+    shrinking.take_out(border.0);
+    free.clear();
+    pending.clear();
+    let mut growing = Growing { border, patch, free, pending, edges: Edges::Legal };
+    let (&apex, others) = shrinking.order.split_first()?;
+    growing.start(n, apex)?;
+    for &u in others {
+        growing.put_back(u, shrinking.prev[u as usize], shrinking.next[u as usize])?;
+    }
+    debug_assert!(growing.free.is_empty(), "whoever digs a triangle out puts two in");
+    Some(growing.edges)
+}
+
+/// The border as a linked list that grows shorter.
+#[derive(Clone, Debug, Default)]
+struct Shrinking {
     prev: Vec<u32>,
     next: Vec<u32>,
+    /// Distances from the base, up to a factor; rounded, as only the order of work depends on them.
+    height: Vec<f64>,
+    /// Inner vertices in the order in which they go back.
+    order: Vec<u32>,
 }
 
-impl Border {
-    fn new(n: u32) -> Self {
-        Self { prev: (0..n).map(|i| i.wrapping_sub(1)).collect(), next: (1..=n).collect() }
+impl Shrinking {
+    fn start(&mut self, points: &[Point]) {
+        let n = points.len() as u32;
+        let (a, b) = (points[0], points[points.len() - 1]);
+        let (dx, dy) = (b.x - a.x, b.y - a.y);
+        self.prev.clear();
+        self.prev.extend((0..n).map(|i| i.wrapping_sub(1)));
+        self.next.clear();
+        self.next.extend(1..=n);
+        self.order.clear();
+        self.order.extend(1..n - 1);
+        self.height.clear();
+        self.height.extend(points.iter().map(|p| dx * (p.y - a.y) - dy * (p.x - a.x)));
+        self.height[0] = 0.0;
+        self.height[points.len() - 1] = 0.0;
     }
 
-    /// Takes all inner vertices out; returns them in the order in which they go back.
-    fn take_out(&mut self, points: &[Point]) -> Vec<u32> {
-        let height = heights(points);
-        let mut order: Vec<u32> = (1..self.next.len() as u32 - 1).collect();
+    /// Takes all inner vertices out.
+    fn take_out(&mut self, points: &[Point]) {
+        self.start(points);
         let mut random = 0x2545_f491_4f6c_dd1du64;
-        for i in (1..order.len()).rev() {
+        for i in (1..self.order.len()).rev() {
             let mut pick = i;
             for _ in 0..DRAWS {
                 random ^= random << 13;
                 random ^= random >> 7;
                 random ^= random << 17;
-                pick = (random % (i as u64 + 1)) as usize;
-                if !self.is_valley(order[pick], &height) {
+                pick = below(i as u64 + 1, random);
+                if !self.is_valley(self.order[pick]) {
                     break;
                 }
             }
-            if self.is_valley(order[pick], &height) {
+            if self.is_valley(self.order[pick]) {
                 // The farthest vertex is never a valley.
-                pick = (0..=i)
-                    .max_by(|&a, &b| height[order[a] as usize].total_cmp(&height[order[b] as usize]))
-                    .unwrap_or(i);
+                let height = |&k: &usize| self.height[self.order[k] as usize];
+                pick = (0..=i).max_by(|a, b| height(a).total_cmp(&height(b))).unwrap_or(i);
             }
-            order.swap(i, pick);
-            let v = order[i] as usize;
+            self.order.swap(i, pick);
+            let v = self.order[i] as usize;
             let (p, n) = (self.prev[v], self.next[v]);
             self.next[p as usize] = n;
             self.prev[n as usize] = p;
         }
-        order
     }
 
     /// Whether a vertex is closer to the base than both its neighbours on the border.
-    fn is_valley(&self, v: u32, height: &[f64]) -> bool {
-        let h = height[v as usize];
-        h < height[self.prev[v as usize] as usize] && h < height[self.next[v as usize] as usize]
+    fn is_valley(&self, v: u32) -> bool {
+        let [v, p, n] = [v, self.prev[v as usize], self.next[v as usize]].map(|v| self.height[v as usize]);
+        v < p && v < n
     }
 }
 
-/// Distances from the base, up to a factor; rounded, as only the order of work depends on them.
-fn heights(points: &[Point]) -> Vec<f64> {
-    let (a, b) = (points[0], points[points.len() - 1]);
-    let (dx, dy) = (b.x - a.x, b.y - a.y);
-    let mut heights: Vec<f64> = points.iter().map(|p| dx * (p.y - a.y) - dy * (p.x - a.x)).collect();
-    heights[0] = 0.0;
-    heights[points.len() - 1] = 0.0;
-    heights
+/// A number below `n`, which fits 32 bits, from the high half of random bits.
+fn below(n: u64, random: u64) -> usize {
+    (((random >> 32) * n) >> 32) as usize
 }
 
-/// Triangles in the making: vertices and neighbours, three a triangle.
-struct Filler<'a> {
-    points: &'a [Point],
-    vertex: Vec<u32>,
-    twin: Vec<u32>,
-    free: Vec<u32>,
-    /// For border vertex `i`: the half-edge inside the border edge from its successor to it.
-    inside: Vec<u32>,
-    /// The half-edge along the base.
-    base: u32,
+/// Triangles in the making. `patch.rim[i]` is the side along the edge of the growing border that begins at vertex `i`.
+struct Growing<'a> {
+    border: Border<'a>,
+    patch: &'a mut Patch,
+    free: &'a mut Vec<u32>,
     /// Edges to dig through or to build on, the next one last.
-    pending: Vec<Pending>,
+    pending: &'a mut Vec<Pending>,
+    edges: Edges,
 }
 
-/// An edge from `v` to `w` seen from the vertex put back; `beyond` runs from `v` to `w` in the triangle
-/// beyond, if any.
-#[derive(Clone, Copy)]
+/// An edge from `v` to `w` seen from the vertex put back; `beyond` runs from `v` to `w` in the triangle beyond, if any.
+#[derive(Clone, Copy, Debug)]
 struct Pending {
     v: u32,
     w: u32,
     beyond: u32,
+    /// Whether the vertex is known to see it.
+    seen: bool,
 }
 
 fn next(h: u32) -> u32 {
@@ -130,134 +150,99 @@ fn prev(h: u32) -> u32 {
     if h % 3 == 0 { h + 2 } else { h - 1 }
 }
 
-impl<'a> Filler<'a> {
+impl Growing<'_> {
     /// The first triangle: the base and one vertex.
-    fn start(points: &'a [Point], apex: u32) -> Option<Self> {
-        let last = points.len() as u32 - 1;
-        let first = [0, last, apex];
-        if !is_ccw(points, first) {
-            return None;
-        }
-        let mut inside = vec![NONE; points.len()];
-        inside[apex as usize] = 1; // last → apex
-        inside[0] = 2; // apex → 0
-        Some(Self {
-            points,
-            vertex: first.to_vec(),
-            twin: vec![NONE; 3],
-            free: Vec::new(),
-            inside,
-            base: 0,
-            pending: Vec::new(),
-        })
+    fn start(&mut self, n: u32, apex: u32) -> Option<()> {
+        let first = [0, n - 1, apex];
+        let Patch { corners, across, rim, base } = &mut *self.patch;
+        corners.clear();
+        corners.extend(first);
+        across.clear();
+        across.extend([NONE; 3]);
+        rim.clear();
+        rim.resize(n as usize - 1, NONE);
+        rim[apex as usize] = 1; // last → apex
+        rim[0] = 2; // apex → 0
+        *base = 0;
+        self.border.is_ccw(first).then_some(())
     }
 
     /// Puts `u` back between `p` and `n`.
     fn put_back(&mut self, u: u32, p: u32, n: u32) -> Option<()> {
-        self.pending.push(Pending { v: n, w: p, beyond: self.inside[p as usize] });
+        self.pending.push(Pending { v: n, w: p, beyond: self.patch.rim[p as usize], seen: false });
         let mut spoke = NONE; // u → w of the triangle before in the fan
         while let Some(edge) = self.pending.pop() {
-            if self.must_dig(edge, u) {
-                self.dig(edge)?;
+            let triangle = [edge.v, u, edge.w];
+            if !edge.seen && !self.border.is_ccw(triangle) {
+                self.edges = Edges::Unproved;
+                self.dig(edge, false)?;
                 continue;
             }
-            let t = self.add([edge.v, u, edge.w])?;
+            if edge.beyond != NONE && self.border.is_inside(triangle, self.patch.corners[prev(edge.beyond) as usize]) {
+                self.dig(edge, true)?;
+                continue;
+            }
+            let t = self.add(triangle);
             self.join_beyond(t + 2, edge);
             if spoke == NONE {
-                self.inside[u as usize] = t; // n → u
+                self.patch.rim[u as usize] = t; // n → u
             } else {
-                self.twin[spoke as usize] = t;
-                self.twin[t as usize] = spoke;
+                self.patch.across[spoke as usize] = t;
+                self.patch.across[t as usize] = spoke;
             }
             spoke = t + 1;
         }
-        self.inside[p as usize] = spoke; // u → p
+        self.patch.rim[p as usize] = spoke; // u → p
         Some(())
     }
 
-    fn must_dig(&self, e: Pending, u: u32) -> bool {
+    /// Takes away the triangle beyond an edge; its two other edges are pending instead, and seen or not.
+    fn dig(&mut self, e: Pending, seen: bool) -> Option<()> {
         if e.beyond == NONE {
-            return false;
+            return None;
         }
-        let t = [e.v, u, e.w];
-        !is_ccw(self.points, t) || is_inside(self.points, t, self.vertex[prev(e.beyond) as usize])
-    }
-
-    /// Takes away the triangle beyond an edge; its two other edges are pending instead.
-    fn dig(&mut self, e: Pending) -> Option<()> {
         let (wx, xv) = (next(e.beyond), prev(e.beyond));
-        let x = self.vertex[xv as usize];
+        let x = self.patch.corners[xv as usize];
         self.free.push(e.beyond / 3);
         let (beyond_wx, beyond_xv) = (self.beyond(wx), self.beyond(xv));
-        self.pending.push(Pending { v: x, w: e.w, beyond: beyond_wx });
-        self.pending.push(Pending { v: e.v, w: x, beyond: beyond_xv });
+        self.pending.push(Pending { v: x, w: e.w, beyond: beyond_wx, seen });
+        self.pending.push(Pending { v: e.v, w: x, beyond: beyond_xv, seen });
         // A filled region has no more than twice as many pending edges as the border has vertices.
-        (self.pending.len() <= 2 * self.points.len()).then_some(())
+        (self.pending.len() <= 2 * self.border.0.len()).then_some(())
     }
 
     fn beyond(&mut self, h: u32) -> u32 {
-        let t = self.twin[h as usize];
+        let t = self.patch.across[h as usize];
         if t != NONE {
-            self.twin[t as usize] = NONE;
+            self.patch.across[t as usize] = NONE;
         }
         t
     }
 
-    /// Adds a triangle, proved counter-clockwise; returns its first half-edge.
-    fn add(&mut self, t: [u32; 3]) -> Option<u32> {
-        if !is_ccw(self.points, t) {
-            return None;
-        }
+    /// Adds a triangle; returns its first side.
+    fn add(&mut self, t: [u32; 3]) -> u32 {
+        let Patch { corners, across, .. } = &mut *self.patch;
         if let Some(slot) = self.free.pop() {
-            let h = 3 * slot;
-            for k in 0..3 {
-                self.vertex[(h + k) as usize] = t[k as usize];
-                self.twin[(h + k) as usize] = NONE;
-            }
-            return Some(h);
+            let h = 3 * slot as usize;
+            corners[h..h + 3].copy_from_slice(&t);
+            across[h..h + 3].fill(NONE);
+            return 3 * slot;
         }
-        let h = self.vertex.len() as u32;
-        self.vertex.extend(t);
-        self.twin.extend([NONE; 3]);
-        Some(h)
+        let h = corners.len() as u32;
+        corners.extend(t);
+        across.extend([NONE; 3]);
+        h
     }
 
-    /// Joins new half-edge `h` = w → v to what lies beyond it, or makes it the inside of the border.
+    /// Joins new side `h` = w → v to what lies beyond it, or makes it the side along the border.
     fn join_beyond(&mut self, h: u32, e: Pending) {
         if e.beyond != NONE {
-            self.twin[h as usize] = e.beyond;
-            self.twin[e.beyond as usize] = h;
-        } else if e.w == 0 && e.v as usize == self.points.len() - 1 {
-            self.base = h;
+            self.patch.across[h as usize] = e.beyond;
+            self.patch.across[e.beyond as usize] = h;
+        } else if e.w == 0 && e.v as usize == self.border.0.len() - 1 {
+            self.patch.base = h;
         } else {
-            self.inside[e.v as usize] = h;
+            self.patch.rim[e.v as usize] = h;
         }
-    }
-
-    /// The triangles that are left, numbered anew.
-    fn finish(self, n: u32) -> Vec<Filled> {
-        let mut number: Vec<u32> = vec![0; self.vertex.len() / 3];
-        for &f in &self.free {
-            number[f as usize] = NONE;
-        }
-        for (count, slot) in (0..).zip(number.iter_mut().filter(|s| **s != NONE)) {
-            *slot = count;
-        }
-        let mut rim = vec![NONE; self.vertex.len()];
-        for i in 0..n - 1 {
-            rim[self.inside[i as usize] as usize] = i;
-        }
-        let across = |h: u32| match self.twin[h as usize] {
-            NONE if h == self.base => Across::Base,
-            NONE => Across::Rim(rim[h as usize]),
-            t => Across::Triangle(number[t as usize / 3], t % 3),
-        };
-        (0..self.vertex.len() as u32 / 3)
-            .filter(|&t| number[t as usize] != NONE)
-            .map(|t| Filled {
-                vertices: [0, 1, 2].map(|k| self.vertex[(3 * t + k) as usize]),
-                across: [0, 1, 2].map(|k| across(3 * t + k)),
-            })
-            .collect()
     }
 }

@@ -10,51 +10,58 @@
 //! `[Vigo97]`, `TriangulatePseudopolygonDelaunay`; corners that are not left of the base are passed over
 //! here, which the paper leaves to the in-circle test.
 
-use super::{Across, Filled, is_ccw, is_inside};
-use crate::geometry::Point;
+use super::{Border, Edges};
+use crate::mesh::Patch;
 
-/// A base and where its triangle is to be linked.
-struct Task {
+/// A stretch of the border between two vertices, with the edge between them for its base.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
     first: u32,
     last: u32,
-    /// The side of an earlier triangle that this base is.
-    parent: Across,
+    /// The side of an earlier triangle along the base, if any.
+    parent: u32,
 }
 
-/// See [`super::fill`].
-pub(super) fn fill(points: &[Point]) -> Option<Vec<Filled>> {
-    let n = u32::try_from(points.len()).ok().filter(|&n| n >= 3)?;
-    let mut filled: Vec<Filled> = Vec::with_capacity(points.len() - 2);
-    let mut tasks = vec![Task { first: 0, last: n - 1, parent: Across::Base }];
-    while let Some(Task { first, last, parent }) = tasks.pop() {
-        let corner = best_corner(points, first, last)?;
-        let this = u32::try_from(filled.len()).ok()?;
-        if let Across::Triangle(t, s) = parent {
-            filled[t as usize].across[s as usize] = Across::Triangle(this, 0);
+/// The stack.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room(Vec<Stretch>);
+
+/// See [`super::Filler::fill`].
+pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
+    let n = border.len()?;
+    patch.corners.clear();
+    patch.across.clear();
+    patch.rim.clear();
+    patch.rim.resize(n as usize - 1, Patch::BORDER);
+    patch.base = 0;
+    room.0.clear();
+    room.0.push(Stretch { first: 0, last: n - 1, parent: Patch::BORDER });
+    while let Some(Stretch { first, last, parent }) = room.0.pop() {
+        let corner = best_corner(border, first, last)?;
+        // Counter-clockwise first → last → corner; the other two sides are rims or bases of stretches.
+        let base = patch.corners.len() as u32;
+        patch.corners.extend([first, last, corner]);
+        patch.across.extend([parent, Patch::BORDER, Patch::BORDER]);
+        if parent != Patch::BORDER {
+            patch.across[parent as usize] = base;
         }
-        // Counter-clockwise first → last → corner; the side last → corner is the base of corner..last.
-        let mut across = [parent, Across::Rim(corner), Across::Rim(first)];
-        if corner + 1 < last {
-            across[1] = Across::Triangle(this, 1); // overwritten by the child
-            tasks.push(Task { first: corner, last, parent: Across::Triangle(this, 1) });
+        for (first, last, side) in [(corner, last, base + 1), (first, corner, base + 2)] {
+            if first + 1 == last {
+                patch.rim[first as usize] = side;
+            } else {
+                room.0.push(Stretch { first, last, parent: side });
+            }
         }
-        if first + 1 < corner {
-            across[2] = Across::Triangle(this, 2);
-            tasks.push(Task { first, last: corner, parent: Across::Triangle(this, 2) });
-        }
-        filled.push(Filled { vertices: [first, last, corner], across });
     }
-    Some(filled)
+    Some(Edges::Legal)
 }
 
 /// Of the vertices strictly between and left of the base, the one whose circle holds none of the others.
-fn best_corner(points: &[Point], first: u32, last: u32) -> Option<u32> {
+fn best_corner(border: Border<'_>, first: u32, last: u32) -> Option<u32> {
     let mut best: Option<u32> = None;
     for v in first + 1..last {
-        if !is_ccw(points, [first, last, v]) {
-            continue;
-        }
-        if best.is_none_or(|b| is_inside(points, [first, last, b], v)) {
+        let is_better = best.is_none_or(|b| border.is_inside([first, last, b], v));
+        if is_better && border.is_ccw([first, last, v]) {
             best = Some(v);
         }
     }

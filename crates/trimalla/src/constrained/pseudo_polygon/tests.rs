@@ -1,6 +1,52 @@
 //! Both fillings against each other, and against the definition.
 
+use std::collections::BTreeMap;
+
 use super::*;
+
+/// What lies across a side of a filled triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Across {
+    /// Side `.1` of triangle `.0` of the same filling.
+    Triangle(u32, u32),
+    /// The rim between vertices `i` and `i + 1`.
+    Rim(u32),
+    /// The base.
+    Base,
+}
+
+/// A triangle of a filling: positions in the list of vertices, counter-clockwise, and what lies
+/// across the side from `vertices[k]` to `vertices[k + 1]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Filled {
+    vertices: [u32; 3],
+    across: [Across; 3],
+}
+
+/// The triangles of a patch one by one.
+fn triangles(patch: &Patch) -> Vec<Filled> {
+    let rims: BTreeMap<u32, u32> = patch.rim.iter().copied().zip(0..).collect();
+    let across = |side: u32| match patch.across[side as usize] {
+        Patch::BORDER if side == patch.base => Across::Base,
+        Patch::BORDER => Across::Rim(rims[&side]),
+        other => Across::Triangle(other / 3, other % 3),
+    };
+    let triangle = |t: u32| Filled {
+        vertices: [0, 1, 2].map(|k| patch.corners[(3 * t + k) as usize]),
+        across: [0, 1, 2].map(|k| across(3 * t + k)),
+    };
+    (0..patch.len() as u32).map(triangle).collect()
+}
+
+fn fill_randomised(points: &[Point]) -> Option<Vec<Filled>> {
+    let mut patch = Patch::default();
+    randomised::fill(Border(points), &mut patch, &mut randomised::Room::default()).map(|_| triangles(&patch))
+}
+
+fn fill_recursive(points: &[Point]) -> Option<Vec<Filled>> {
+    let mut patch = Patch::default();
+    recursive::fill(Border(points), &mut patch, &mut recursive::Room::default()).map(|_| triangles(&patch))
+}
 
 /// The triangles as sorted positions, after checking that every side leads where it says.
 fn sound(filled: &[Filled], n: u32) -> Vec<[u32; 3]> {
@@ -53,8 +99,8 @@ fn convex_chains_are_filled_alike() {
                 Point::new(x, x * (1.0 - x) * (1.0 + 0.3 * x))
             })
             .collect();
-        let a = sound(&randomised::fill(&points).unwrap(), n);
-        let b = sound(&recursive::fill(&points).unwrap(), n);
+        let a = sound(&fill_randomised(&points).unwrap(), n);
+        let b = sound(&fill_recursive(&points).unwrap(), n);
         assert_eq!(a, b, "{n} vertices");
     }
 }
@@ -70,7 +116,7 @@ fn a_long_convex_chain_is_filled() {
         .enumerate()
         .map(|(i, p)| if i == 0 || i == n as usize - 1 { Point::new(p.x, 0.0) } else { p })
         .collect();
-    assert_eq!(sound(&randomised::fill(&points).unwrap(), n).len(), n as usize - 2);
+    assert_eq!(sound(&fill_randomised(&points).unwrap(), n).len(), n as usize - 2);
 }
 
 #[test]
@@ -85,9 +131,9 @@ fn jagged_chains_are_filled_counter_clockwise() {
         let mut points: Vec<Point> = (0..n).map(|i| Point::new(f64::from(i), 0.1 + unit())).collect();
         points[0].y = 0.0;
         points[n as usize - 1].y = 0.0;
-        for filled in [randomised::fill(&points), recursive::fill(&points)].into_iter().flatten() {
+        for filled in [fill_randomised(&points), fill_recursive(&points)].into_iter().flatten() {
             sound(&filled, n);
-            assert!(filled.iter().all(|t| is_ccw(&points, t.vertices)), "every triangle is counter-clockwise");
+            assert!(filled.iter().all(|t| Border(&points).is_ccw(t.vertices)), "every triangle is counter-clockwise");
         }
     }
 }

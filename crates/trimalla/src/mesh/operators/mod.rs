@@ -27,5 +27,5 @@ mod split;
 mod star;
 mod unsplit;
 
-pub(crate) use refill::Side;
+pub(crate) use refill::{Half, Patch, Rim};
 pub(crate) use star::RimEdge;
