@@ -4,7 +4,7 @@ use indicatif::HumanCount;
 use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
-use trimalla::refine::{Cause, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
+use trimalla::refine::{Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
 
 use crate::console;
 use crate::names::Names;
@@ -97,6 +97,10 @@ impl Observer for Foresight<'_> {
 
     fn progress(&mut self, progress: Progress) -> bool {
         self.watch.progress(progress)
+    }
+
+    fn clock(&self) -> Option<Clock> {
+        self.watch.clock()
     }
 
     fn wants_events(&self) -> bool {

@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 use trimalla::Meshed;
-use trimalla::refine::StopReason;
+use trimalla::quality::{Classes, Histogram, Spread, Statistics};
+use trimalla::refine::{Report, StopReason};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console;
@@ -40,6 +41,38 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
         "forecast_triangles": outlook.as_ref().map(|o| whole(o.forecast.triangles)),
         "warnings": warnings,
     })
+}
+
+/// What `--details` adds.
+pub(crate) fn of_details(statistics: &Statistics, report: &Report) -> Value {
+    let inserted: Map<_, _> = report.insertions().iter().map(|(kind, n)| (kind.key().to_owned(), json!(n))).collect();
+    let times = report.step_times.map(|times| {
+        let by_name = times.by_name().map(|(name, seconds)| (name.to_owned(), json!(seconds)));
+        by_name.into_iter().collect::<Map<_, _>>()
+    });
+    json!({
+        "smallest_angles": of_histogram(&statistics.smallest_angles),
+        "all_angles": of_histogram(&statistics.all_angles),
+        "aspect_ratio": statistics.aspect_ratio.map(of_spread),
+        "aspect_ratios": of_classes(&statistics.aspect_ratios),
+        "inserted": inserted,
+        "step_seconds": times,
+    })
+}
+
+/// Counts by equal ranges.
+pub(crate) fn of_histogram(h: &Histogram) -> Value {
+    json!({ "width": h.width_deg, "counts": h.counts })
+}
+
+/// Counts by ranges of different width.
+pub(crate) fn of_classes(c: &Classes) -> Value {
+    json!({ "bounds": c.bounds, "counts": c.counts })
+}
+
+/// The smallest, mean and largest of some values.
+pub(crate) fn of_spread(s: Spread) -> Value {
+    json!({ "min": s.min, "mean": s.mean, "max": s.max })
 }
 
 /// A count that may be too large for one, as a whole number where it is not.

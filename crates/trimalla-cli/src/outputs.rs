@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
+use trimalla_io::bars::BarChart;
 use trimalla_io::{self as io, Format, IoError, RecipeFile, SvgOptions, WriteOptions, files_of_mesh};
 
 use crate::args::{OutputOptions, ReportOptions};
@@ -91,9 +92,12 @@ impl Outputs {
         Ok(self)
     }
 
-    /// Writes a mesh everywhere; files appear when what is returned is committed.
-    pub(crate) fn prepare_mesh(&self, mesh: &IndexedMesh) -> Result<Prepared, Failure> {
-        self.prepare(|out, target| out.add_mesh(&target.path, mesh, &target.options))
+    /// Writes a mesh everywhere, in pictures with these charts; files appear when what is returned is committed.
+    pub(crate) fn prepare_mesh(&self, mesh: &IndexedMesh, charts: &[BarChart]) -> Result<Prepared, Failure> {
+        self.prepare(|out, target| {
+            let svg = target.options.svg.clone().with_charts(charts.to_vec());
+            out.add_mesh(&target.path, mesh, &target.options.clone().with_svg(svg))
+        })
     }
 
     /// Writes a drawing everywhere; files appear when what is returned is committed.

@@ -7,11 +7,13 @@
 //! A second Ctrl-C ends the program at once, whatever it is doing.
 
 use std::process;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::constrained::ConstrainedDelaunay;
-use trimalla::refine::{Event, Observer, Progress};
+use trimalla::refine::{Clock, Event, Observer, Progress};
 
 use crate::console;
 use crate::exit::{Failure, Status};
@@ -58,28 +60,42 @@ pub(crate) fn begin_writing() -> Result<(), Failure> {
     Ok(())
 }
 
+/// The clock of reports: nanoseconds since its first reading.
+pub(crate) fn now() -> u64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
+}
+
 /// Shows how far a refinement has come, on a terminal, and cancels it on Ctrl-C.
 #[derive(Debug)]
 pub(crate) struct Watch {
     line: ProgressBar,
     trace: Option<Trace>,
+    is_timed: bool,
 }
 
 impl Watch {
     /// A line on standard error, if that is a terminal and the line is wanted.
     pub(crate) fn new(is_wanted: bool) -> Self {
         if !is_wanted {
-            return Self { line: ProgressBar::hidden(), trace: None };
+            return Self { line: ProgressBar::hidden(), trace: None, is_timed: false };
         }
         let template = "{spinner} {human_pos} vertices, {msg} bad triangles waiting, {elapsed}";
         let style = ProgressStyle::with_template(template);
         let line = ProgressBar::new_spinner(); // Draws on standard error, and there only on a terminal.
-        Self { line: line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())), trace: None }
+        let line = line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+        Self { line, trace: None, is_timed: false }
     }
 
     /// The same, recording every step.
     pub(crate) fn with_trace(mut self, trace: Option<Trace>) -> Self {
         self.trace = trace;
+        self
+    }
+
+    /// The same, measuring the steps if that is wanted.
+    pub(crate) fn timed(mut self, is_timed: bool) -> Self {
+        self.is_timed = is_timed;
         self
     }
 }
@@ -92,6 +108,10 @@ impl Observer for Watch {
             self.line.set_position(progress.vertices as u64);
         }
         !INTERRUPTED.load(Ordering::SeqCst)
+    }
+
+    fn clock(&self) -> Option<Clock> {
+        self.is_timed.then_some(now)
     }
 
     fn wants_events(&self) -> bool {

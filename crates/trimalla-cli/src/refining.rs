@@ -4,8 +4,9 @@ use std::time::Instant;
 
 use clap::Args;
 use trimalla::Meshed;
+use trimalla::quality::Statistics;
 use trimalla::refine::{Limits, Protect, RefineOptions};
-use trimalla_io::RecipeFile;
+use trimalla_io::{RecipeFile, bars};
 
 use crate::args::{OutputOptions, ReportOptions, one_of};
 use crate::console;
@@ -62,6 +63,12 @@ pub(crate) struct RefiningOptions {
 
     #[command(flatten)]
     report: ReportOptions,
+
+    /// Report more: angles, aspect ratios, path lengths, insertions by kind, time by step
+    ///
+    /// As bar charts for people, as "details" in JSON, and below the mesh in SVG. Taking the time makes the work about a tenth slower.
+    #[arg(long, help_heading = "Output")]
+    details: bool,
 }
 
 fn summary_of(protect: Protect) -> &'static str {
@@ -123,15 +130,21 @@ impl RefiningOptions {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
         let trace = self.trace.begin()?;
-        let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone());
+        let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone()).timed(self.details);
         let made = (read.make)(&asked.refine_options(), watch, self.report.quiet)?;
         let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;
         self.report.warn(warnings);
-        let prepared = outputs.prepare_mesh(mesh)?.with_recipe(&self.recipe_file, asked)?;
+        let details = self.details.then(|| Statistics::of(mesh));
+        let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
+        let prepared = outputs.prepare_mesh(mesh, &charts)?.with_recipe(&self.recipe_file, asked)?;
         if self.report.json {
-            json::print(&json::of_meshing(&made, &recipe_file::title(asked), seconds))?;
+            let mut object = json::of_meshing(&made, &recipe_file::title(asked), seconds);
+            if let Some(statistics) = &details {
+                object["details"] = json::of_details(statistics, report);
+            }
+            json::print(&object)?;
         } else {
             let mut lines = text::Lines::default();
             lines.heading(&read.heading);
@@ -142,6 +155,11 @@ impl RefiningOptions {
                 lines.row("floor", floor);
             }
             text::add_end(&mut lines, seconds, &outputs.files());
+            let smallest = details.as_ref().map(bars::smallest_angles);
+            smallest
+                .iter()
+                .chain(&charts)
+                .for_each(|chart| lines.heading(format_args!("\n{}", chart.to_string().trim_end())));
             console::write(stream, &lines.into_text())?;
         }
         if let Some(trace) = trace {

@@ -14,6 +14,7 @@
 //! | several outputs, all of them or none | [`Outputs`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
 //! | measurements, and a chart of them | [`chart::draw`] |
+//! | what came of a refinement, and bar charts of it | [`bars::of_report`] |
 //! | a recipe of refinement | [`recipe::read_file`], [`recipe::read`], [`recipe::write`] |
 //! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`], [`meshsuite::read`], [`soup::read`] |
 //!
@@ -62,6 +63,7 @@
 
 pub mod area;
 mod atomic;
+pub mod bars;
 pub mod chart;
 mod columns;
 pub mod edge;

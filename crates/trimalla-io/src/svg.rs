@@ -9,6 +9,7 @@
 mod angle;
 mod frame;
 mod legend;
+mod strip;
 
 use std::io::{self, Write};
 
@@ -16,10 +17,12 @@ use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
 use trimalla::triangulation::IndexedMesh;
 
+use crate::bars::BarChart;
 use crate::columns::{Points, Segments, check_triangles};
 use angle::{CLASSES, Histogram};
 use frame::{Frame, Hundredths};
 use legend::Line;
+use strip::Strip;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,11 +34,13 @@ pub struct SvgOptions {
     pub show_vertices: bool,
     /// Whether scale, histogram and counts stand beside the picture.
     pub show_legend: bool,
+    /// Bar charts that stand below the picture of a mesh.
+    pub charts: Vec<BarChart>,
 }
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self { title: String::new(), show_vertices: false, show_legend: true }
+        Self { title: String::new(), show_vertices: false, show_legend: true, charts: Vec::new() }
     }
 }
 
@@ -60,6 +65,13 @@ impl SvgOptions {
         self.show_legend = show;
         self
     }
+
+    /// Puts bar charts below the picture of a mesh, in place of those before.
+    #[must_use]
+    pub fn with_charts(mut self, charts: Vec<BarChart>) -> Self {
+        self.charts = charts;
+        self
+    }
 }
 
 /// The classes' colours, from the smallest angles to the largest: steps of equal size in a perceptual colour space.
@@ -80,8 +92,9 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) 
     let frame = Frame::around(&mesh.points, options);
     let histogram = Histogram::of(mesh, &frame);
     let stroke = stroke_for(mesh.triangles.len());
+    let strip = Strip::of(&options.charts, frame.size().0);
 
-    frame.open(out, &options.title)?;
+    frame.open(out, &options.title, &strip)?;
     draw_triangles(out, mesh, &frame, &histogram, stroke)?;
     draw_segments(out, &mesh.points, &mesh.segments, &frame, (2.5 * stroke).max(0.3))?;
     if options.show_vertices || mesh.triangles.is_empty() {
@@ -91,6 +104,7 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) 
         legend::draw_scale(out, &frame, &histogram)?;
         legend::draw_lines(out, &frame, legend::SCALE_ROWS, &mesh_lines(mesh, &histogram))?;
     }
+    strip.draw(out, frame.size().1)?;
     writeln!(out, "</svg>")
 }
 
@@ -106,7 +120,7 @@ pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &SvgOptions) -> io::
     let frame = Frame::around(&all, options);
     let stroke = stroke_for(pslg.points.len());
 
-    frame.open(out, &options.title)?;
+    frame.open(out, &options.title, &Strip::of(&[], 0.0))?;
     draw_segments(out, &pslg.points, &pslg.segments, &frame, 1.5 * stroke)?;
     draw_dots(out, &pslg.points, &frame, 5.0 * stroke)?;
     draw_marks(out, &pslg.holes, &frame, "m-5-5l10 10m-10 0l10-10", COLOURS[1])?;

@@ -8,6 +8,7 @@ use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
 use trimalla::triangulation::IndexedMesh;
 use trimalla_io::SvgOptions;
+use trimalla_io::bars::{Bar, BarChart};
 use trimalla_io::svg::{draw_mesh, draw_pslg};
 
 fn picture(mesh: &IndexedMesh, options: &SvgOptions) -> String {
@@ -81,4 +82,23 @@ fn pictures_are_small() {
     let bytes_a_triangle = text.len() / mesh.triangles.len();
     assert!(bytes_a_triangle < 36, "{bytes_a_triangle}");
     assert!(text.matches("<path").count() < 40, "one path a class");
+}
+
+#[test]
+fn charts_stand_below_the_picture_and_change_nothing_in_it() {
+    let plain = picture(&grid(4), &SvgOptions::default());
+    let mut charts: Vec<BarChart> =
+        (0..20).map(|i| BarChart::of_counts("a < b", [("first", 3 * i), ("second & last", 5)])).collect();
+    let odd = [f64::NAN, f64::INFINITY, -1.0].map(|size| Bar { label: "?".to_owned(), size, value: "?".to_owned() });
+    charts.push(BarChart { title: "odd".to_owned(), bars: odd.to_vec() });
+    let text = picture(&grid(4), &SvgOptions::default().with_charts(charts));
+    assert_eq!(text.matches("second &amp; last").count(), 20);
+    // The frame and the sheet's size come first; then the picture is the same, and the charts follow.
+    let inner = |text: &str| text.lines().skip(2).collect::<Vec<_>>().join("\n");
+    assert!(inner(&text).starts_with(inner(&plain).trim_end_matches("</svg>")));
+    let height = |text: &str| -> f64 {
+        let view = text.split("viewBox=\"0 0 ").nth(1).and_then(|t| t.split('"').next()).unwrap();
+        view.split(' ').nth(1).unwrap().parse().unwrap()
+    };
+    assert!(height(&text) > height(&plain) + 100.0);
 }

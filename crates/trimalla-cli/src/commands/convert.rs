@@ -44,7 +44,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let mesh = read_mesh(&options.input)?;
         let outputs = Outputs::plan(&output, &mesh)?;
         progress::begin_writing()?;
-        outputs.prepare_mesh(&mesh.value)?.commit()?;
+        outputs.prepare_mesh(&mesh.value, &[])?.commit()?;
     } else {
         let drawing = read_drawing(&options.input)?;
         let outputs = Outputs::plan(&output, &drawing)?;

@@ -19,6 +19,7 @@ Examples:
   trimalla mesh key.poly --max-area 0.5 --min-angle 33    smaller, rounder triangles
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
   trimalla mesh - -o - --format poly <key.poly            in a pipe
+  trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
   trimalla mesh key.poly --select first --save-recipe mine.toml
   trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::{Value, json};
-use trimalla::quality::{AngleAt, Histogram, Spread, Statistics};
+use trimalla::quality::{AngleAt, Statistics};
 
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::read_mesh;
@@ -61,23 +61,16 @@ fn object(s: &Statistics) -> Value {
         "area": s.total_area,
         "min_angle": s.min_angle.map(degrees),
         "max_angle": s.max_angle.map(degrees),
-        "smallest_angles": histogram(&s.smallest_angles),
-        "all_angles": histogram(&s.all_angles),
-        "aspect_ratio": s.aspect_ratio.map(spread),
-        "edge_length": s.edge_length.map(spread),
-        "triangle_area": s.area.map(spread),
+        "smallest_angles": json::of_histogram(&s.smallest_angles),
+        "all_angles": json::of_histogram(&s.all_angles),
+        "aspect_ratio": s.aspect_ratio.map(json::of_spread),
+        "aspect_ratios": json::of_classes(&s.aspect_ratios),
+        "edge_length": s.edge_length.map(json::of_spread),
+        "triangle_area": s.area.map(json::of_spread),
         "degrees": s.degrees,
     })
 }
 
 fn degrees(at: AngleAt) -> f64 {
     at.angle.degrees()
-}
-
-fn histogram(h: &Histogram) -> Value {
-    json!({ "width": h.width_deg, "counts": h.counts })
-}
-
-fn spread(s: Spread) -> Value {
-    json!({ "min": s.min, "mean": s.mean, "max": s.max })
 }

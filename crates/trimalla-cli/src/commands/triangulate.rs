@@ -100,7 +100,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::begin_writing()?;
     let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
     options.report.warn(&warnings);
-    let prepared = outputs.prepare_mesh(&mesh)?;
+    let prepared = outputs.prepare_mesh(&mesh, &[])?;
     let angles_deg = text::extreme_angles_deg(&mesh);
     if options.report.json {
         json::print(&json::of_triangulation(&mesh, angles_deg, options.algorithm.key(), seconds, &warnings))?;

@@ -108,3 +108,40 @@ fn every_step_is_traced_and_drawn() {
     }
     assert!(triangles.len() > 20, "the mesh is what the steps made");
 }
+
+#[test]
+fn details_are_told_in_text_json_and_pictures() {
+    let scratch = Scratch::with_square("details");
+    let run = scratch.run("mesh square.poly --algorithm lepp-centroid --max-area 0.02 --details -o m.svg").expect(0);
+    let titles = [
+        "smallest angle of each",
+        "all angles",
+        "aspect ratio",
+        "triangles in a path",
+        "insertions by kind",
+        "time by",
+    ];
+    for title in titles {
+        assert!(run.stdout.lines().any(|line| line.starts_with(title)), "{title}: {run:#?}");
+    }
+    let picture = scratch.read("m.svg");
+    assert!(titles[1..].iter().all(|title| picture.contains(&format!(">{title}"))), "{picture}");
+    let object =
+        scratch.run("mesh square.poly --algorithm lepp-centroid --max-area 0.02 --details --json").expect(0).json();
+    let details = &object["details"];
+    let total = |counts: &serde_json::Value| -> u64 {
+        let values: Vec<_> = match counts {
+            serde_json::Value::Object(map) => map.values().collect(),
+            list => list.as_array().expect("a list").iter().collect(),
+        };
+        values.into_iter().map(|n| n.as_u64().expect("a count")).sum()
+    };
+    assert_eq!(total(&details["inserted"]), object["steiner_points"].as_u64().unwrap());
+    assert_eq!(total(&details["aspect_ratios"]["counts"]), object["triangles"].as_u64().unwrap());
+    assert_eq!(total(&details["all_angles"]["counts"]), 3 * object["triangles"].as_u64().unwrap());
+    let seconds: Vec<f64> = ["prepare", "select", "point", "insert", "recover", "rest"]
+        .map(|step| details["step_seconds"][step].as_f64().expect("seconds"))
+        .to_vec();
+    assert!(seconds.iter().all(|&s| s >= 0.0) && seconds.iter().sum::<f64>() > 0.0, "{seconds:?}");
+    assert!(seconds.iter().sum::<f64>() <= object["seconds"].as_f64().unwrap(), "{seconds:?}");
+}

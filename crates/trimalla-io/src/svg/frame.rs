@@ -5,12 +5,13 @@ use std::io::{self, Write};
 
 use trimalla::geometry::Point;
 
+use super::strip::Strip;
 use super::{INK, SvgOptions, legend};
 
 /// The longer side of the drawing, in units of the sheet.
 const SIDE: f64 = 1000.0;
 /// Free space on every side.
-const MARGIN: f64 = 24.0;
+pub(super) const MARGIN: f64 = 24.0;
 const HEADING: f64 = 40.0;
 
 /// Maps the plane to the sheet: y up becomes y down, the bounding box fills the drawing.
@@ -85,9 +86,14 @@ impl Frame {
         (self.width - legend::WIDTH, MARGIN + self.heading)
     }
 
-    /// Opens the picture and writes background and heading.
-    pub(super) fn open(&self, out: &mut dyn Write, title: &str) -> io::Result<()> {
-        let (width, height) = (self.width.round(), self.height.round());
+    /// Width and height of the sheet, without what may stand below the picture.
+    pub(super) fn size(&self) -> (f64, f64) {
+        (self.width, self.height)
+    }
+
+    /// Opens the picture, with room for a strip below it, and writes background and heading.
+    pub(super) fn open(&self, out: &mut dyn Write, title: &str, strip: &Strip<'_>) -> io::Result<()> {
+        let (width, height) = (self.width.max(strip.width).round(), (self.height + strip.height).round());
         writeln!(
             out,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"system-ui,Helvetica,Arial,'DejaVu Sans',sans-serif\">"

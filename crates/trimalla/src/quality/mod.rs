@@ -26,7 +26,7 @@ pub use against_input::{Comparison, InputFault, against_input};
 pub use angle_ceiling::{AngleCeiling, angle_ceiling};
 pub use angle_floor::{InputAngle, angle_floor, shell_floor, smallest_input_angle};
 pub use below_bound::below_bound;
-pub use histogram::Histogram;
+pub use histogram::{Classes, Histogram};
 pub use measure::{Spread, aspect_ratio};
 pub(crate) use sectors::for_each_sector;
 pub use statistics::{AngleAt, Bins, Statistics};

@@ -1,6 +1,6 @@
 //! Counts and measures of a mesh.
 
-use super::histogram::Histogram;
+use super::histogram::{Classes, Histogram};
 use super::measure::{Spread, aspect_ratio};
 use super::pieces::{boundary_loop_count, component_count};
 use crate::geometry::{Angle, Point, Segment, Triangle};
@@ -90,6 +90,8 @@ pub struct Statistics {
     pub all_angles: Histogram,
     /// Circumradius over twice the inradius: 1 is best.
     pub aspect_ratio: Option<Spread>,
+    /// The same, counted.
+    pub aspect_ratios: Classes,
     /// Lengths of the edges, each once.
     pub edge_length: Option<Spread>,
     /// Areas of the triangles.
@@ -120,6 +122,7 @@ impl Statistics {
             subsegments: mesh.segments.len(),
             smallest_angles: Histogram::new(bins.smallest, 60.0),
             all_angles: Histogram::new(bins.all, 180.0),
+            aspect_ratios: Classes::of_aspect_ratios(),
             ..Self::default()
         };
         statistics.measure_triangles(&measured);
@@ -141,7 +144,9 @@ impl Statistics {
         // An empty `sum` would be −0.
         self.total_area = triangles().fold(0.0, |sum, t| sum + t.area());
         self.area = Spread::of(triangles().map(Triangle::area));
-        self.aspect_ratio = Spread::of(triangles().map(aspect_ratio));
+        let ratios: Vec<f64> = triangles().map(aspect_ratio).collect();
+        ratios.iter().for_each(|&ratio| self.aspect_ratios.add(ratio));
+        self.aspect_ratio = Spread::of(ratios);
     }
 
     fn count_edges(&mut self, mesh: &IndexedMesh, sides: &Sides, triangles: usize) {

@@ -11,7 +11,7 @@ const BAR: usize = 40;
 /// Significant digits of a number.
 const DIGITS: usize = 6;
 
-/// A table of all counts and measures and three histograms, 80 columns wide, with a line break at the end.
+/// A table of all counts and measures and four histograms, 80 columns wide, with a line break at the end.
 impl fmt::Display for Statistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_counts(f)?;
@@ -19,6 +19,9 @@ impl fmt::Display for Statistics {
         let bins = |h: &Histogram| (0..h.counts.len()).map(|i| range_label(h.range_deg(i))).collect::<Vec<_>>();
         write_bars(f, "smallest angle of each triangle", &bins(&self.smallest_angles), &self.smallest_angles.counts)?;
         write_bars(f, "all angles", &bins(&self.all_angles), &self.all_angles.counts)?;
+        let classes: Vec<String> =
+            (0..self.aspect_ratios.counts.len()).map(|i| ratio_label(self.aspect_ratios.range(i))).collect();
+        write_bars(f, "aspect ratio of each triangle", &classes, &self.aspect_ratios.counts)?;
         let (degrees, counts): (Vec<String>, Vec<usize>) =
             self.degrees.iter().enumerate().filter(|(_, n)| **n > 0).map(|(d, &n)| (format!("{d:>12}"), n)).unzip();
         write_bars(f, "edges at a vertex", &degrees, &counts)
@@ -96,6 +99,10 @@ fn bar_length(count: usize, most: usize) -> usize {
 fn range_label([from, to]: [f64; 2]) -> String {
     let short = |v: f64| format!("{v:.1}").trim_end_matches(".0").to_owned();
     format!("{:>5} – {:>4}°", short(from), short(to))
+}
+
+fn ratio_label([from, to]: [f64; 2]) -> String {
+    if to == f64::INFINITY { format!("{from:>5} –     ") } else { format!("{from:>5} – {to:>4}") }
 }
 
 /// A number with six significant digits, in plain or exponent form, whichever is easier to read.

@@ -55,6 +55,9 @@ pub enum InsertedKind {
 }
 
 impl InsertedKind {
+    /// Every kind.
+    pub const ALL: [Self; 4] = [Self::Free, Self::OnEdge, Self::SegmentMiddle, Self::Shell];
+
     /// In words.
     #[must_use]
     pub const fn key(self) -> &'static str {
@@ -192,7 +195,9 @@ impl Refinement {
         self.note(|event| event.candidates.push(Candidate { point, edge, refused: tried.err() }));
     }
 
+    /// Counts a vertex that is in to stay, and notes it.
     pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
+        self.report.inserted[kind as usize] += 1;
         let point = self.cdt.point(vertex);
         self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
     }

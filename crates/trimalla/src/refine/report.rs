@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::event::Event;
+use super::event::{Event, InsertedKind};
 use super::outlook::Outlook;
 use super::recipe::Recipe;
 use super::stopwatch::{Clock, StepTimes};
@@ -129,6 +129,8 @@ pub struct Report {
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
+    /// Both together by kind, in the order of [`InsertedKind::ALL`]; with their names: [`insertions`](Self::insertions).
+    pub inserted: [u64; 4],
     /// Lengths of longest-edge propagation paths that the strategy followed: how many had 0, 1, 2, … triangles.
     pub lepp_lengths: Vec<u64>,
     /// Edges flipped instead of inserting a point, by strategies that do.
@@ -144,6 +146,12 @@ impl Report {
     #[must_use]
     pub fn complete(&self) -> bool {
         self.leftovers.iter().all(|l| l.reason.is_forced()) && self.lost_segments.is_empty()
+    }
+
+    /// How many vertices went in of each kind; those that were deleted later are counted, those taken back at once are not.
+    #[must_use]
+    pub fn insertions(&self) -> [(InsertedKind, u64); 4] {
+        std::array::from_fn(|i| (InsertedKind::ALL[i], self.inserted[i]))
     }
 
     /// How many triangles stayed bad for each reason that occurs.

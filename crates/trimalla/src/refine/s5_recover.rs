@@ -8,6 +8,7 @@
 
 use std::sync::Arc;
 
+use super::event::InsertedKind;
 use super::recipe::{Recipe, Recover};
 use super::refinement::Refinement;
 use super::steps::RecoverStep;
@@ -91,6 +92,7 @@ impl Refinement {
         self.vertices += inserted;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
+        self.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
         self.stopwatch.enter(before);
     }
 

@@ -230,6 +230,7 @@ fn every_step_is_timed_where_there_is_a_clock() {
     // The part before the first reading, and those between the calls, are the caller's.
     let inside = (times.total() * 1e9).round() as u64;
     assert!(inside < ticks() && inside > 4 * (report.points_inserted + report.segments_split), "{times:?}");
+    assert_eq!(report.inserted.iter().sum::<u64>(), report.points_inserted + report.segments_split);
     let (untimed, silent) = timed(None);
     assert_eq!((silent.step_times, untimed), (None, mesh));
     assert_eq!(silent, Report { step_times: None, ..report });
