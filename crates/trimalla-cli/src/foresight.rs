@@ -4,7 +4,9 @@ use indicatif::HumanCount;
 use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
-use trimalla::refine::{Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions};
+use trimalla::refine::{
+    Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions, Refinement,
+};
 
 use crate::console;
 use crate::names::Names;
@@ -93,6 +95,10 @@ impl Observer for Foresight<'_> {
         if outlook.forecast.exceeds(&self.options.limits) {
             self.warn(self.describe_forecast(&outlook.forecast));
         }
+    }
+
+    fn begins(&mut self, refinement: &mut Refinement) {
+        self.watch.begins(refinement);
     }
 
     fn progress(&mut self, progress: Progress) -> bool {

@@ -9,7 +9,7 @@
 //! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
 //! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`] | what goes where, checked before any work |
-//! | [`recipe_options`], [`recipe_file`] | the five steps as options, and as files |
+//! | [`recipe_options`], [`recipe_file`], [`picks`] | the five steps as options, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | what came of it, for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
@@ -25,6 +25,7 @@ mod input;
 mod json;
 mod names;
 mod outputs;
+mod picks;
 mod progress;
 mod recipe_file;
 mod recipe_options;

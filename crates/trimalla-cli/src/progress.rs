@@ -13,10 +13,11 @@ use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::constrained::ConstrainedDelaunay;
-use trimalla::refine::{Clock, Event, Observer, Progress};
+use trimalla::refine::{Clock, Event, Observer, Progress, Refinement};
 
 use crate::console;
 use crate::exit::{Failure, Status};
+use crate::picks::Picks;
 use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
@@ -72,19 +73,32 @@ pub(crate) struct Watch {
     line: ProgressBar,
     trace: Option<Trace>,
     is_timed: bool,
+    picks: Picks,
+    /// Whether there is no way to begin.
+    is_void: bool,
 }
 
 impl Watch {
     /// A line on standard error, if that is a terminal and the line is wanted.
     pub(crate) fn new(is_wanted: bool) -> Self {
         if !is_wanted {
-            return Self { line: ProgressBar::hidden(), trace: None, is_timed: false };
+            return Self::of(ProgressBar::hidden());
         }
         let template = "{spinner} {human_pos} vertices, {msg} bad triangles waiting, {elapsed}";
         let style = ProgressStyle::with_template(template);
         let line = ProgressBar::new_spinner(); // Draws on standard error, and there only on a terminal.
         let line = line.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
-        Self { line, trace: None, is_timed: false }
+        Self::of(line)
+    }
+
+    fn of(line: ProgressBar) -> Self {
+        Self { line, trace: None, is_timed: false, picks: Picks::default(), is_void: false }
+    }
+
+    /// The same, picking triangles.
+    pub(crate) fn with_picks(mut self, picks: Picks) -> Self {
+        self.picks = picks;
+        self
     }
 
     /// The same, recording every step.
@@ -101,13 +115,17 @@ impl Watch {
 }
 
 impl Observer for Watch {
+    fn begins(&mut self, refinement: &mut Refinement) {
+        self.is_void = !self.picks.pick(refinement);
+    }
+
     fn progress(&mut self, progress: Progress) -> bool {
         PATIENT.store(true, Ordering::SeqCst);
         if !self.line.is_hidden() {
             self.line.set_message(HumanCount(progress.waiting as u64).to_string());
             self.line.set_position(progress.vertices as u64);
         }
-        !INTERRUPTED.load(Ordering::SeqCst)
+        !self.is_void && !INTERRUPTED.load(Ordering::SeqCst)
     }
 
     fn clock(&self) -> Option<Clock> {

@@ -40,7 +40,7 @@ pub(crate) struct RecipeOptions {
     /// Step 2: which bad triangle is treated next [default: the preset's]
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
           value_parser = one_of(Select::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    select: Option<Select>,
+    pub(crate) select: Option<Select>,
 
     /// Step 2: whether a triangle is treated until it is gone [default: the preset's]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true", action = ArgAction::Set,

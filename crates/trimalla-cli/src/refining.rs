@@ -13,6 +13,7 @@ use crate::console;
 use crate::exit::{Failure, Status};
 use crate::input::Input;
 use crate::outputs::Outputs;
+use crate::picks::PickOptions;
 use crate::progress::{self, Watch};
 use crate::recipe_file::{self, RecipeFileOptions};
 use crate::recipe_options::RecipeOptions;
@@ -41,6 +42,9 @@ pub(crate) struct RefiningOptions {
 
     #[command(flatten)]
     recipe_file: RecipeFileOptions,
+
+    #[command(flatten)]
+    pick: PickOptions,
 
     /// Segments that may not be split; beside those that are kept, angles below the bound may stay [default: none]
     #[arg(long, value_name = "WHICH", help_heading = "Refinement",
@@ -101,6 +105,8 @@ pub(crate) struct Read<'a> {
     pub(crate) first_index: u32,
     /// Vertices that are not new.
     pub(crate) vertices: usize,
+    /// Triangles that are there already.
+    pub(crate) triangles: Option<&'a [[u32; 3]]>,
     /// Makes the mesh, watched; the last argument silences warnings before the work.
     pub(crate) make: &'a Make<'a>,
 }
@@ -116,6 +122,7 @@ impl RefiningOptions {
         asked.protect = Some(self.protect.or(asked.protect).unwrap_or_default());
         asked.max_vertices = self.max_vertices.or(asked.max_vertices).or(Some(Limits::default().max_vertices));
         asked.length_floor = self.length_floor.or(asked.length_floor);
+        self.pick.change(&mut asked.recipe.select, self.recipe.select)?;
         asked.refine_options().validate()?;
         Ok(asked)
     }
@@ -130,8 +137,11 @@ impl RefiningOptions {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
         let trace = self.trace.begin()?;
+        let picks = self.pick.of(read.first_index, read.triangles)?;
         let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone()).timed(self.details);
-        let made = (read.make)(&asked.refine_options(), watch, self.report.quiet)?;
+        let mut made = (read.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
+        picks.check()?;
+        made.warnings.extend(self.pick.warning(asked.recipe.select));
         let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;

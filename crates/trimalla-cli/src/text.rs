@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use trimalla::Meshed;
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::refine::{Leftover, RefineOptions, Report};
+use trimalla::refine::{Leftover, Reason, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::console::{self, count};
@@ -110,10 +110,14 @@ pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
     }
 }
 
-/// Names the first triangles that limits left below the bound, on standard error.
+/// Names the first triangles that limits left below the bound, on standard error; those that nobody picked are none of them.
 pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report) {
     const SHOWN: usize = 10;
-    let unmet: Vec<&Leftover> = report.leftovers.iter().filter(|l| !l.reason.is_forced()).collect();
+    let unmet: Vec<&Leftover> =
+        report.leftovers.iter().filter(|l| !l.reason.is_forced() && l.reason != Reason::NotPicked).collect();
+    if unmet.is_empty() {
+        return;
+    }
     let verb = if unmet.len() == 1 { "stays" } else { "stay" };
     let total = count(unmet.len(), "triangle");
     console::note("warning", &format!("{total} {verb} below the bound, though the input does not force it"));

@@ -21,6 +21,7 @@ Examples:
   trimalla mesh - -o - --format poly <key.poly            in a pipe
   trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
   trimalla mesh key.poly --select first --save-recipe mine.toml
+  trimalla mesh key.poly --algorithm lepp-centroid --pick 3,7         two triangles treated, no others
   trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
 
 Angles are in degrees, lengths in the units of the drawing, areas in their squares. The vertices
@@ -69,6 +70,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         heading: text::of_drawing(&drawing),
         first_index: drawing.first_index,
         vertices: drawing.value.points.len(),
+        triangles: None,
         make: &|refine, watch, is_quiet| {
             let mut foresight = Foresight::new(watch, &names, *refine, is_quiet);
             let made = trimalla::mesh_with(&drawing.value, &MeshOptions { domain, refine: *refine }, &mut foresight);

@@ -26,6 +26,8 @@ Examples:
                                                   rounder ones
   trimalla refine scan.ele --min-angle 0 --algorithm lepp-bisection --max-area 2 -o fine.ele
                                                   nested triangles, no flips
+  trimalla refine key.1.ele --input key.poly --pick 12,31 -o key.2.ele
+                                                  two triangles treated, no others
 
 The mesh is an .ele file with its .node file beside it; what lies beside them counts too:
   .poly  subsegments with their markers, and holes
@@ -71,6 +73,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         heading: heading(&mesh),
         first_index: mesh.first_index,
         vertices: mesh.value.points.len(),
+        triangles: Some(&mesh.value.triangles),
         make: &|refine, mut watch, _| {
             let input = drawing.as_ref().map(|drawing| &drawing.value);
             let meshed = trimalla::refine_mesh_with(&mesh.value, &areas, input, refine, &mut watch)

@@ -13,6 +13,7 @@ mod foresight;
 mod help;
 mod interrupt;
 mod outputs;
+mod picks;
 mod recipes;
 mod refine;
 mod reports;

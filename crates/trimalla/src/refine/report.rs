@@ -5,6 +5,7 @@ use std::fmt;
 use super::event::{Event, InsertedKind};
 use super::outlook::Outlook;
 use super::recipe::Recipe;
+use super::refinement::Refinement;
 use super::stopwatch::{Clock, StepTimes};
 use crate::constrained::ConstrainedDelaunay;
 
@@ -193,6 +194,10 @@ pub trait Observer {
 
     /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
     fn outlook(&mut self, _outlook: &Outlook) {}
+
+    /// Called by [`mesh_with`](crate::mesh_with) and [`refine_mesh_with`](crate::refine_mesh_with) before the first step: here
+    /// triangles can be [picked](Refinement::pick).
+    fn begins(&mut self, _refinement: &mut Refinement) {}
 
     /// Whether it wants to know of every step.
     fn wants_events(&self) -> bool {
