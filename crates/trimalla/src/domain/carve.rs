@@ -1,8 +1,8 @@
 //! Carving: what is outside away, in one change that can be taken back.
 
-use super::crowded::{crowded, whole_segment};
+use super::crowded::{crowded, real_among, whole_segment};
 use crate::constrained::ConstrainedDelaunay;
-use crate::mesh::Journal;
+use crate::mesh::{FaceId, Journal};
 use crate::triangulation::Closure;
 
 impl ConstrainedDelaunay {
@@ -17,16 +17,16 @@ impl ConstrainedDelaunay {
     /// # Complexity
     /// Linear in all faces.
     pub fn carve<J: Journal>(&mut self, keep: &[bool], j: &mut J) -> bool {
-        if keep.len() < self.face_slots() || !self.real_faces().any(|f| keep[f.index()]) {
+        if keep.len() < self.face_slots() {
             return false;
         }
-        self.crowded = crowded(self, keep, |h| whole_segment(self, h));
-        self.t.mesh.carve(keep, j);
+        let kept = real_among(self, keep);
+        let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
+        self.crowded = crowded(self, &kept, |h| whole_segment(self, h));
+        self.t.mesh.carve(&kept, j);
         self.t.set_state(2, Closure::Domain, None, j);
         self.constrain_border(j);
-        if let Some(f) = self.t.real_faces().next() {
-            self.last = f;
-        }
+        self.last = FaceId::from_index(first);
         true
     }
 

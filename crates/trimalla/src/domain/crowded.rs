@@ -25,24 +25,30 @@ use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 /// How far from its edge a split may fall, many times over, in last places of the largest coordinate at work.
 const REACH_ULPS: f64 = 64.0;
 
-/// The edges between kept and removed faces, lower vertex first, with a vertex outside too near to them, and the border
+/// The edges between `kept` and other faces, lower vertex first, with a vertex outside too near to them, and the border
 /// edges at those vertices.
 ///
 /// `whole` gives the ends of the segment that a border edge is part of.
+///
+/// # Complexity
+/// The degrees of the vertices of the border.
 pub(super) fn crowded(
     cdt: &ConstrainedDelaunay,
-    keep: &[bool],
+    kept: &[bool],
     whole: impl Fn(HalfEdgeId) -> [Point; 2],
 ) -> BTreeSet<[VertexId; 2]> {
-    let kept = |f: FaceId| cdt.is_real(f) && keep[f.index()];
-    let is_border = |h: HalfEdgeId| kept(h.face()) && !kept(cdt.twin(h).face());
+    let is_border = |h: HalfEdgeId| kept[h.face().index()] && !kept[cdt.twin(h).face().index()];
     let name = |h: HalfEdgeId| {
         let (a, b) = (cdt.origin(h), cdt.dest(h));
         [a.min(b), a.max(b)]
     };
+    let outside = Outside { cdt, kept, reach: reach_of(cdt.points().iter().copied()) };
     let mut crowded = BTreeSet::new();
-    for h in cdt.real_faces().flat_map(FaceId::half_edges).filter(|&h| is_border(h)) {
-        let near = near_outside(cdt, h, whole(h), kept);
+    for h in cdt.border_of(kept) {
+        if !outside.may_be_crowded(h) {
+            continue;
+        }
+        let near = outside.near(h, whole(h));
         if near.is_empty() {
             continue;
         }
@@ -51,6 +57,11 @@ pub(super) fn crowded(
         crowded.extend(beside.filter(|&g| is_border(g) || is_border(cdt.twin(g))).map(name));
     }
     crowded
+}
+
+/// The real ones of the faces that `keep` (one entry a face slot) names.
+pub(super) fn real_among(cdt: &ConstrainedDelaunay, keep: &[bool]) -> Vec<bool> {
+    (0..cdt.face_slots()).map(|f| keep[f] && cdt.is_real(FaceId::from_index(f))).collect()
 }
 
 /// The ends of the first segment that an edge is part of, or its own.
@@ -84,38 +95,57 @@ pub(super) fn crowded_border(cdt: &ConstrainedDelaunay) -> BTreeSet<[VertexId; 2
         let edge = cdt.half_edge_between(ends[0], ends[1]);
         edge.map_or_else(|| outside.edge_points(h), |h| whole_segment(cdt, h))
     };
-    crowded(&outside, &keep, whole).into_iter().map(|ends| ends.map(global)).collect()
+    crowded(&outside, &real_among(&outside, &keep), whole).into_iter().map(|ends| ends.map(global)).collect()
 }
 
-/// The neighbours of the ends of border edge `h`, across removed faces, that are within rounding of it.
-fn near_outside(
-    cdt: &ConstrainedDelaunay,
-    h: HalfEdgeId,
-    whole: [Point; 2],
-    kept: impl Fn(FaceId) -> bool,
-) -> Vec<VertexId> {
-    let [a, b] = cdt.edge_points(h);
-    let edge = Segment::new(a, b);
-    let largest = edge.largest_coordinate().max(Segment::new(whole[0], whole[1]).largest_coordinate());
-    let reach = REACH_ULPS * math::last_place(largest);
-    let (along, bound) = (b - a, 2.0 * reach * (b - a).length_sq().sqrt());
-    // Far from the line, by more than this can be off, is far from the edge; most are. What over- or underflows is looked at
-    // closely.
-    let is_far = |p: Point| {
-        let doubled_area = along.cross(p - a).abs();
-        bound.is_normal() && doubled_area > bound && doubled_area.is_finite()
-    };
-    let near = |v: &VertexId| {
-        v.is_finite() && {
-            let p = cdt.point(*v);
-            !is_far(p) && edge.distance(p) <= reach
-        }
-    };
-    // Outside, h's twin b→a has its face on the left: around b counter-clockwise from it, around a clockwise.
-    let around_b = std::iter::successors(Some(cdt.twin(h)), |&s| Some(cdt.ccw(s)));
-    let around_b = around_b.take_while(|s| !kept(s.face())).map(|s| cdt.apex(s));
-    let around_a = std::iter::successors(Some(cdt.cw(h)), |&s| Some(cdt.cw(s)));
-    let around_a = around_a.take_while(|s| !kept(s.face())).map(|s| cdt.dest(s));
-    let bound = cdt.face_slots();
-    around_b.take(bound).chain(around_a.take(bound)).filter(near).collect()
+/// How far from an edge between such points a split may fall.
+fn reach_of(points: impl Iterator<Item = Point>) -> f64 {
+    let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
+    REACH_ULPS * math::last_place(largest)
+}
+
+/// The faces that are not kept, seen from the border.
+struct Outside<'a> {
+    cdt: &'a ConstrainedDelaunay,
+    kept: &'a [bool],
+    /// The reach anywhere in the drawing.
+    reach: f64,
+}
+
+impl Outside<'_> {
+    /// Whether some neighbour outside of an end of border edge `h` is so near to the edge's line, or so far away, that it
+    /// needs a closer look; hardly ever.
+    fn may_be_crowded(&self, h: HalfEdgeId) -> bool {
+        let [a, b] = self.cdt.edge_points(h);
+        let along = b - a;
+        // Distances from the line, times the length; rounded by far less than what is added.
+        let bound = 2.0 * self.reach * along.length_sq().sqrt();
+        let is_far = |v: VertexId| {
+            !v.is_finite() || {
+                let doubled_area = along.cross(self.cdt.point(v) - a).abs();
+                doubled_area > bound && doubled_area < f64::INFINITY
+            }
+        };
+        !bound.is_normal() || !self.neighbours(h).all(is_far)
+    }
+
+    /// The neighbours outside of the ends of border edge `h` that are within rounding of it.
+    fn near(&self, h: HalfEdgeId, whole: [Point; 2]) -> Vec<VertexId> {
+        let [a, b] = self.cdt.edge_points(h);
+        let edge = Segment::new(a, b);
+        let reach = reach_of([a, b].into_iter().chain(whole));
+        self.neighbours(h).filter(|v| v.is_finite() && edge.distance(self.cdt.point(*v)) <= reach).collect()
+    }
+
+    /// The neighbours of the ends of border edge `h` across faces that are not kept, but for those ends themselves.
+    fn neighbours(&self, h: HalfEdgeId) -> impl Iterator<Item = VertexId> + '_ {
+        let Self { cdt, kept, .. } = *self;
+        // Outside, h's twin b→a has its face on the left: around b counter-clockwise from it, around a clockwise.
+        let around_b = std::iter::successors(Some(cdt.twin(h)), |&s| Some(cdt.ccw(s)));
+        let around_a = std::iter::successors(Some(cdt.cw(h)), |&s| Some(cdt.cw(s)));
+        let bound = cdt.face_slots();
+        let is_outside = |s: &HalfEdgeId| !kept[s.face().index()];
+        let around_b = around_b.take(bound).take_while(is_outside).map(|s| cdt.apex(s));
+        around_b.chain(around_a.take(bound).take_while(is_outside).map(|s| cdt.dest(s)))
+    }
 }

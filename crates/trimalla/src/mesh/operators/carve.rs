@@ -3,8 +3,8 @@
 use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 impl HalfEdgeMesh {
-    /// Removes the real faces that `keep` refuses and every old ghost, and closes each border of what is
-    /// left with new ghosts.
+    /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each border of
+    /// what is left with new ghosts.
     ///
     /// ```text
     ///        \  kept  /                     \  kept  /
@@ -19,28 +19,27 @@ impl HalfEdgeMesh {
     ///
     /// # Complexity
     /// Linear in all faces.
-    pub(crate) fn carve<J: Journal>(&mut self, keep: &[bool], j: &mut J) {
-        let kept = |m: &Self, f: FaceId| keep[f.index()] && m.is_real(f);
-        let border: Vec<HalfEdgeId> = (0..self.face_slots())
-            .map(FaceId::from_index)
-            .filter(|&f| kept(self, f))
-            .flat_map(FaceId::half_edges)
-            .filter(|&h| !kept(self, self.twin(h).face()))
-            .collect();
+    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], j: &mut J) {
+        let border = self.border_of(kept);
         // For border edge a→b, the border edge c→a reached by turning clockwise around a, through removed faces.
-        let before: Vec<HalfEdgeId> = border.iter().map(|&h| self.turn_through(h, |m, f| !kept(m, f))).collect();
-        let doomed: Vec<FaceId> =
-            (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_alive(f) && !kept(self, f)).collect();
+        let before: Vec<HalfEdgeId> = border.iter().map(|&h| self.turn_through(h, kept)).collect();
         let marks: Vec<u32> = border.iter().map(|&h| self.mark(h)).collect();
-        let mut touched: Vec<VertexId> = Vec::new();
-        for &f in doomed.iter().rev() {
-            touched.extend(self.face_vertices(f).into_iter().filter(|v| v.is_finite()));
-            self.free_face(f, j);
+        // The lowest slot is freed last: it is used again first.
+        for f in (0..self.face_slots()).rev().map(FaceId::from_index) {
+            if !kept[f.index()] && self.is_alive(f) {
+                for h in f.half_edges() {
+                    self.move_outgoing(self.origin(h), h, HalfEdgeId::NONE, j);
+                }
+                self.free_face(f, j);
+            }
         }
         self.close_border(&border, &marks, &before, j);
-        for v in touched {
-            self.rehome(v, HalfEdgeId::NONE, j);
-        }
+    }
+
+    /// The half-edges of kept faces that have removed ones across, faces in order.
+    pub(crate) fn border_of(&self, kept: &[bool]) -> Vec<HalfEdgeId> {
+        let faces = kept.iter().enumerate().filter(|&(_, &is_kept)| is_kept).map(|(f, _)| FaceId::from_index(f));
+        faces.flat_map(FaceId::half_edges).filter(|&h| !kept[self.twin(h).face().index()]).collect()
     }
 
     /// Hangs a ghost on each border half-edge a→b, with its mark, and joins it at `a` to the ghost of the border half-edge
@@ -59,7 +58,7 @@ impl HalfEdgeMesh {
             self.glue(ghost.half_edge(1), other.half_edge(2), j);
         }
         for &h in border {
-            self.rehome(self.origin(h), h, j);
+            self.set_outgoing(self.origin(h), h, j);
         }
     }
 
@@ -75,13 +74,13 @@ impl HalfEdgeMesh {
         ghost
     }
 
-    /// From border half-edge `h` = a→b, turns clockwise around `a` through faces that `removed` accepts;
-    /// returns the half-edge c→a at which a kept face begins again.
-    fn turn_through(&self, h: HalfEdgeId, removed: impl Fn(&Self, FaceId) -> bool) -> HalfEdgeId {
+    /// From border half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the half-edge
+    /// c→a at which a kept face begins again.
+    fn turn_through(&self, h: HalfEdgeId, kept: &[bool]) -> HalfEdgeId {
         let mut incoming = self.twin(h);
         for _ in 0..self.face_slots() {
             let across = self.twin(incoming.next());
-            if !removed(self, across.face()) {
+            if kept[across.face().index()] {
                 return across;
             }
             incoming = across;
