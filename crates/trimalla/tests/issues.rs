@@ -13,7 +13,7 @@ use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::{NoObserver, Reason, RefineOptions, Refinement, Report};
 use trimalla::triangulation::{IndexedMesh, check_mesh};
-use trimalla::{DomainOptions, Error, MeshOptions, mesh};
+use trimalla::{DomainOptions, Error, MeshOptions, mesh, refine_mesh};
 use trimalla_testkit::oracles::{brute_force_cdt, canonical};
 use trimalla_testkit::readers::{read_input, read_poly};
 use trimalla_testkit::shared_data_or_skip;
@@ -165,4 +165,24 @@ fn a_bent_segment_is_split_between_the_ends_of_its_pieces() {
 fn borders_with_something_within_rounding_outside_are_not_split() {
     let fine = RefineOptions::default().with_max_area(1e-4).with_max_vertices(20_000);
     refined(&issue("crack-within-rounding"), DomainRule::Nesting, fine);
+}
+
+/// Splits were computed from what a file does not keep, vertices deleted that left no room behind, and segments not found
+/// again where they leave the domain or end at a point given twice outside it.
+#[test]
+fn a_mesh_from_a_file_is_refined_as_it_would_have_been() {
+    let options = RefineOptions::default().with_min_angle_deg(22.0).with_max_vertices(5000);
+    for (name, rule) in [
+        ("split-from-a-file", DomainRule::Hull),
+        ("no-room-without-vertices", DomainRule::Hull),
+        ("no-room-without-vertices", DomainRule::Seeds),
+        ("segment-out-of-the-domain", DomainRule::Seeds),
+        ("duplicates-outside", DomainRule::Seeds),
+    ] {
+        let drawing = issue(name);
+        let (mesh, _) = refined(&drawing, rule, options);
+        let again = refine_mesh(&mesh, Some(&drawing), &options).expect("its own mesh");
+        assert_eq!((&again.mesh.points, &again.mesh.segments), (&mesh.points, &mesh.segments), "{name}");
+        assert_eq!(again.mesh.triangles, mesh.triangles, "{name}");
+    }
 }

@@ -57,26 +57,33 @@ fn options(degrees: f64) -> RefineOptions {
     RefineOptions::default().with_min_angle_deg(degrees).with_max_vertices(BUDGET)
 }
 
-/// Claim 1.
-fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool) -> Verdict {
+/// Claim 1. Without the drawing, segments that bend by less than rounding may be joined that were apart, and others that
+/// rounding bent may stay apart: where that matters, what comes of the first refinement comes back.
+fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool, bent: bool) -> Verdict {
     let Some((mesh, report, drawing)) = meshed(drawing, options)? else { return Ok(()) };
     let input = with_drawing.then_some(&drawing);
     let taken = from_mesh(&mesh, &[], input).map_err(|e| e.to_string())?;
     none("taken up: library checker", &taken.cdt.check())?;
     let again = refine_mesh(&mesh, input, &options).map_err(|e| e.to_string())?;
-    let added = again.mesh.points.len() - mesh.points.len();
-    if report.leftovers.iter().any(|l| l.reason == Reason::PrecisionFloor) {
-        return Ok(()); // Triangles that were given up for want of room are tried again in their final surroundings.
+    let no_room = report.leftovers.iter().any(|l| l.reason == Reason::PrecisionFloor);
+    if !with_drawing && (bent || no_room) {
+        let once_more = refine_mesh(&again.mesh, input, &options).map_err(|e| e.to_string())?;
+        return same_mesh((&again.mesh, &again.report), (&once_more.mesh, &once_more.report));
     }
+    same_mesh((&mesh, &report), (&again.mesh, &again.report))
+}
+
+fn same_mesh((mesh, report): (&IndexedMesh, &Report), (again, and_then): (&IndexedMesh, &Report)) -> Verdict {
+    let added = again.points.len() - mesh.points.len();
     if added > 0 {
-        let (was, is) = (report.reasons(), again.report.reasons());
+        let (was, is) = (report.reasons(), and_then.reasons());
         return Err(format!("{added} vertices added to {}; reasons {was:?}, then {is:?}", mesh.points.len()));
     }
-    equal("triangles", &again.mesh.triangles, &mesh.triangles)?;
-    equal("segments", &again.mesh.segments, &mesh.segments)?;
-    equal("markers", &again.mesh.segment_markers, &mesh.segment_markers)?;
-    equal("point markers", &again.mesh.point_markers, &mesh.point_markers)?;
-    equal("leftovers", &again.report.leftovers.len(), &report.leftovers.len())
+    equal("triangles", &again.triangles, &mesh.triangles)?;
+    equal("segments", &again.segments, &mesh.segments)?;
+    equal("markers", &again.segment_markers, &mesh.segment_markers)?;
+    equal("point markers", &again.point_markers, &mesh.point_markers)?;
+    equal("leftovers", &and_then.leftovers.len(), &report.leftovers.len())
 }
 
 /// Claim 2.
@@ -121,7 +128,7 @@ fn drawings() -> impl Iterator<Item = (String, f64, Pslg)> {
 fn with_its_drawing_a_mesh_comes_back() {
     let mut court = Court::default();
     for (name, degrees, drawing) in drawings() {
-        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), true));
+        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), true, false));
     }
     court.close();
 }
@@ -129,9 +136,10 @@ fn with_its_drawing_a_mesh_comes_back() {
 #[test]
 fn without_its_drawing_a_mesh_comes_back() {
     let mut court = Court::default();
-    // In float soups 1 and 1 + ulp are coordinates: segments bend by more than joints may, and are not found again.
-    for (name, degrees, drawing) in drawings().filter(|(name, ..)| !name.starts_with("FloatSoup")) {
-        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), false));
+    for (name, degrees, drawing) in drawings() {
+        // In float soups 1 and 1 + ulp are coordinates: crossings bend segments by more than joints may.
+        let bent = name.starts_with("FloatSoup");
+        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), false, bent));
     }
     court.close();
 }

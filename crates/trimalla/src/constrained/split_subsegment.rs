@@ -18,7 +18,8 @@ pub enum SplitError {
 impl ConstrainedDelaunay {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
-    /// It is computed from the ends of the input segment, so repeated halving does not drift; where crossings have bent
+    /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of the
+    /// subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where crossings have bent
     /// the segment so far that this is no point between the subsegment's own ends, from those.
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
@@ -38,7 +39,7 @@ impl ConstrainedDelaunay {
         let on_segment = Point::lerp(start, end, along);
         let between = BoundingBox::around(p).including(q).contains(on_segment);
         let point = if between { on_segment } else { Point::lerp(p, q, t) };
-        (point, Provenance::OnSegment { segment, t: along })
+        (point, Provenance::OnSegment { segment, t: Segment::new(start, end).parameter_of(point) })
     }
 
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
@@ -68,7 +69,7 @@ impl ConstrainedDelaunay {
         }
         match self.provenance(v) {
             Provenance::OnSegment { segment: s, t } | Provenance::Shell { segment: s, t, .. } if s == segment => t,
-            _ => Segment::new(self.t.point(a), self.t.point(b)).nearest_parameter(self.t.point(v)),
+            _ => Segment::new(self.t.point(a), self.t.point(b)).parameter_of(self.t.point(v)),
         }
     }
 
@@ -77,7 +78,7 @@ impl ConstrainedDelaunay {
         match self.finest_segment(self.t.mark(h)) {
             Some(segment) => {
                 let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
-                Provenance::OnSegment { segment, t: Segment::new(a, b).nearest_parameter(p) }
+                Provenance::OnSegment { segment, t: Segment::new(a, b).parameter_of(p) }
             }
             None => Provenance::Free,
         }

@@ -83,7 +83,7 @@ impl<'a> Attributes<'a> {
             Locus::Vertex(v) => vec![(v, 1.0)],
             Locus::Edge(h) => {
                 let [a, b] = base.edge_points(h);
-                let t = Segment::new(a, b).nearest_parameter(p);
+                let t = Segment::new(a, b).parameter_of(p);
                 vec![(base.origin(h), 1.0 - t), (base.dest(h), t)]
             }
             Locus::Face(f) => {

@@ -31,10 +31,11 @@ impl ConstrainedDelaunay {
     }
 
     /// Makes border edges that no segment runs along segments of their own, named after all others in the order of
-    /// their vertices: they are split and meet others like segments of the input.
+    /// their vertices, each from its lower end on: they are split and meet others like segments of the input.
     fn constrain_border<J: Journal>(&mut self, j: &mut J) {
         let bare = self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g));
-        let mut bare: Vec<_> = bare.map(|g| ([self.t.dest(g), self.t.origin(g)], g)).collect();
+        let ends = |g| [self.t.origin(g).min(self.t.dest(g)), self.t.origin(g).max(self.t.dest(g))];
+        let mut bare: Vec<_> = bare.map(|g| (ends(g), g)).collect();
         bare.sort_unstable();
         for (ends, g) in bare {
             let mark = self.begin_segment(ends, j);

@@ -99,38 +99,42 @@ fn runs_along(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], edge: HalfEdgeId) 
 
 /// The edges along the segment between two vertices, and whether they lead from one to the other.
 ///
-/// Locked edges come first: others are followed only where those do not reach the end.
+/// Locked edges come first: others are followed only from where those lead no further.
 fn edges_along(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], locked: &Locked) -> (Vec<HalfEdgeId>, bool) {
-    let back = [ends[1], ends[0]];
-    let is_locked = |edge: HalfEdgeId| locked.contains_key(&edge);
     let mut found: BTreeSet<HalfEdgeId> = BTreeSet::new();
+    let mut from = ends;
+    let is_locked = |edge: HalfEdgeId| locked.contains_key(&edge);
     for wanted in [&is_locked as &dyn Fn(HalfEdgeId) -> bool, &|_| true] {
-        let (path, reached) = path(cdt, ends, wanted);
-        if reached == ends[1] {
-            return (path, true);
+        for (side, ends) in [ends, [ends[1], ends[0]]].into_iter().enumerate() {
+            let (path, reached) = path(cdt, ends, from[side], wanted);
+            found.extend(path);
+            if reached == ends[1] {
+                return (found.into_iter().collect(), true);
+            }
+            from[side] = reached;
         }
-        found.extend(path);
-        found.extend(self::path(cdt, back, wanted).0);
     }
     (found.into_iter().collect(), false)
 }
 
-/// The way with the fewest wanted edges along a segment, to its end or as far as they lead, and where that is.
+/// The way with the fewest wanted edges along a segment, from a vertex on it to its end or as far as they lead, and where
+/// that is.
 fn path(
     cdt: &ConstrainedDelaunay,
     [start, end]: [VertexId; 2],
+    from: VertexId,
     wanted: &dyn Fn(HalfEdgeId) -> bool,
 ) -> (Vec<HalfEdgeId>, VertexId) {
     let segment = Segment::new(cdt.point(start), cdt.point(end));
     let mut came_by: BTreeMap<VertexId, HalfEdgeId> = BTreeMap::new();
-    let (mut farthest, mut reach) = (start, 0.0);
-    let mut next = VecDeque::from([(start, 0.0)]);
+    let (mut farthest, mut reach) = (from, segment.nearest_parameter(cdt.point(from)));
+    let mut next = VecDeque::from([(farthest, reach)]);
     while let Some((v, t)) = next.pop_front() {
         let ahead = cdt.edges_around(v).filter(|&h| wanted(edge_of(cdt, h))).filter_map(|h| {
             let w = cdt.dest(h);
             let s = if w == end { 1.0 } else { segment.nearest_parameter(cdt.point(w)) };
             let on = w == end || s >= t && lies_along(segment, cdt.point(w), OFF_SEGMENT_ULPS);
-            (on && w != start).then_some((w, s, h))
+            (on && w != from).then_some((w, s, h))
         });
         let mut ahead: Vec<(VertexId, f64, HalfEdgeId)> = ahead.collect();
         ahead.sort_unstable_by_key(|&(w, ..)| w);

@@ -55,7 +55,7 @@ fn provenance_of(cdt: &ConstrainedDelaunay, v: VertexId, scale: f64) -> Option<P
 fn on_segment(cdt: &ConstrainedDelaunay, v: VertexId, segment: u32, scale: f64) -> Provenance {
     let ends = cdt.segments()[segment as usize];
     let p = cdt.point(v);
-    let t = Segment::new(cdt.point(ends[0]), cdt.point(ends[1])).nearest_parameter(p);
+    let t = Segment::new(cdt.point(ends[0]), cdt.point(ends[1])).parameter_of(p);
     let nearer = if t <= 0.5 { [false, true] } else { [true, false] };
     for around_end in nearer {
         let apex = ends[usize::from(around_end)];

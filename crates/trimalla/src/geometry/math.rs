@@ -108,9 +108,30 @@ pub fn last_place(largest: f64) -> f64 {
     (f64::EPSILON * largest.abs()).max(f64::from_bits(1))
 }
 
+/// A number with the fewest significant bits from `low` to `high`, both at least 0 and `low` at most `high`.
+#[must_use]
+pub fn roundest_between(low: f64, high: f64) -> f64 {
+    let differing = low.to_bits() ^ high.to_bits();
+    // Below the highest bit that differs, which only `high` has, everything may go; where it is one of the exponent, all but that.
+    let below = (1_u64 << (63 - differing.max(1).leading_zeros()).min(52)) - 1;
+    f64::from_bits(high.to_bits() & !below)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_roundest_number_lies_between_and_is_short() {
+        let next = |x: f64, n: i64| f64::from_bits(x.to_bits().wrapping_add_signed(n));
+        for short in [0.5, 0.375, 1.0, 3.0, 0.25] {
+            assert_eq!(roundest_between(next(short, -3), next(short, 5)), short);
+            assert_eq!(roundest_between(short, short), short);
+        }
+        assert_eq!(roundest_between(0.3, 0.6), 0.5);
+        assert_eq!(roundest_between(0.0, 1.0), 1.0);
+        assert_eq!(roundest_between(0.0, 0.0), 0.0);
+    }
 
     #[test]
     fn scales_are_powers_of_two_that_bring_numbers_near_one() {

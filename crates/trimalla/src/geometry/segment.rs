@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::frame::Frame;
+use super::math;
 use super::predicates::{SegmentContact, crossing_parameter, on_segment, segment_contact};
 use super::{BoundingBox, Point, Vector, lexicographically_less};
 
@@ -83,6 +84,19 @@ impl Segment {
         let (a, b) = (frame.local(self.start), frame.local(self.end));
         let t = -(a.dot(b - a)) / (b - a).length_sq();
         if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) }
+    }
+
+    /// The parameter that stands for `p`, a rounded point of the segment: that of the nearest point, or the one with the
+    /// fewest bits among those that rounding cannot tell from it, if [`at`](Self::at) gives back `p` for that.
+    ///
+    /// So the parameter is told by the point alone, and is still a half or a quarter where the point was computed from one.
+    #[must_use]
+    pub fn parameter_of(self, p: Point) -> f64 {
+        let nearest = self.nearest_parameter(p);
+        let rounding = 2.0 * (math::last_place(self.largest_coordinate()) / self.length() + f64::EPSILON * nearest);
+        let (low, high) = ((nearest - rounding).max(0.0), (nearest + rounding).min(1.0));
+        let simple = math::roundest_between(low, high);
+        if self.at(simple) == p { simple } else { nearest }
     }
 
     /// The distance from `p` to the nearest point of the segment, rounded.
@@ -211,6 +225,24 @@ mod tests {
         }
         let point = segment(1.0, 1.0, 1.0, 1.0);
         assert_eq!((point.nearest_parameter(point.start), point.distance(Point::new(4.0, 5.0))), (0.0, 5.0));
+    }
+
+    #[test]
+    fn a_parameter_is_told_by_its_point_and_stays_short() {
+        let skew = segment(0.1, 1e6, 0.7, 1e6 + 0.3);
+        for base in [segment(0.0, 0.0, 0.3, 0.0), segment(0.1, 0.2, 7.3, 5.9), skew, segment(-3.0, 1.0, 1e-9, 1e9)] {
+            for t in [0.5, 0.25, 0.375, 0.9375] {
+                assert_eq!(base.parameter_of(base.at(t)), t);
+            }
+            for t in [0.3, 1e-3, 0.777_777] {
+                let p = base.at(t);
+                assert!((base.parameter_of(p) - t).abs() < 1e-8);
+                assert!(
+                    Point::distance_sq(p, base.at(base.parameter_of(p))).sqrt()
+                        <= 2.0 * math::last_place(base.largest_coordinate())
+                );
+            }
+        }
     }
 
     #[test]

@@ -66,7 +66,8 @@ impl Refinement {
         let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
         self.note(|event| event.subsegment = Some([a, b]));
         let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
-        if let Some(h) = there.filter(|&h| forced || self.prepare.needs_split(self.view(), h)) {
+        let needed = |&h: &HalfEdgeId| forced || self.prepare.needs_split(self.view(), h);
+        if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])).filter(needed) {
             if !self.split(h) {
                 // It could be split when it was queued: do not try again for ever.
                 self.unsplittable.insert([a, b]);
@@ -76,29 +77,48 @@ impl Refinement {
     }
 
     /// Splits a subsegment; says whether it could.
+    ///
+    /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is sharp
+    /// then and wants a cut on a circle, they come back.
     fn split(&mut self, h: HalfEdgeId) -> bool {
-        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        if self.region.is_lens() && self.minds_encroachment() && self.acute_ends(h) == [false, false] {
-            self.delete_free_vertices(a, b);
+        let ends = [self.cdt.origin(h), self.cdt.dest(h)];
+        if !self.region.is_lens() || !self.minds_encroachment() || self.acute_ends(h) != [false, false] {
+            return self.split_as_it_is(ends);
         }
+        let (here, deleted) = (self.log.checkpoint(), self.report.vertices_deleted);
+        self.delete_free_vertices(ends[0], ends[1]);
+        if self.split_as_it_is(ends) {
+            return true;
+        }
+        let deleted = self.report.vertices_deleted - deleted;
+        if deleted > 0 {
+            self.cdt.rollback(&mut self.log, here);
+            self.report.vertices_deleted -= deleted;
+            self.vertices += deleted as usize;
+            self.note(|event| event.deleted.clear());
+        }
+        deleted > 0 && self.split_as_it_is(ends)
+    }
+
+    /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
+    fn split_as_it_is(&mut self, [a, b]: [VertexId; 2]) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
         let Ok(cut) = self.cut_of(h) else { return false };
         let here = self.log.checkpoint();
         let insert = Arc::clone(&self.insert);
-        if let Ok(v) = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log) {
-            self.insertions += 1;
-            if self.crowds_a_neighbour(v) {
-                self.cdt.rollback(&mut self.log, here);
-                return false;
-            }
-            self.vertices += 1;
-            self.report.segments_split += 1;
-            let on_shell = matches!(cut.provenance, Provenance::Shell { .. });
-            self.note_inserted(v, if on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
-            self.look_around(v);
-            return true;
+        let split = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log);
+        let Ok(v) = split else { return false };
+        self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return false;
         }
-        false
+        self.vertices += 1;
+        self.report.segments_split += 1;
+        let on_shell = matches!(cut.provenance, Provenance::Shell { .. });
+        self.note_inserted(v, if on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
+        self.look_around(v);
+        true
     }
 
     /// Where `h` would be split, or why it cannot be.

@@ -51,7 +51,7 @@ impl Triangulation {
         t.mesh = half_edges(mesh, &sides);
         close(&mut t.mesh, mesh, &sides);
         t.set_state(2, Closure::Domain, None, &mut NoJournal);
-        t.duplicates = unused_on_used(&t);
+        t.duplicates = unused_on_others(&t);
         Ok(t)
     }
 }
@@ -113,16 +113,15 @@ fn around(center: Point, p: Point, q: Point) -> Ordering {
     below(p).cmp(&below(q)).then_with(by_turn)
 }
 
-/// Unused vertices that lie exactly on used ones, with those, sorted.
-fn unused_on_used(t: &Triangulation) -> Vec<(VertexId, VertexId)> {
+/// Unused vertices that lie exactly on others, with the one that stands for all there, sorted: the one in use, else the first.
+fn unused_on_others(t: &Triangulation) -> Vec<(VertexId, VertexId)> {
     let mut order: Vec<VertexId> =
         (0..t.points.len()).map(VertexId::from_index).filter(|&v| t.point(v).is_finite()).collect();
     order.sort_unstable_by(|&a, &b| lexicographic(t.point(a), t.point(b)).then(a.cmp(&b)));
     let mut duplicates = Vec::new();
     for same in order.chunk_by(|&a, &b| t.point(a) == t.point(b)) {
-        if let Some(&used) = same.iter().find(|&&v| t.is_used(v)) {
-            duplicates.extend(same.iter().filter(|&&v| v != used).map(|&v| (v, used)));
-        }
+        let kept = same.iter().copied().find(|&v| t.is_used(v)).unwrap_or(same[0]);
+        duplicates.extend(same.iter().filter(|&&v| v != kept).map(|&v| (v, kept)));
     }
     duplicates.sort_unstable();
     duplicates
