@@ -43,12 +43,10 @@ impl CircleSide {
     }
 }
 
-/// Relative error bound of the rounded in-circle determinant against its sum of magnitudes.
-const CIRCLE_BOUND: f64 = (10.0 + 96.0 * ROUNDING) * ROUNDING;
-/// More than the filter can lose to underflow while the lifts add up to less than [`CIRCLE_LIFTS`].
-const CIRCLE_GUARD: f64 = f64::from_bits((1023 - 560) << 52); // 2^-560
-/// The largest sum of lifts for which the filter decides.
-const CIRCLE_LIFTS: f64 = f64::from_bits((1023 + 500) << 52); // 2^500
+/// Relative error bound of the rounded sine of the sum of two angles.
+const CIRCLE_BOUND: f64 = 12.0 * ROUNDING;
+/// Next to this, what a sum of two products can lose to underflow is nothing.
+const CIRCLE_GUARD: f64 = f64::from_bits((1023 - 500) << 52); // 2^-500
 
 /// Tells on which side of the circle through `a`, `b`, `c` the point `d` lies.
 ///
@@ -94,23 +92,34 @@ pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> CircleSide
 
 /// The side of `d` if rounded arithmetic can prove it.
 ///
-/// Underflow: with M the largest difference, the twelve inner products lose at most 2^-1075 each, multiplied by at most
-/// 2 M^2, and the three outer ones at most 2^-1075: together less than 2^-1069 (M^2 + 1). The lifts add up to M^2 or
-/// more; while their sum is below 2^500, that loss and its rounding are below the guard of 2^-560. Larger figures are
-/// left to the exact routes. So is everything that overflows.
+/// ```text
+///        c
+///      /   \        ab is seen from c under the angle C, from d under D. The point d is inside if C + D is more than
+///     a ─── b       two right angles, that is, sin C cos D + cos C sin D is negative. Times the lengths of the four sides
+///      \   /        this is the in-circle determinant, term by term a polynomial in the coordinates: true for every
+///        d          figure, also where d lies on the side of c.
+/// ```
+///
+/// Why angles: fewer operations than the determinant of lifted points, and the filter fails only for angles whose sum is within
+/// 24 u of a multiple of two right angles, however large and thin the figure is; u is [`ROUNDING`].
+///
+/// Errors: let P = |ac| |bc| and Q = |ad| |bd|. Products of two rounded differences err by 3 u each and their sum by u more: sine and
+/// cosine at c, times P, err by at most 4 u P, those at d by 4 u Q. With A = |sin C| + |cos C| and B the same of D, both at least
+/// one, this moves the result by at most 4 u P Q (A + B), which is at most 8 u P A Q B; its own rounding adds 2 u P A Q B.
+/// The bound is 12 u P A Q B: 2 u are left for terms of second order and the rounding of the bound.
+///
+/// Underflow: sine and cosine lose at most 2^-1074, which moves the result by 2^-1074 (P A + Q B + 1) or so. The guard added to both
+/// factors of the bound raises it by 2^-550 (P A + Q B) and 2^-1050, which is more. Where anything overflows, the bound
+/// is infinite or the comparison undefined.
 #[inline(always)]
 fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
-    let (a, b, c) = (a - d, b - d, c - d);
-    let (a_lift, b_lift, c_lift) = (a.length_sq(), b.length_sq(), c.length_sq());
-    let (bc, cb) = (b.x * c.y, c.x * b.y);
-    let (ca, ac) = (c.x * a.y, a.x * c.y);
-    let (ab, ba) = (a.x * b.y, b.x * a.y);
-    let determinant = a_lift * (bc - cb) + b_lift * (ca - ac) + c_lift * (ab - ba);
-    let magnitude = a_lift * (bc.abs() + cb.abs()) + b_lift * (ca.abs() + ac.abs()) + c_lift * (ab.abs() + ba.abs());
-    let bound = CIRCLE_BOUND * magnitude + CIRCLE_GUARD;
-    // The first branch is nearly always taken; the second, which cannot be predicted, then waits for the sign alone.
-    if (determinant.abs() > bound) & (a_lift + b_lift + c_lift < CIRCLE_LIFTS) {
-        Some(if determinant > 0.0 { CircleSide::Inside } else { CircleSide::Outside })
+    let ((ca, cb), (da, db)) = ((a - c, b - c), (a - d, b - d));
+    let (sine_c, cosine_c) = (ca.cross(cb), ca.dot(cb));
+    let (sine_d, cosine_d) = (db.cross(da), db.dot(da));
+    let sine_of_sum = sine_c * cosine_d + cosine_c * sine_d;
+    let [size_c, size_d] = [(sine_c, cosine_c), (sine_d, cosine_d)].map(|(s, c)| s.abs() + c.abs() + CIRCLE_GUARD);
+    if sine_of_sum.abs() > CIRCLE_BOUND * (size_c * size_d) {
+        Some(if sine_of_sum < 0.0 { CircleSide::Inside } else { CircleSide::Outside })
     } else {
         None
     }
@@ -259,6 +268,44 @@ mod tests {
             assert!(small_sign(a, b, c, d).is_none_or(|sign| sign == expected));
             assert_eq!(adaptive_sign(a, b, c, d), Some(expected));
             assert_eq!(in_circle(a, b, c, d), CircleSide::from_sign(expected));
+        }
+    }
+
+    /// Numbers without pattern: of any exponent, or near one another.
+    fn wild_numbers() -> impl FnMut(bool) -> f64 {
+        let mut state = 1_u64;
+        move |tame| {
+            state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            let bits = state ^ state >> 31;
+            let exponent = if tame { 1020 + bits % 8 } else { bits % 2047 };
+            f64::from_bits(bits & 0x800f_ffff_ffff_ffff | exponent << 52)
+        }
+    }
+
+    #[test]
+    fn the_filter_never_lies() {
+        let mut number = wild_numbers();
+        let mut decided = 0;
+        for i in 0..40_000 {
+            // Every choice of coordinates that are tame, the others of any size.
+            let tame = |k: u32| i >> k & 1 == 0;
+            let [a, b, c, d] = [0, 2, 4, 6].map(|k| Point::new(number(tame(k)), number(tame(k + 1))));
+            if let Some(side) = filtered_sign(a, b, c, d) {
+                assert_eq!(side, CircleSide::from_sign(summed_sign(a, b, c, d)), "{a} {b} {c} {d}");
+                decided += 1;
+            }
+        }
+        assert!(decided > 10_000);
+    }
+
+    #[test]
+    fn what_underflows_beside_large_numbers_is_not_decided_by_the_filter() {
+        let (a, d) = (Point::new(1e-310, 3e-310), Point::new(2e-310, 1e-310));
+        for (b, c) in [(1.0, 1e12), (1e-12, 1e40), (1e100, 1e150)] {
+            let (b, c) = (Point::new(b, 0.3 * b), Point::new(0.7 * c, c));
+            let expected = CircleSide::from_sign(summed_sign(a, b, c, d));
+            assert!(filtered_sign(a, b, c, d).is_none_or(|side| side == expected));
+            assert_eq!(in_circle(a, b, c, d), expected);
         }
     }
 
