@@ -34,9 +34,6 @@ pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(
         Locus::OffLine(h) => raise(t, h, v, lawson, j),
         Locus::Nowhere => start(t, v, j),
     }
-    if t.dimension == 2 {
-        lawson.legalise_around::<OUTGOING, J>(t, t.point(v), j);
-    }
     true
 }
 
@@ -49,9 +46,7 @@ fn split_face<const OUTGOING: bool, J: Journal>(
     j: &mut J,
 ) {
     let faces = if OUTGOING { t.mesh.split_face(f, v, j) } else { t.mesh.rewire_split_face(f, v, j) };
-    for f in faces {
-        lawson.push(f.half_edge(0));
-    }
+    lawson.legalise_around::<OUTGOING, 3, J>(t, faces.map(|f| f.half_edge(0)), t.point(v), j);
 }
 
 fn split_edge<const OUTGOING: bool, J: Journal>(
@@ -63,9 +58,8 @@ fn split_edge<const OUTGOING: bool, J: Journal>(
 ) {
     let n = if OUTGOING { t.mesh.split_edge(h, v, j) } else { t.mesh.rewire_split_edge(h, v, j) };
     if t.dimension == 2 {
-        for e in t.mesh.opposite_edges_after_split(h, n) {
-            lawson.push(e);
-        }
+        let edges = t.mesh.opposite_edges_after_split(h, n);
+        lawson.legalise_around::<OUTGOING, 4, J>(t, edges, t.point(v), j);
     }
 }
 
@@ -78,7 +72,7 @@ fn raise<J: Journal>(t: &mut Triangulation, h: HalfEdgeId, v: VertexId, lawson: 
     // A fan over collinear points passes the circle test; the edges are looked at all the same.
     let fan: Vec<HalfEdgeId> = t.mesh.star_from(spoke).collect();
     for h in fan {
-        lawson.push(h.next());
+        lawson.legalise_around::<true, 1, J>(t, [h.next()], t.point(v), j);
     }
 }
 

@@ -17,7 +17,7 @@ impl Lawson {
         self.stack.push(h);
     }
 
-    /// Legalises around a new vertex at `q`: every edge on the stack lies opposite it in its own face.
+    /// Legalises around a new vertex at `q`, from edges that lie opposite it, each in its own face.
     ///
     /// ```text
     ///            q                    q
@@ -32,26 +32,40 @@ impl Lawson {
     /// Every flip adds an edge at `q`, and none is ever taken away: at most as many flips as there
     /// are vertices. `OUTGOING` says whether vertices keep their half-edges meanwhile.
     ///
+    /// Edges are tested when they come to lie opposite `q`, together, and the illegal ones wait: tests that do not hang on
+    /// each other's answers overlap in the processor. A verdict stays true until its flip, as only a flip across another
+    /// edge of the same face beyond could change it, and a face with two edges opposite `q` does not hold `q` in its circle.
+    ///
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
     #[inline(never)] // A loop on its own keeps its registers.
-    pub(crate) fn legalise_around<const OUTGOING: bool, J: Journal>(
+    pub(crate) fn legalise_around<const OUTGOING: bool, const N: usize, J: Journal>(
         &mut self,
         t: &mut Triangulation,
+        edges: [HalfEdgeId; N],
         q: Point,
         j: &mut J,
     ) {
-        while let Some(e) = self.stack.pop() {
-            let o = t.mesh.twin(e);
-            if !t.mesh.is_marked(e) && conflicts(t, e, o, q) {
-                if OUTGOING {
-                    t.mesh.flip(e, j);
-                } else {
-                    t.mesh.rewire_flip(e, j);
-                }
-                self.stack.push(e);
-                self.stack.push(o.next());
+        let verdicts = edges.map(|e| is_illegal(t, e, q));
+        let illegal = edges.into_iter().zip(verdicts).filter(|&(_, illegal)| illegal);
+        self.stack.extend(illegal.map(|(e, _)| e));
+        let mut waiting = self.stack.pop();
+        while let Some(e) = waiting {
+            let next = t.mesh.twin(e).next();
+            if OUTGOING {
+                t.mesh.flip(e, j);
+            } else {
+                t.mesh.rewire_flip(e, j);
             }
+            waiting = match (is_illegal(t, e, q), is_illegal(t, next, q)) {
+                (false, false) => self.stack.pop(),
+                (true, false) => Some(e),
+                (false, true) => Some(next),
+                (true, true) => {
+                    self.stack.push(e);
+                    Some(next)
+                }
+            };
         }
     }
 
@@ -76,6 +90,12 @@ impl Lawson {
         }
         flips
     }
+}
+
+/// Whether an edge opposite `q` in its face must be flipped.
+#[inline(always)]
+fn is_illegal(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
+    !t.mesh.is_marked(e) && conflicts(t, e, t.mesh.twin(e), q)
 }
 
 /// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included), whose apex is at `q`.
