@@ -114,7 +114,7 @@ impl HalfEdgeMesh {
     /// One half-edge of every boundary loop, lowest half-edge first.
     #[must_use]
     pub fn boundary_loops(&self) -> Vec<HalfEdgeId> {
-        let mut seen = vec![false; self.origin.len()];
+        let mut seen = vec![false; self.half_edges.len()];
         let mut firsts = Vec::new();
         for f in self.ghost_faces() {
             let Some(h) = self.ghost_edge(f).map(|g| self.twin(g)) else { continue };

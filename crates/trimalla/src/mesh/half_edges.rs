@@ -3,20 +3,31 @@
 use super::ids::{FaceId, HalfEdgeId, VertexId};
 use super::journal::{Column, Entry, Journal};
 
+/// What is stored of a half-edge; side by side, as whoever reads or writes one needs the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct HalfEdge {
+    pub(super) origin: VertexId,
+    pub(super) twin: HalfEdgeId,
+}
+
+impl HalfEdge {
+    /// In a dead slot.
+    const DEAD: Self = Self { origin: VertexId::DEAD, twin: HalfEdgeId::NONE };
+}
+
 /// Triangles as triples of half-edges, closed to a sphere by ghost faces.
 ///
 /// # Shape
-/// `origin` and `twin` have three entries a face slot, `outgoing` one a vertex slot. `mark` is empty
-/// until the first constraint and parallel to `origin` from then on. A dead slot holds one fixed
-/// value; free lists are last in, first out.
+/// `half_edges`, that is `origin` and `twin`, has three entries a face slot, `outgoing` one a vertex slot.
+/// `mark` is empty until the first constraint and parallel to `half_edges` from then on. A dead slot holds
+/// one fixed value; free lists are last in, first out.
 ///
 /// # Guarantees
 /// Equality compares every array, dead slots and free lists included: two equal meshes answer every
 /// later operator alike.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct HalfEdgeMesh {
-    pub(super) origin: Vec<VertexId>,
-    pub(super) twin: Vec<HalfEdgeId>,
+    pub(super) half_edges: Vec<HalfEdge>,
     pub(super) mark: Vec<u32>,
     /// Region a face lies in; empty until the first region, 0 for none.
     pub(super) region: Vec<u32>,
@@ -31,28 +42,28 @@ impl HalfEdgeMesh {
     #[must_use]
     #[inline]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        self.origin[h.index()]
+        self.half_edges[h.index()].origin
     }
 
     /// The vertex a half-edge ends at.
     #[must_use]
     #[inline]
     pub fn dest(&self, h: HalfEdgeId) -> VertexId {
-        self.origin[h.next().index()]
+        self.half_edges[h.next().index()].origin
     }
 
     /// The vertex opposite a half-edge in its face.
     #[must_use]
     #[inline]
     pub fn apex(&self, h: HalfEdgeId) -> VertexId {
-        self.origin[h.prev().index()]
+        self.half_edges[h.prev().index()].origin
     }
 
     /// The other side of a half-edge.
     #[must_use]
     #[inline]
     pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
-        self.twin[h.index()]
+        self.half_edges[h.index()].twin
     }
 
     /// The next outgoing half-edge counter-clockwise around the origin.
@@ -101,15 +112,22 @@ impl HalfEdgeMesh {
     #[must_use]
     #[inline]
     pub fn face_vertices(&self, f: FaceId) -> [VertexId; 3] {
+        self.face(f).map(|h| h.origin)
+    }
+
+    /// What is stored of a face's half-edges.
+    #[inline(always)]
+    pub(super) fn face(&self, f: FaceId) -> [HalfEdge; 3] {
         let k = f.index() * 3;
-        [self.origin[k], self.origin[k + 1], self.origin[k + 2]]
+        let stored = &self.half_edges[k..k + 3];
+        [stored[0], stored[1], stored[2]]
     }
 
     /// Whether a slot holds a face (a ghost included).
     #[must_use]
     #[inline]
     pub fn is_alive(&self, f: FaceId) -> bool {
-        self.origin.get(f.index() * 3).is_some_and(|&v| v != VertexId::DEAD)
+        self.half_edges.get(f.index() * 3).is_some_and(|h| h.origin != VertexId::DEAD)
     }
 
     /// Whether a face has the vertex at infinity.
@@ -144,7 +162,7 @@ impl HalfEdgeMesh {
     /// Number of face slots, dead and ghost ones included.
     #[must_use]
     pub fn face_slots(&self) -> usize {
-        self.origin.len() / 3
+        self.half_edges.len() / 3
     }
 
     /// Number of vertex slots, unused ones included.
@@ -189,7 +207,7 @@ impl HalfEdgeMesh {
 
     /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
     pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        (0..self.origin.len()).map(HalfEdgeId::from_index).filter(|&h| {
+        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| {
             if !self.is_alive(h.face()) || !self.origin(h).is_finite() || !self.dest(h).is_finite() {
                 return false;
             }
@@ -225,7 +243,8 @@ impl HalfEdgeMesh {
     /// # Complexity
     /// Linear.
     pub(crate) fn from_arrays(origin: Vec<VertexId>, twin: Vec<HalfEdgeId>, vertices: usize) -> Self {
-        let mut mesh = Self { origin, twin, ..Self::default() };
+        let half_edges = origin.into_iter().zip(twin).map(|(origin, twin)| HalfEdge { origin, twin }).collect();
+        let mut mesh = Self { half_edges, ..Self::default() };
         mesh.keep_half_edges(vertices);
         mesh
     }
@@ -234,8 +253,8 @@ impl HalfEdgeMesh {
     pub(crate) fn keep_half_edges(&mut self, vertices: usize) {
         self.outgoing.clear();
         self.outgoing.resize(vertices, HalfEdgeId::NONE);
-        for (i, &v) in self.origin.iter().enumerate() {
-            if let Some(slot) = self.outgoing.get_mut(v.index()) {
+        for (i, h) in self.half_edges.iter().enumerate() {
+            if let Some(slot) = self.outgoing.get_mut(h.origin.index()) {
                 *slot = HalfEdgeId::from_index(i);
             }
         }
@@ -243,7 +262,7 @@ impl HalfEdgeMesh {
 
     #[inline(always)]
     pub(super) fn set_origin<J: Journal>(&mut self, h: HalfEdgeId, v: VertexId, j: &mut J) {
-        let slot = &mut self.origin[h.index()];
+        let slot = &mut self.half_edges[h.index()].origin;
         if J::ACTIVE {
             j.note(Column::Origin, h.0, u64::from(slot.0));
         }
@@ -252,11 +271,42 @@ impl HalfEdgeMesh {
 
     #[inline(always)]
     pub(super) fn set_twin<J: Journal>(&mut self, h: HalfEdgeId, t: HalfEdgeId, j: &mut J) {
-        let slot = &mut self.twin[h.index()];
+        let slot = &mut self.half_edges[h.index()].twin;
         if J::ACTIVE {
             j.note(Column::Twin, h.0, u64::from(slot.0));
         }
         *slot = t;
+    }
+
+    /// Writes origin and twin of a half-edge.
+    #[inline(always)]
+    pub(super) fn set_half_edge<J: Journal>(&mut self, h: HalfEdgeId, new: HalfEdge, j: &mut J) {
+        let slot = &mut self.half_edges[h.index()];
+        if J::ACTIVE {
+            j.note(Column::Origin, h.0, u64::from(slot.origin.0));
+            j.note(Column::Twin, h.0, u64::from(slot.twin.0));
+        }
+        *slot = new;
+    }
+
+    /// Writes the three vertices of a face and the twins of its half-edges.
+    #[inline(always)]
+    pub(super) fn set_vertices_and_twins<J: Journal>(
+        &mut self,
+        f: FaceId,
+        v: [VertexId; 3],
+        twin: [HalfEdgeId; 3],
+        j: &mut J,
+    ) {
+        let k = f.index() * 3;
+        let stored = &mut self.half_edges[k..k + 3];
+        for (i, slot) in stored.iter_mut().enumerate() {
+            if J::ACTIVE {
+                j.note(Column::Origin, f.half_edges()[i].0, u64::from(slot.origin.0));
+                j.note(Column::Twin, f.half_edges()[i].0, u64::from(slot.twin.0));
+            }
+            *slot = HalfEdge { origin: v[i], twin: twin[i] };
+        }
     }
 
     /// Makes two half-edges each other's twin.
@@ -284,7 +334,7 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            self.mark = vec![0; self.origin.len()];
+            self.mark = vec![0; self.half_edges.len()];
             if J::ACTIVE {
                 j.note(Column::MarksAdded, 0, 0);
             }
@@ -350,8 +400,7 @@ impl HalfEdgeMesh {
             return f;
         }
         let f = FaceId::from_index(self.face_slots());
-        self.origin.extend([VertexId::DEAD; 3]);
-        self.twin.extend([HalfEdgeId::NONE; 3]);
+        self.half_edges.extend([HalfEdge::DEAD; 3]);
         if !self.mark.is_empty() {
             self.mark.extend([0; 3]);
         }
@@ -416,8 +465,7 @@ impl HalfEdgeMesh {
 
     /// Room for that many more faces.
     pub(crate) fn reserve_faces(&mut self, faces: usize) {
-        self.origin.reserve(3 * faces);
-        self.twin.reserve(3 * faces);
+        self.half_edges.reserve(3 * faces);
     }
 
     /// Puts back one overwritten entry; says whether the column is one of the mesh's.
@@ -426,16 +474,15 @@ impl HalfEdgeMesh {
         #[allow(clippy::cast_possible_truncation, reason = "these columns were widened from u32")]
         let old = entry.old as u32;
         match entry.column {
-            Column::Origin => self.origin[i] = VertexId(old),
-            Column::Twin => self.twin[i] = HalfEdgeId(old),
+            Column::Origin => self.half_edges[i].origin = VertexId(old),
+            Column::Twin => self.half_edges[i].twin = HalfEdgeId(old),
             Column::Mark => self.mark[i] = old,
             Column::MarksAdded => self.mark.clear(),
             Column::Region => self.region[i] = old,
             Column::RegionsAdded => self.region.clear(),
             Column::Outgoing => self.outgoing[i] = HalfEdgeId(old),
             Column::FaceAppended => {
-                self.origin.truncate(3 * i);
-                self.twin.truncate(3 * i);
+                self.half_edges.truncate(3 * i);
                 self.mark.truncate(if self.mark.is_empty() { 0 } else { 3 * i });
                 self.region.truncate(i);
             }
@@ -456,9 +503,9 @@ impl HalfEdgeMesh {
             outgoing[new[v].index()] = h;
         }
         self.outgoing = outgoing;
-        for v in &mut self.origin {
-            if let Some(&n) = new.get(v.index()) {
-                *v = n;
+        for h in &mut self.half_edges {
+            if let Some(&n) = new.get(h.origin.index()) {
+                h.origin = n;
             }
         }
     }

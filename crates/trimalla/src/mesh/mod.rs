@@ -12,7 +12,7 @@
 //!                         apex(h)
 //! ```
 //!
-//! * [`HalfEdgeMesh`] holds two flat arrays, `origin` and `twin`, and one half-edge a vertex;
+//! * [`HalfEdgeMesh`] holds one flat array of pairs `origin`, `twin`, and one half-edge a vertex;
 //! * `operators` rewire it, each with its drawing;
 //! * [`Journal`] notes what an operator overwrites, so that it can be taken back exactly;
 //! * circulators ([`HalfEdgeMesh::star`], …) walk a neighbourhood;

@@ -39,13 +39,12 @@ impl HalfEdgeMesh {
     pub(crate) fn rewire_flip<J: Journal>(&mut self, e: HalfEdgeId, j: &mut J) -> HalfEdgeId {
         let o = self.twin(e);
         let (p, r) = (e.prev(), o.prev());
-        let (q, d) = (self.origin(p), self.origin(r));
-        let (outer_r, outer_p) = (self.twin(r), self.twin(p));
-        self.set_origin(e, d, j);
-        self.set_origin(o, q, j);
-        self.glue(e, outer_r, j);
-        self.glue(o, outer_p, j);
+        let (at_p, at_r) = (self.half_edges[p.index()], self.half_edges[r.index()]);
+        self.set_twin(at_p.twin, o, j);
+        self.set_twin(at_r.twin, e, j);
         self.glue(p, r, j);
+        self.set_half_edge(o, at_p, j);
+        self.set_half_edge(e, at_r, j);
         if !self.mark.is_empty() {
             let (mark_r, mark_p) = (self.mark[r.index()], self.mark[p.index()]);
             self.set_mark_one_side(e, mark_r, j);

@@ -29,19 +29,15 @@ impl HalfEdgeMesh {
     /// [`split_face`](Self::split_face) without the vertices' half-edges.
     #[inline(always)]
     pub(crate) fn rewire_split_face<J: Journal>(&mut self, f: FaceId, q: VertexId, j: &mut J) -> [FaceId; 3] {
-        let [h0, h1, h2] = f.half_edges();
-        let [a, b, c] = self.face_vertices(f);
-        let (twin_bc, twin_ca) = (self.twin(h1), self.twin(h2));
+        let [_, h1, h2] = f.half_edges();
+        let [at_a, at_b, at_c] = self.face(f);
         let (s, t) = (self.take_face(j), self.take_face(j));
         let ([s0, s1, s2], [t0, t1, t2]) = (s.half_edges(), t.half_edges());
-        self.set_origin(h2, q, j);
-        self.set_face(s, [b, c, q], j);
-        self.set_face(t, [c, a, q], j);
-        self.glue(s0, twin_bc, j);
-        self.glue(t0, twin_ca, j);
-        self.glue(h1, s2, j);
-        self.glue(s1, t2, j);
-        self.glue(t1, h2, j);
+        self.set_twin(at_b.twin, s0, j);
+        self.set_twin(at_c.twin, t0, j);
+        self.set_vertices_and_twins(s, [at_b.origin, at_c.origin, q], [at_b.twin, t2, h1], j);
+        self.set_vertices_and_twins(t, [at_c.origin, at_a.origin, q], [at_c.twin, h2, s1], j);
+        self.set_vertices_and_twins(f, [at_a.origin, at_b.origin, q], [at_a.twin, s2, t1], j);
         if !self.mark.is_empty() {
             let (mark_bc, mark_ca) = (self.mark[h1.index()], self.mark[h2.index()]);
             self.set_mark_one_side(s0, mark_bc, j);
@@ -52,7 +48,6 @@ impl HalfEdgeMesh {
         let region = self.region(f);
         self.set_region(s, region, j);
         self.set_region(t, region, j);
-        debug_assert_eq!(self.origin(h0), a, "the first half-edge keeps its origin");
         [f, s, t]
     }
 
