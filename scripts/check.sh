@@ -24,4 +24,4 @@ cargo test --locked --workspace
 step "examples"
 cargo run --quiet --locked -p trimalla --example five_points
 cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1
-cargo run --quiet --locked -p trimalla --example own_strategy | tail -n 1
+cargo run --quiet --locked -p trimalla-compare --example own_strategy | tail -n 1

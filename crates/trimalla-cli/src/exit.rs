@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use trimalla::refine::OptionError;
+use trimalla_compare::CompareError;
 use trimalla_io::IoError;
 
 use crate::console;
@@ -95,6 +96,21 @@ impl Failure {
 impl From<OptionError> for Failure {
     fn from(error: OptionError) -> Self {
         Self::wrong_use(error.to_string())
+    }
+}
+
+impl From<CompareError> for Failure {
+    fn from(error: CompareError) -> Self {
+        let message = error.to_string();
+        match error {
+            CompareError::Io(error) => error.into(),
+            CompareError::Journal { .. } => Self::new(Status::Unwritable, message),
+            CompareError::NotAJournal { .. } => Self::bad_input(message)
+                .hint("a journal is written by 'trimalla compare'; give --resume another name, or delete the file"),
+            CompareError::Option { source, .. } => source.into(),
+            CompareError::Interrupted => Self::new(Status::Interrupted, message),
+            _ => Self::bad_input(message),
+        }
     }
 }
 

@@ -4,7 +4,6 @@
 //! |---|---|
 //! | [`args`] | what the command line may say |
 //! | [`commands`] | one file a subcommand |
-//! | [`experiment`] | the tables of `compare` |
 //! | [`input`] | drawings and meshes with the names that their files give to things |
 //! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
 //! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
@@ -18,7 +17,6 @@ mod args;
 mod commands;
 mod console;
 mod exit;
-mod experiment;
 mod foresight;
 mod frames;
 mod input;

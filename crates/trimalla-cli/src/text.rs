@@ -7,6 +7,7 @@ use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
 use trimalla::refine::{Leftover, Reason, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
+use trimalla_compare::facts;
 
 use crate::console::{self, count};
 use crate::input::Input;
@@ -36,18 +37,6 @@ impl Lines {
 /// What was read, in one line.
 pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
     format!("{}: {}", drawing.name(), facts(&drawing.value))
-}
-
-/// The counts of a drawing.
-pub(crate) fn facts(pslg: &Pslg) -> String {
-    let parts = [
-        (pslg.points.len(), "vertex"),
-        (pslg.segments.len(), "segment"),
-        (pslg.holes.len(), "hole"),
-        (pslg.regions.len(), "region"),
-    ];
-    let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
-    parts.join(", ")
 }
 
 /// The size of a mesh, of whose vertices so many are not new.

@@ -33,7 +33,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla", &[]),
     ("trimalla-io", &["trimalla"]),
     ("trimalla-testkit", &["trimalla"]),
-    ("trimalla-cli", &["trimalla", "trimalla-io"]),
+    ("trimalla-compare", &["trimalla", "trimalla-io"]),
+    ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare"]),
 ];
 
 /// Tests of any crate may lean on these, whatever they lean on themselves.

@@ -7,23 +7,25 @@ use std::thread;
 
 use clap::Args;
 use clap::builder::PossibleValue;
+use indicatif::{ProgressBar, ProgressStyle};
 use trimalla::DomainOptions;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::DomainRule;
+use trimalla::domain::{DomainRule, Pslg};
 use trimalla::refine::Preset;
-use trimalla_io::Format;
+use trimalla_compare::{
+    Baseline, Contender, Experiment, Journal, Sheet, Task, Times, Watch, angles, figures, markdown, records,
+};
+use trimalla_io::{Format, recipe};
 
 use crate::args::{CROSSINGS, one_of};
-use crate::console;
+use crate::console::{self, shown};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::experiment::baseline::Baseline;
-use crate::experiment::journal::Journal;
-use crate::experiment::plan::{self, Plan};
-use crate::experiment::sheet::{self, Sheet};
-use crate::experiment::{figures, markdown, records, runs};
+use crate::input::{Input, read_drawing};
+use crate::names::Names;
 use crate::outputs::Outputs;
 use crate::progress;
+use crate::recipe_file::{named, title};
 
 const HELP: &str = "\
 Examples:
@@ -121,6 +123,10 @@ pub(crate) struct Options {
     #[arg(long, help_heading = "Output")]
     no_times: bool,
 
+    /// Take the time of each step, too, for CSV and JSON; runs are about a tenth slower then
+    #[arg(long, help_heading = "Output", conflicts_with = "no_times")]
+    step_times: bool,
+
     /// Keep outcomes in this journal, and skip what it knows
     ///
     /// Without it a journal is kept beside the first output file, with '.journal' after its name, until all is done.
@@ -138,7 +144,7 @@ struct AngleList(Vec<f64>);
 
 impl AngleList {
     fn parse(text: &str) -> Result<Self, String> {
-        plan::angles(text).map(Self)
+        angles(text).map(Self)
     }
 }
 
@@ -162,20 +168,44 @@ impl Options {
         presets
     }
 
-    fn plan(&self) -> Result<Plan, Failure> {
+    /// The experiment, and the files that it was read from.
+    fn experiment(&self) -> Result<(Experiment, Vec<PathBuf>), Failure> {
         if self.time_limit.is_nan() || self.time_limit <= 0.0 {
             let message = format!("the time limit must be a positive number of seconds, not {}", self.time_limit);
             return Err(Failure::wrong_use(message));
         }
-        let domain = DomainOptions { rule: self.domain, crossings: self.crossings, algorithm: AlgorithmKey::default() };
-        Ok(Plan {
-            contenders: plan::contenders(&self.presets(), &self.recipes)?,
-            drawings: plan::drawings(&self.inputs, &domain),
-            angles: self.angles.0.clone(),
-            max_vertices: self.max_vertices,
-            time_limit: self.time_limit,
-            domain,
-        })
+        let mut experiment = Experiment::new(self.angles.0.clone());
+        experiment.domain =
+            DomainOptions { rule: self.domain, crossings: self.crossings, algorithm: AlgorithmKey::default() };
+        (experiment.max_vertices, experiment.time_limit) = (self.max_vertices, self.time_limit);
+        experiment.times = match (self.no_times, self.step_times) {
+            (true, _) => Times::Hidden,
+            (false, true) => Times::BySteps,
+            (false, false) => Times::Total,
+        };
+        self.add_contenders(&mut experiment)?;
+        let mut files = Vec::new();
+        for path in &self.inputs {
+            match add_drawing(&mut experiment, path) {
+                Ok(read) => files.extend(read),
+                Err(failure) => experiment.add_drawing_at_fault(shown(path), &stem(path), failure.into_messages()),
+            }
+        }
+        Ok((experiment, files))
+    }
+
+    /// The presets and recipe files to compare; all presets where none is named.
+    fn add_contenders(&self, experiment: &mut Experiment) -> Result<(), Failure> {
+        let presets = self.presets();
+        let all = if presets.is_empty() && self.recipes.is_empty() { Preset::ALL } else { &presets };
+        for &preset in all {
+            experiment.add_contender(Contender::of(preset))?;
+        }
+        for path in &self.recipes {
+            let file = named(recipe::read_file(path)?, path);
+            experiment.add_contender(Contender::of_recipe(title(&file), file))?;
+        }
+        Ok(())
     }
 
     /// Where tables go: where they were asked, or to standard output if nothing was.
@@ -183,29 +213,38 @@ impl Options {
         let nothing_else = self.csv.is_none() && self.json.is_none() && self.svg.is_none();
         let markdown = self.markdown.as_deref().or(nothing_else.then_some(Path::new("-")));
         match markdown.filter(|path| Format::from_path(path).is_some()) {
-            Some(path) => Err(Failure::wrong_use(format!("{} is no name for tables", console::shown(path)))
+            Some(path) => Err(Failure::wrong_use(format!("{} is no name for tables", shown(path)))
                 .hint("name the drawings before --markdown: what stands after it is the file of the tables")),
             None => Ok(markdown),
         }
     }
 
-    /// The files that come of it, in the order of [`Self::texts`].
-    fn targets(&self, plan: &Plan) -> Result<Vec<PathBuf>, Failure> {
+    /// The files that come of it, in the order of [`Self::texts`]; the folder of plots is made where there is none.
+    fn targets(&self, experiment: &Experiment) -> Result<Vec<PathBuf>, Failure> {
         let single = [self.csv.as_deref(), self.markdown()?, self.json.as_deref()];
         let mut targets: Vec<PathBuf> = single.into_iter().flatten().map(Path::to_owned).collect();
-        if let Some(svg) = &self.svg {
-            targets.extend(figures::files(svg, plan, self.no_times)?);
+        match self.svg.as_deref() {
+            Some(svg) if is_one_file(svg) => targets.push(svg.to_owned()),
+            Some(folder) => {
+                fs::create_dir_all(folder).map_err(|error| {
+                    Failure::new(Status::Unwritable, format!("cannot make the folder {}: {error}", shown(folder)))
+                })?;
+                targets.extend(figures::file_names(experiment).into_iter().map(|name| folder.join(name)));
+            }
+            None => {}
         }
         Ok(targets)
     }
 
-    fn texts(&self, plan: &Plan, sheets: &[Sheet<'_>]) -> Result<Vec<String>, Failure> {
+    fn texts(&self, experiment: &Experiment, sheets: &[Sheet<'_>]) -> Result<Vec<String>, Failure> {
         let mut texts = Vec::new();
-        texts.extend(self.csv.as_ref().map(|_| records::csv(sheets, self.no_times)));
-        texts.extend(self.markdown()?.map(|_| markdown::text(plan, sheets, self.no_times)));
-        texts.extend(self.json.as_ref().map(|_| records::json(plan, sheets, self.no_times)));
-        if let Some(svg) = &self.svg {
-            texts.extend(figures::texts(svg, sheets, self.no_times));
+        texts.extend(self.csv.as_ref().map(|_| records::csv(experiment, sheets)));
+        texts.extend(self.markdown()?.map(|_| markdown::text(experiment, sheets)));
+        texts.extend(self.json.as_ref().map(|_| records::json(experiment, sheets)));
+        match self.svg.as_deref() {
+            Some(svg) if is_one_file(svg) => texts.push(figures::all_in_one(experiment, sheets)),
+            Some(_) => texts.extend(figures::each(experiment, sheets)),
+            None => {}
         }
         Ok(texts)
     }
@@ -218,36 +257,34 @@ impl Options {
             Some(PathBuf::from(name))
         };
         let path = self.resume.clone().or_else(beside);
-        path.map(|path| Journal::open(&path)).transpose()
+        Ok(path.map(|path| Journal::open(&path)).transpose()?)
     }
 }
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let baseline = options.baseline.as_deref().map(Baseline::read).transpose()?;
-    let plan = options.plan()?;
-    report_faults(&plan)?;
+    let (experiment, mut spared) = options.experiment()?;
+    report_faults(&experiment)?;
     progress::handle_ctrl_c();
-    let inputs = plan.drawings.iter().filter_map(|drawing| drawing.read.as_ref().ok()).flat_map(|good| &good.files);
-    let named = options.recipes.iter().chain(&options.baseline).chain(&options.resume);
-    let spared: Vec<PathBuf> = inputs.chain(named).cloned().collect();
-    let outputs = Outputs::plan_texts(&options.targets(&plan)?, &spared)?;
+    spared.extend(options.recipes.iter().chain(&options.baseline).chain(&options.resume).cloned());
+    let outputs = Outputs::plan_texts(&options.targets(&experiment)?, &spared)?;
     let mut journal = options.journal(&outputs)?;
     if let (Some(baseline), false) = (&baseline, options.quiet) {
-        warn_of_strangers(baseline, &plan);
+        warn_of_strangers(baseline, &experiment);
     }
     progress::be_patient();
     let jobs = options.jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-    let outcomes = runs::run_all(&plan, jobs, journal.as_mut(), !options.quiet).map_err(|failure| {
-        let hint =
-            |j: &Journal| format!("what is done is kept in {}; the same command goes on", console::shown(j.path()));
-        match &journal {
-            Some(journal) => failure.hint(hint(journal)),
-            None => failure,
+    let ran = experiment.run(jobs, journal.as_mut(), &Bar::new(!options.quiet)).map_err(Failure::from);
+    let outcomes = ran.map_err(|failure| match &journal {
+        Some(journal) => {
+            let kept = shown(journal.path());
+            failure.hint(format!("what is done is kept in {kept}; the same command goes on"))
         }
+        None => failure,
     })?;
-    let sheets = sheet::sheets(&plan, &outcomes, baseline.as_ref());
-    let prepared = outputs.prepare_texts(&options.texts(&plan, &sheets)?)?;
+    let sheets = experiment.sheets(&outcomes, baseline.as_ref());
+    let prepared = outputs.prepare_texts(&options.texts(&experiment, &sheets)?)?;
     progress::begin_writing()?;
     prepared.commit()?;
     if let (Some(journal), None) = (journal, &options.resume) {
@@ -256,21 +293,76 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
+/// Reads a drawing and adds it; the files that it was read from.
+fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let drawing: Input<Pslg> = read_drawing(path)?;
+    let names = Names::of(&drawing);
+    trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
+    experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;
+    Ok(drawing.files)
+}
+
+/// What headings and files call a drawing.
+fn stem(path: &Path) -> String {
+    let stem = path.file_stem().map_or_else(String::new, |stem| shown(Path::new(stem)));
+    if stem == "-" { "stdin".to_owned() } else { stem }
+}
+
+/// Whether a path stands for one file with all charts; else it is a folder with a file for each.
+fn is_one_file(path: &Path) -> bool {
+    path == Path::new("-") || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
+}
+
 /// Says what is wrong with drawings; that is the end only if none is right.
-fn report_faults(plan: &Plan) -> Result<(), Failure> {
-    let faults = || plan.drawings.iter().filter_map(|drawing| drawing.read.as_ref().err());
-    if faults().count() == plan.drawings.len() {
-        return Err(Failure::of_many(Status::BadInput, faults().flatten().cloned().collect()));
+fn report_faults(experiment: &Experiment) -> Result<(), Failure> {
+    let faults = || experiment.drawings().iter().flat_map(|drawing| drawing.faults());
+    if experiment.drawings().iter().all(|drawing| !drawing.is_good()) {
+        return Err(Failure::of_many(Status::BadInput, faults().cloned().collect()));
     }
-    faults().flatten().for_each(|message| console::note("error", message));
+    faults().for_each(|message| console::note("error", message));
     Ok(())
 }
 
-fn warn_of_strangers(baseline: &Baseline, plan: &Plan) {
+fn warn_of_strangers(baseline: &Baseline, experiment: &Experiment) {
     let known = baseline.meshes();
     let is_known = |title: &str| known.iter().any(|mesh| mesh.eq_ignore_ascii_case(title));
-    for drawing in plan.drawings.iter().filter(|drawing| drawing.read.is_ok() && !is_known(&drawing.title)) {
+    for drawing in experiment.drawings().iter().filter(|drawing| drawing.is_good() && !is_known(&drawing.title)) {
         let message = format!("the published tables have no mesh '{}'; theirs are {}", drawing.title, known.join(", "));
         console::note("warning", &message);
+    }
+}
+
+/// How far an experiment has come: a bar on standard error, if that is a terminal and the bar is wanted; ended by Ctrl-C.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn new(is_shown: bool) -> Self {
+        if !is_shown {
+            return Self(ProgressBar::hidden());
+        }
+        let style = ProgressStyle::with_template("{bar:30} {pos} of {len} runs, {eta} to go  {wide_msg}");
+        Self(ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+    }
+}
+
+impl Watch for Bar {
+    fn begins(&self, runs: usize, known: usize) {
+        self.0.set_length(runs as u64);
+        self.0.set_position(known as u64);
+    }
+
+    fn ran(&self, task: &Task<'_>) {
+        self.0.inc(1);
+        self.0.set_message(format!("{}, {}, {}°", task.drawing.title, task.contender.label(), task.angle_deg));
+    }
+
+    fn is_cancelled(&self) -> bool {
+        progress::is_interrupted()
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
     }
 }

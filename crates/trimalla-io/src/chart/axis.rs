@@ -17,7 +17,7 @@ impl Axis {
     /// An axis that begins and ends at the values' ends.
     pub(super) fn exact(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = range(values);
-        let ticks = multiples(low, high, nice_step((high - low) / 20.0));
+        let ticks = multiples(low, high, nice_step((high - low) / 17.0));
         Self { low, high, is_log: false, ticks }
     }
 

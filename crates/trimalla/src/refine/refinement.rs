@@ -13,9 +13,8 @@ use super::recipe::Initial;
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::split_segments::Encroached;
-use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, View};
+use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
-use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::geometry::Triangle;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -130,6 +129,20 @@ impl Refinement {
     /// # Errors
     /// [`OptionError`].
     pub fn timed(cdt: ConstrainedDelaunay, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
+        Self::of_steps(cdt, options, Steps::of(&options), clock)
+    }
+
+    /// [`timed`](Self::timed) with steps of the caller's own in the place of the recipe's.
+    ///
+    /// # Errors
+    /// [`OptionError`].
+    pub fn of_steps(
+        cdt: ConstrainedDelaunay,
+        options: RefineOptions,
+        steps: Steps,
+        clock: Option<Clock>,
+    ) -> Result<Self, OptionError> {
+        let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
         let ruler = Ruler::for_box(cdt.bounding_box());
         let (floor, floor_reason) = length_floor(&cdt, &options, ruler);
@@ -137,11 +150,11 @@ impl Refinement {
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let recipe = options.recipe;
         let mut refinement = Self {
-            prepare: s1_prepare::step(&recipe, region),
-            select: s2_select::step(&recipe),
-            point: s3_point::step(&recipe, options.criteria.effective_min_angle().radians()),
-            insert: s4_insert::step(&recipe),
-            recover: s5_recover::step(&recipe),
+            prepare,
+            select,
+            point,
+            insert,
+            recover,
             region,
             ruler,
             test: Test::new(&options.criteria),
@@ -220,7 +233,7 @@ impl Refinement {
         self
     }
 
-    /// The same with a step 3 of the caller's own: `examples/own_strategy.rs` shows one.
+    /// The same with a step 3 of the caller's own; [`Steps`] shows one.
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
         self.point = Arc::new(point);

@@ -1,13 +1,76 @@
 //! The five steps as traits.
 //!
-//! A new strategy is one file that implements one of these, and one row in `recipe.rs`.
+//! A new strategy is one file that implements one of these, and one row in `recipe.rs`; one from outside the library goes into
+//! [`Steps`].
 
-use super::options::Criteria;
+use std::fmt;
+use std::sync::Arc;
+
+use super::encroachment::Region;
+use super::options::{Criteria, RefineOptions};
 use super::ruler::Ruler;
+use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
+
+/// The five steps of a refinement.
+///
+/// # Examples
+/// ```
+/// use std::sync::Arc;
+/// use trimalla::geometry::Triangle;
+/// use trimalla::mesh::FaceId;
+/// use trimalla::refine::RefineOptions;
+/// use trimalla::refine::steps::{PointStep, Proposal, Steps, View};
+///
+/// /// The middle of the triangle.
+/// struct Barycenter;
+///
+/// impl PointStep for Barycenter {
+///     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+///         let [a, b, c] = view.cdt.corners(face);
+///         places.extend(Proposal::towards(view, face, Triangle::new(a, b, c).centroid()));
+///     }
+/// }
+///
+/// let steps = Steps { point: Arc::new(Barycenter), ..Steps::of(&RefineOptions::default()) };
+/// ```
+#[derive(Clone)]
+pub struct Steps {
+    /// Step 1.
+    pub prepare: Arc<dyn PrepareStep + Send + Sync>,
+    /// Step 2.
+    pub select: Arc<dyn SelectStep + Send + Sync>,
+    /// Step 3.
+    pub point: Arc<dyn PointStep + Send + Sync>,
+    /// Step 4.
+    pub insert: Arc<dyn InsertStep + Send + Sync>,
+    /// Step 5.
+    pub recover: Arc<dyn RecoverStep + Send + Sync>,
+}
+
+impl Steps {
+    /// Those of the recipe.
+    #[must_use]
+    pub fn of(options: &RefineOptions) -> Self {
+        let recipe = &options.recipe;
+        Self {
+            prepare: s1_prepare::step(recipe, Region::new(recipe.encroachment, &options.criteria)),
+            select: s2_select::step(recipe),
+            point: s3_point::step(recipe, options.criteria.effective_min_angle().radians()),
+            insert: s4_insert::step(recipe),
+            recover: s5_recover::step(recipe),
+        }
+    }
+}
+
+impl fmt::Debug for Steps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Steps").finish_non_exhaustive()
+    }
+}
 
 /// What a step may look at.
 #[derive(Clone, Copy, Debug)]

@@ -2,24 +2,27 @@
 
 use serde_json::{Map, Value, json};
 
-use super::plan::Plan;
-use super::sheet::{Cell, Quantity, Sheet};
+use crate::experiment::Experiment;
+use crate::sheet::{Cell, Column, Quantity, Sheet, Times};
 
 /// A header, and a row each run; the counts of runs without a result are empty, and published rows stand below ours.
-pub(crate) fn csv(sheets: &[Sheet<'_>], no_times: bool) -> String {
+#[must_use]
+pub fn csv(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
     let mut text = String::from(
         "input,recipe,angle_deg,result,vertices,triangles,steiner_points,min_angle_deg,max_angle_deg,below_bound",
     );
-    text += if no_times { "\n" } else { ",seconds\n" };
+    let times = experiment.times;
+    text += times_header(times);
+    text.push('\n');
     for sheet in sheets {
         if let Err(messages) = sheet.read {
-            let commas = if no_times { 6 } else { 7 };
+            let commas = 6 + times_header(times).matches(',').count();
             let error = format!("error: {}", messages.join("; "));
             text += &format!("{},,,{}{}\n", field(sheet.name), field(&error), ",".repeat(commas));
         }
         for column in &sheet.columns {
             for (cell, angle) in column.cells.iter().zip(sheet.angles) {
-                let Some(end) = csv_end(cell, no_times) else { continue };
+                let Some(end) = csv_end(cell, times) else { continue };
                 text += &format!("{},{},{angle},{end}\n", field(sheet.name), field(&column.label));
             }
         }
@@ -28,7 +31,7 @@ pub(crate) fn csv(sheets: &[Sheet<'_>], no_times: bool) -> String {
 }
 
 /// The fields of a row from its result on.
-fn csv_end(cell: &Cell, no_times: bool) -> Option<String> {
+fn csv_end(cell: &Cell, times: Times) -> Option<String> {
     let count = |q: Quantity| cell.value(q).map_or_else(String::new, |v| format!("{v}"));
     let [vertices, triangles] = [count(Quantity::Vertices), count(Quantity::Triangles)];
     let mut row = match cell {
@@ -47,12 +50,30 @@ fn csv_end(cell: &Cell, no_times: bool) -> Option<String> {
         ),
         Cell::Ours(run) => format!("{},,,,,,", run.end),
     };
-    if !no_times {
-        let is_ours = matches!(cell, Cell::Ours(_));
-        let seconds = if let Cell::Ours(run) = cell { run.seconds } else { 0.0 };
-        row += &if is_ours { format!(",{seconds:.6}") } else { ",".to_owned() };
-    }
+    row += &csv_times(cell, times);
     Some(row)
+}
+
+/// The names of the last fields.
+fn times_header(times: Times) -> &'static str {
+    match times {
+        Times::Hidden => "",
+        Times::Total => ",seconds",
+        Times::BySteps => {
+            ",seconds,prepare_seconds,select_seconds,point_seconds,insert_seconds,recover_seconds,rest_seconds"
+        }
+    }
+}
+
+fn csv_times(cell: &Cell, times: Times) -> String {
+    match cell {
+        Cell::Ours(run) if times != Times::Hidden => {
+            let steps = run.step_times.filter(|_| times == Times::BySteps);
+            let steps = steps.map(|steps| steps.by_name().map(|(_, seconds)| format!(",{seconds:.6}")).concat());
+            format!(",{:.6}{}", run.seconds, steps.unwrap_or_default())
+        }
+        _ => ",".repeat(times_header(times).matches(',').count()),
+    }
 }
 
 fn field(text: &str) -> String {
@@ -61,24 +82,24 @@ fn field(text: &str) -> String {
 }
 
 /// One object: the limits, and each input with its runs in order.
-pub(crate) fn json(plan: &Plan, sheets: &[Sheet<'_>], no_times: bool) -> String {
-    let inputs: Vec<Value> = sheets.iter().map(|sheet| of_sheet(sheet, no_times)).collect();
+#[must_use]
+pub fn json(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
+    let inputs: Vec<Value> = sheets.iter().map(|sheet| of_sheet(sheet, experiment.times)).collect();
     let object = json!({
-        "max_vertices": plan.max_vertices,
-        "time_limit": plan.time_limit,
-        "angles": plan.angles,
+        "max_vertices": experiment.max_vertices,
+        "time_limit": experiment.time_limit,
+        "angles": experiment.angles(),
         "inputs": inputs,
     });
     format!("{object}\n")
 }
 
-fn of_sheet(sheet: &Sheet<'_>, no_times: bool) -> Value {
+fn of_sheet(sheet: &Sheet<'_>, times: Times) -> Value {
     match sheet.read {
         Err(messages) => json!({ "input": sheet.name, "errors": messages }),
         Ok(_) => {
-            let column = |column: &super::sheet::Column| {
-                let runs =
-                    column.cells.iter().zip(sheet.angles).filter_map(|(cell, angle)| run(cell, *angle, no_times));
+            let column = |column: &Column| {
+                let runs = column.cells.iter().zip(sheet.angles).filter_map(|(cell, angle)| run(cell, *angle, times));
                 json!({ "recipe": column.label, "published": column.is_published, "runs": runs.collect::<Vec<_>>() })
             };
             json!({ "input": sheet.name, "recipes": sheet.columns.iter().map(column).collect::<Vec<_>>() })
@@ -86,7 +107,7 @@ fn of_sheet(sheet: &Sheet<'_>, no_times: bool) -> Value {
     }
 }
 
-fn run(cell: &Cell, angle: f64, no_times: bool) -> Option<Value> {
+fn run(cell: &Cell, angle: f64, times: Times) -> Option<Value> {
     let mut object: Map<String, Value> = match cell {
         Cell::Absent => return None,
         Cell::Ours(run) => run.to_json().as_object().cloned().unwrap_or_default(),
@@ -99,8 +120,11 @@ fn run(cell: &Cell, angle: f64, no_times: bool) -> Option<Value> {
         }
     };
     object.insert("angle".to_owned(), json!(angle));
-    if no_times {
+    if times == Times::Hidden {
         object.remove("seconds");
+    }
+    if times != Times::BySteps {
+        object.remove("step_seconds");
     }
     Some(Value::Object(object))
 }

@@ -11,14 +11,14 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::outcome::Outcome;
-use super::plan::Task;
-use crate::console::shown;
-use crate::exit::{Failure, Status};
+use crate::error::CompareError;
+use crate::experiment::Task;
+use crate::outcome::Outcome;
+use crate::sheet::Times;
 
 /// A journal that is open for more.
 #[derive(Debug)]
-pub(crate) struct Journal {
+pub struct Journal {
     path: PathBuf,
     file: File,
     known: BTreeMap<String, Outcome>,
@@ -26,10 +26,11 @@ pub(crate) struct Journal {
 
 impl Journal {
     /// Opens a journal and reads what is in it; it need not exist.
-    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
-        let fail = |error: std::io::Error| {
-            Failure::new(Status::Unwritable, format!("cannot write the journal {}: {error}", shown(path)))
-        };
+    ///
+    /// # Errors
+    /// [`CompareError::Journal`] and [`CompareError::NotAJournal`].
+    pub fn open(path: &Path) -> Result<Self, CompareError> {
+        let fail = |source: std::io::Error| CompareError::Journal { path: path.to_owned(), source };
         if path.is_dir() {
             return Err(fail(ErrorKind::IsADirectory.into()));
         }
@@ -47,32 +48,33 @@ impl Journal {
 
     /// What came of a run, if it is known.
     pub(crate) fn find(&self, task: &Task<'_>) -> Option<Outcome> {
-        self.known.get(&task.digest()).cloned()
+        let known = self.known.get(&task.digest());
+        known.filter(|outcome| outcome.step_times.is_some() || task.experiment.times != Times::BySteps).cloned()
     }
 
     /// Adds what came of a run.
-    pub(crate) fn add(&mut self, task: &Task<'_>, outcome: &Outcome) -> Result<(), Failure> {
+    pub(crate) fn add(&mut self, task: &Task<'_>, outcome: &Outcome) -> Result<(), CompareError> {
         let mut line = json!({
             "run": task.digest(),
             "input": task.drawing.name,
-            "recipe": task.contender.label,
+            "recipe": task.contender.label(),
             "angle": task.angle_deg,
         });
         if let (Value::Object(line), Value::Object(outcome)) = (&mut line, outcome.to_json()) {
             line.extend(outcome);
         }
         let written = self.file.write_all(format!("{line}\n").as_bytes());
-        written.map_err(|error| {
-            Failure::new(Status::Unwritable, format!("cannot write the journal {}: {error}", shown(&self.path)))
-        })
+        written.map_err(|source| CompareError::Journal { path: self.path.clone(), source })
     }
 
-    pub(crate) fn path(&self) -> &Path {
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
         &self.path
     }
 }
 
-fn outcomes(bytes: &[u8], path: &Path) -> Result<BTreeMap<String, Outcome>, Failure> {
+fn outcomes(bytes: &[u8], path: &Path) -> Result<BTreeMap<String, Outcome>, CompareError> {
     let mut known = BTreeMap::new();
     for (i, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
         let value: Option<Value> = serde_json::from_slice(line).ok();
@@ -83,7 +85,6 @@ fn outcomes(bytes: &[u8], path: &Path) -> Result<BTreeMap<String, Outcome>, Fail
     Ok(known)
 }
 
-fn foreign(path: &Path, line: usize) -> Failure {
-    Failure::bad_input(format!("{}:{line}: expected the outcome of a run", shown(path)))
-        .hint("a journal is written by 'trimalla compare'; give --resume another name, or delete the file")
+fn foreign(path: &Path, line: usize) -> CompareError {
+    CompareError::NotAJournal { path: path.to_owned(), line }
 }

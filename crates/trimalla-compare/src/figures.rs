@@ -1,42 +1,33 @@
-//! Sheets as charts: a quantity against the angle, a curve each recipe.
-
-use std::fs;
-use std::path::{Path, PathBuf};
+//! Sheets as charts: a quantity against the angle, a curve each contender.
 
 use trimalla_io::chart::{Chart, Curve, draw};
 
-use super::plan::Plan;
-use super::sheet::{Cell, Column, Quantity, Sheet};
-use crate::console::shown;
-use crate::exit::{Failure, Status};
+use crate::experiment::Experiment;
+use crate::sheet::{Cell, Column, Quantity, Sheet, Times};
 
-/// Whether a path stands for one file with all charts; else it is a folder with a file for each.
-fn is_one_file(path: &Path) -> bool {
-    path == Path::new("-") || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
+/// The names of the files with a chart each, as [`each`] gives them: `key-vertices.svg`.
+#[must_use]
+pub fn file_names(experiment: &Experiment) -> Vec<String> {
+    let good = experiment.drawings().iter().filter(|drawing| drawing.is_good());
+    let quantities = Quantity::shown(experiment.times);
+    good.flat_map(|d| quantities.iter().map(|q| format!("{}-{}.svg", d.title, q.key()))).collect()
 }
 
-/// The files that the charts go to; the folder is made where there is none.
-pub(crate) fn files(path: &Path, plan: &Plan, no_times: bool) -> Result<Vec<PathBuf>, Failure> {
-    if is_one_file(path) {
-        return Ok(vec![path.to_owned()]);
-    }
-    fs::create_dir_all(path).map_err(|error| {
-        Failure::new(Status::Unwritable, format!("cannot make the folder {}: {error}", shown(path)))
-    })?;
-    let good = plan.drawings.iter().filter(|drawing| drawing.read.is_ok());
-    let names = good.flat_map(|d| Quantity::shown(no_times).iter().map(|q| format!("{}-{}.svg", d.title, q.key())));
-    Ok(names.map(|name| path.join(name)).collect())
+/// A picture each chart: of each drawing each quantity.
+#[must_use]
+pub fn each(experiment: &Experiment, sheets: &[Sheet<'_>]) -> Vec<String> {
+    charts(sheets, experiment.times).iter().map(|chart| svg(std::slice::from_ref(chart), 1)).collect()
 }
 
-/// The texts of those files.
-pub(crate) fn texts(path: &Path, sheets: &[Sheet<'_>], no_times: bool) -> Vec<String> {
-    let quantities = Quantity::shown(no_times);
+/// All charts in one picture, a row each drawing.
+#[must_use]
+pub fn all_in_one(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
+    svg(&charts(sheets, experiment.times), Quantity::shown(experiment.times).len())
+}
+
+fn charts(sheets: &[Sheet<'_>], times: Times) -> Vec<Chart> {
     let good = sheets.iter().filter(|sheet| sheet.read.is_ok());
-    let charts: Vec<Chart> = good.flat_map(|sheet| quantities.iter().map(|&q| chart(sheet, q))).collect();
-    if is_one_file(path) {
-        return vec![svg(&charts, quantities.len())];
-    }
-    charts.iter().map(|chart| svg(std::slice::from_ref(chart), 1)).collect()
+    good.flat_map(|sheet| Quantity::shown(times).iter().map(|&q| chart(sheet, q))).collect()
 }
 
 fn svg(charts: &[Chart], in_a_row: usize) -> String {

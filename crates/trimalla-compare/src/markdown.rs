@@ -2,17 +2,18 @@
 
 use std::fmt::Write as _;
 
-use super::outcome::End;
-use super::plan::Plan;
-use super::sheet::{Cell, Column, Quantity, Sheet};
+use crate::experiment::Experiment;
+use crate::outcome::End;
+use crate::sheet::{Cell, Column, Quantity, Sheet, Times};
 
 /// Every sheet: a table each quantity, a row each angle, a column each recipe, and notes.
-pub(crate) fn text(plan: &Plan, sheets: &[Sheet<'_>], no_times: bool) -> String {
+#[must_use]
+pub fn text(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
     let mut text = String::new();
     for sheet in sheets {
         let _ = writeln!(text, "## {}\n", escaped(sheet.title));
         match sheet.read {
-            Ok(facts) => add_sheet(&mut text, facts, sheet, no_times),
+            Ok(facts) => add_sheet(&mut text, facts, sheet, experiment.times),
             Err(messages) => {
                 text += "Not run:\n\n";
                 messages.iter().for_each(|message| text += &format!("- {}\n", escaped(message)));
@@ -20,13 +21,13 @@ pub(crate) fn text(plan: &Plan, sheets: &[Sheet<'_>], no_times: bool) -> String 
             }
         }
     }
-    text += &limits(plan, sheets);
+    text += &limits(experiment, sheets);
     text
 }
 
-fn add_sheet(text: &mut String, facts: &str, sheet: &Sheet<'_>, no_times: bool) {
+fn add_sheet(text: &mut String, facts: &str, sheet: &Sheet<'_>, times: Times) {
     let _ = writeln!(text, "{facts}.\n");
-    for &quantity in Quantity::shown(no_times) {
+    for &quantity in Quantity::shown(times) {
         let columns: Vec<&Column> =
             sheet.columns.iter().filter(|c| quantity != Quantity::Seconds || !c.is_published).collect();
         let _ = write!(text, "| {} |", quantity.key());
@@ -93,8 +94,9 @@ fn comments(column: &Column, angles: &[f64], sign: &str, comment_of: impl Fn(&Ce
 }
 
 /// The limits of a run, and what the reasons beside ND mean, as far as they occur.
-fn limits(plan: &Plan, sheets: &[Sheet<'_>]) -> String {
-    let mut text = format!("Each run: at most {} vertices and {} seconds.", plan.max_vertices, plan.time_limit);
+fn limits(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
+    let mut text =
+        format!("Each run: at most {} vertices and {} seconds.", experiment.max_vertices, experiment.time_limit);
     let cells = sheets.iter().flat_map(|s| &s.columns).flat_map(|c| &c.cells);
     let ends: Vec<End> =
         cells.filter_map(|cell| if let Cell::Ours(run) = cell { Some(run.end) } else { None }).collect();

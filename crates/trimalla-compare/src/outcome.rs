@@ -3,11 +3,11 @@
 use std::fmt;
 
 use serde_json::{Value, json};
-use trimalla::refine::{Reason, Report, StopReason};
+use trimalla::refine::{Reason, Report, StepTimes, StopReason};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
+pub enum End {
     /// Every triangle is good, but for those that the input's own angles force.
     Done,
     /// The vertex budget was used up.
@@ -32,7 +32,9 @@ impl End {
         }
     }
 
-    pub(crate) fn key(self) -> &'static str {
+    /// In words.
+    #[must_use]
+    pub fn key(self) -> &'static str {
         match self {
             Self::Done => "done",
             Self::Budget => "budget",
@@ -55,16 +57,25 @@ impl fmt::Display for End {
 
 /// What came of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Outcome {
-    pub(crate) end: End,
-    pub(crate) vertices: usize,
-    pub(crate) triangles: usize,
-    pub(crate) steiner_points: usize,
-    pub(crate) min_angle_deg: f64,
-    pub(crate) max_angle_deg: f64,
+pub struct Outcome {
+    /// How it ended.
+    pub end: End,
+    /// Vertices of the mesh.
+    pub vertices: usize,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Vertices that are not the drawing's.
+    pub steiner_points: usize,
+    /// The smallest angle, in degrees.
+    pub min_angle_deg: f64,
+    /// The largest angle, in degrees.
+    pub max_angle_deg: f64,
     /// Triangles below the bound, forced or not.
-    pub(crate) below_bound: usize,
-    pub(crate) seconds: f64,
+    pub below_bound: usize,
+    /// What triangulation and refinement took.
+    pub seconds: f64,
+    /// What the steps took, where they were timed.
+    pub step_times: Option<StepTimes>,
 }
 
 impl Outcome {
@@ -78,15 +89,18 @@ impl Outcome {
             max_angle_deg: report.max_angle_deg,
             below_bound: report.leftovers.len(),
             seconds,
+            step_times: report.step_times,
         }
     }
 
-    pub(crate) fn is_done(&self) -> bool {
+    /// Whether there is a mesh without a triangle below the bound but for those that the drawing forces.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
         self.end == End::Done
     }
 
     pub(crate) fn to_json(&self) -> Value {
-        json!({
+        let mut object = json!({
             "result": self.end.key(),
             "vertices": self.vertices,
             "triangles": self.triangles,
@@ -95,7 +109,12 @@ impl Outcome {
             "max_angle": self.max_angle_deg,
             "below_bound": self.below_bound,
             "seconds": self.seconds,
-        })
+        });
+        if let Some(times) = &self.step_times {
+            let by_name = times.by_name().map(|(name, seconds)| (name.to_owned(), json!(seconds)));
+            object["step_seconds"] = Value::Object(by_name.into_iter().collect());
+        }
+        object
     }
 
     pub(crate) fn from_json(value: &Value) -> Option<Self> {
@@ -110,8 +129,21 @@ impl Outcome {
             max_angle_deg: number("max_angle")?,
             below_bound: count("below_bound")?,
             seconds: number("seconds")?,
+            step_times: value.get("step_seconds").and_then(step_times),
         })
     }
+}
+
+fn step_times(value: &Value) -> Option<StepTimes> {
+    let number = |key: &str| value.get(key)?.as_f64();
+    Some(StepTimes {
+        prepare: number("prepare")?,
+        select: number("select")?,
+        point: number("point")?,
+        insert: number("insert")?,
+        recover: number("recover")?,
+        rest: number("rest")?,
+    })
 }
 
 #[cfg(test)]
@@ -131,6 +163,7 @@ mod tests {
                 max_angle_deg: 1e2 / 3.0,
                 below_bound: 1,
                 seconds: 1e-7 / 3.0,
+                step_times: (end == End::Done).then(|| StepTimes { insert: 0.1 + 0.2, ..StepTimes::default() }),
             };
             let text = outcome.to_json().to_string();
             assert_eq!(Outcome::from_json(&serde_json::from_str(&text).unwrap()), Some(outcome));

@@ -9,12 +9,12 @@ use std::path::Path;
 
 use trimalla_io::{Fault, IoError, Place};
 
-use super::sheet::{Cell, Column};
-use crate::exit::Failure;
+use crate::error::CompareError;
+use crate::sheet::{Cell, Column};
 
 /// The rows of the tables.
 #[derive(Debug)]
-pub(crate) struct Baseline {
+pub struct Baseline {
     rows: Vec<Row>,
 }
 
@@ -31,7 +31,11 @@ struct Row {
 type Field = (String, u64);
 
 impl Baseline {
-    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+    /// Reads the tables in a file.
+    ///
+    /// # Errors
+    /// [`CompareError::Io`], with line and column.
+    pub fn read(path: &Path) -> Result<Self, CompareError> {
         let bytes = fs::read(path).map_err(|source| match source.kind() {
             std::io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: None },
             _ => IoError::Unreadable { path: path.to_owned(), source },
@@ -78,7 +82,8 @@ impl Baseline {
     }
 
     /// The meshes that the tables know.
-    pub(crate) fn meshes(&self) -> Vec<&str> {
+    #[must_use]
+    pub fn meshes(&self) -> Vec<&str> {
         let mut meshes: Vec<&str> = self.rows.iter().map(|row| &row.mesh[..]).collect();
         meshes.sort_unstable();
         meshes.dedup();

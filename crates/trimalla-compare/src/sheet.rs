@@ -1,0 +1,150 @@
+//! One drawing's columns, ours and the published ones.
+
+use crate::baseline::Baseline;
+use crate::experiment::{Drawing, Experiment};
+use crate::outcome::Outcome;
+use crate::runs::Outcomes;
+
+/// What tables and charts show of a drawing.
+#[derive(Debug)]
+pub struct Sheet<'a> {
+    /// As the command line names the drawing.
+    pub name: &'a str,
+    /// A word for file names and headings.
+    pub title: &'a str,
+    /// The counts of the drawing in words, or what is wrong with it.
+    pub read: Result<&'a str, &'a [String]>,
+    /// Degrees, the rows of every column.
+    pub angles: &'a [f64],
+    /// Contenders, then published columns.
+    pub columns: Vec<Column>,
+}
+
+/// A recipe, or a published column.
+#[derive(Debug)]
+pub struct Column {
+    /// Its title.
+    pub label: String,
+    /// Whether it is published, not ours.
+    pub is_published: bool,
+    /// One for each angle.
+    pub cells: Vec<Cell>,
+}
+
+/// One run, ours or published.
+#[derive(Clone, Debug)]
+pub enum Cell {
+    /// One of ours.
+    Ours(Outcome),
+    /// A published one.
+    Published {
+        /// Vertices and triangles; `None` where the table says ND.
+        counts: Option<[usize; 2]>,
+        /// What whoever copied the table says about the row.
+        comment: String,
+    },
+    /// The table has no such row.
+    Absent,
+}
+
+/// What tables tell of times.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Times {
+    /// Nothing: then the same experiment gives the same bytes.
+    Hidden,
+    /// What each run took.
+    #[default]
+    Total,
+    /// In CSV and JSON what each step took, too.
+    BySteps,
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Vertices of the mesh.
+    Vertices,
+    /// Triangles of the mesh.
+    Triangles,
+    /// Triangulation and refinement.
+    Seconds,
+}
+
+impl Quantity {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::Vertices, Self::Triangles, Self::Seconds];
+
+    /// All, or all but the times.
+    #[must_use]
+    pub fn shown(times: Times) -> &'static [Self] {
+        if times == Times::Hidden { &Self::ALL[..2] } else { &Self::ALL }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Vertices => "vertices",
+            Self::Triangles => "triangles",
+            Self::Seconds => "seconds",
+        }
+    }
+}
+
+impl Cell {
+    /// The number, if there is one.
+    #[must_use]
+    pub fn value(&self, quantity: Quantity) -> Option<f64> {
+        match (self, quantity) {
+            (Self::Ours(run), _) if !run.is_done() => None,
+            (Self::Ours(run), Quantity::Vertices) => Some(run.vertices as f64),
+            (Self::Ours(run), Quantity::Triangles) => Some(run.triangles as f64),
+            (Self::Ours(run), Quantity::Seconds) => Some(run.seconds),
+            (Self::Published { counts, .. }, Quantity::Vertices) => counts.map(|c| c[0] as f64),
+            (Self::Published { counts, .. }, Quantity::Triangles) => counts.map(|c| c[1] as f64),
+            _ => None,
+        }
+    }
+
+    /// The comment on a published row that cannot be right.
+    #[must_use]
+    pub fn impossible(&self) -> Option<&str> {
+        match self {
+            Self::Published { comment, .. } if comment.starts_with("impossible") => Some(comment),
+            _ => None,
+        }
+    }
+
+    /// Any other comment on a published row.
+    #[must_use]
+    pub fn remark(&self) -> Option<&str> {
+        match self {
+            Self::Published { comment, counts: Some(_) } if !comment.is_empty() => {
+                self.impossible().is_none().then_some(comment)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Experiment {
+    /// What came of it, one sheet a drawing, beside published tables where there are some.
+    #[must_use]
+    pub fn sheets<'a>(&'a self, outcomes: &Outcomes, baseline: Option<&Baseline>) -> Vec<Sheet<'a>> {
+        let sheet = |(d, drawing): (usize, &'a Drawing)| {
+            let outcome = |c: usize, a: usize| outcomes.0.get(self.index(d, c, a)).cloned().flatten();
+            let mut columns = Vec::new();
+            if drawing.read.is_ok() {
+                columns.extend(self.contenders().iter().enumerate().map(|(c, contender)| Column {
+                    label: contender.label.clone(),
+                    is_published: false,
+                    cells: (0..self.angles().len()).map(|a| outcome(c, a).map_or(Cell::Absent, Cell::Ours)).collect(),
+                }));
+                columns.extend(baseline.map(|b| b.columns(&drawing.title, self.angles())).unwrap_or_default());
+            }
+            let read = drawing.read.as_ref().map(|good| &good.facts[..]).map_err(|messages| &messages[..]);
+            Sheet { name: &drawing.name, title: &drawing.title, read, angles: self.angles(), columns }
+        };
+        self.drawings().iter().enumerate().map(sheet).collect()
+    }
+}
