@@ -20,6 +20,11 @@ impl ConstrainedDelaunay {
         Some(self.fill_cavity(p, provenance, j))
     }
 
+    /// Finds the cavity of a free point whose place is known; says whether it can be filled.
+    pub(crate) fn find_cavity(&mut self, p: Point, locus: Locus) -> bool {
+        self.cavity.find(&self.t, p, locus)
+    }
+
     /// Splits a subsegment by cavity.
     ///
     /// # Errors
@@ -68,7 +73,8 @@ impl ConstrainedDelaunay {
         self.t.mesh.flip(h, j)
     }
 
-    fn fill_cavity<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
+    /// Puts a vertex into the cavity found last, which takes the faces of the fan in its stead.
+    pub(crate) fn fill_cavity<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
         let v = self.add_vertex(p, provenance, j);
         self.cavity.fill(&mut self.t, v, j);
         self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());

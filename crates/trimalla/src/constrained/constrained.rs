@@ -231,6 +231,12 @@ impl ConstrainedDelaunay {
         v.index().checked_sub(self.first_provenance).map_or(Provenance::Input, |i| self.provenance.get(i))
     }
 
+    /// Whether a vertex was put on a segment, or where two cross: it is neither the input's nor free.
+    #[inline]
+    pub(crate) fn is_bound(&self, v: VertexId) -> bool {
+        v.index().checked_sub(self.first_provenance).is_some_and(|i| self.provenance.is_bound(i))
+    }
+
     /// Whether refinement may delete a vertex: it is on no segment and did not come with the mesh that is refined.
     #[must_use]
     pub fn is_deletable(&self, v: VertexId) -> bool {
@@ -248,6 +254,7 @@ impl ConstrainedDelaunay {
     /// Where a mesh gave area bounds triangle by triangle, the bound is that of the triangle in which the middle of the
     /// face lies.
     #[must_use]
+    #[inline]
     pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
         let region = self.t.region(f).checked_sub(1)?;
         let rule = self.regions.get(region as usize).copied()?;

@@ -47,6 +47,8 @@ impl Provenance {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Provenances {
     words: Vec<[u64; 2]>,
+    /// One bit a vertex: whether it is not free. Refinement asks for every corner of every bad triangle.
+    bound: Vec<u64>,
 }
 
 impl Provenances {
@@ -55,39 +57,64 @@ impl Provenances {
         self.words.get(i).map_or(Provenance::Free, |&w| Provenance::from_words(w))
     }
 
+    /// Whether the `i`-th vertex after the input is not free.
+    #[inline]
+    pub(crate) fn is_bound(&self, i: usize) -> bool {
+        self.bound.get(i / 64).is_some_and(|bits| bits >> (i % 64) & 1 == 1)
+    }
+
     /// Sets it, through the journal.
     pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
         while self.words.len() <= i {
             if J::ACTIVE {
                 j.note(Column::ProvenanceAppended, self.words.len() as u32, 0);
             }
-            self.words.push(Provenance::Free.to_words());
+            self.words.push(FREE);
         }
+        self.bound.resize(self.words.len().div_ceil(64), 0);
         let (old, new) = (self.words[i], new.to_words());
         if J::ACTIVE && old != new {
             j.note(Column::ProvenanceKind, i as u32, old[0]);
             j.note(Column::ProvenancePlace, i as u32, old[1]);
         }
         self.words[i] = new;
+        self.note_bound(i);
     }
 
     /// Puts back one entry.
     pub(crate) fn undo(&mut self, entry: Entry) {
         let i = entry.index as usize;
         match entry.column {
-            Column::ProvenanceKind => self.words[i][0] = entry.old,
+            Column::ProvenanceKind => {
+                self.words[i][0] = entry.old;
+                self.note_bound(i);
+            }
             Column::ProvenancePlace => self.words[i][1] = entry.old,
-            _ => self.words.truncate(i),
+            // It was appended free: its bit is not set any more.
+            _ => {
+                self.words.truncate(i);
+                self.bound.truncate(i.div_ceil(64));
+            }
         }
     }
+
+    /// Sets the bit of a vertex by its provenance.
+    #[inline]
+    fn note_bound(&mut self, i: usize) {
+        let (bits, bit) = (&mut self.bound[i / 64], 1 << (i % 64));
+        if self.words[i][0] == FREE[0] { *bits &= !bit } else { *bits |= bit }
+    }
 }
+
+/// The words of a free vertex.
+const FREE: [u64; 2] = [1, 0];
 
 impl Provenance {
     /// Kind in the low byte, segment in the middle, circle on top; parameter or second segment.
     fn to_words(self) -> [u64; 2] {
         match self {
             Self::Input => [0, 0],
-            Self::Free => [1, 0],
+            Self::Free => FREE,
             Self::OnSegment { segment, t } => [2 | u64::from(segment) << 8, t.to_bits()],
             Self::Crossing { segments: [a, b] } => [3 | u64::from(a) << 8, u64::from(b)],
             Self::Shell { segment, t, around_end, shell } => {

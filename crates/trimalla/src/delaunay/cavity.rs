@@ -3,11 +3,13 @@
 //! 1. Start with the one or two faces in which the point lies.
 //! 2. From each edge of the rim, as long as it is unconstrained and the circle of the face beyond holds the point (the tie
 //!    rule included), take that face in as well; its two other edges take the edge's place on the rim.
-//! 3. Prove that every face of the fan is counter-clockwise.
-//! 4. Replace the cavity by the fan.
+//! 3. Replace the cavity by the fan.
 //!
-//! Faces are taken in by the very test that makes Lawson's loop flip, so both give the same triangulation; the cavity is
-//! seen whole from the point, for each face is entered through an edge that is.
+//! Faces are taken in by the very test that makes Lawson's loop flip, so both give the same triangulation.
+//!
+//! The point sees every edge of the rim of a face's cavity from the left: a face is entered through an edge that the point
+//! has beyond it and within the face's circle, so it lies in the cap that this edge cuts off, and the cap lies strictly left
+//! of the two other edges. A point on an edge may lie off it by its rounding: there the fan is proved.
 //!
 //! # Source
 //! `[Bowyer81]`, `[Watson81]`; with constraints as walls `[Vigo97]` section 3.
@@ -22,8 +24,18 @@ use crate::triangulation::Triangulation;
 pub(crate) struct Cavity {
     faces: Vec<FaceId>,
     rim: Vec<RimEdge>,
-    /// Inner half-edges of the rim still to be looked across, the next one last.
-    stack: Vec<HalfEdgeId>,
+    /// Where each rim edge starts.
+    points: Vec<Point>,
+    /// Inner half-edges still to be looked across, the next one last.
+    stack: Vec<Inner>,
+}
+
+/// A half-edge inside the cavity, with its ends.
+#[derive(Clone, Copy, Debug)]
+struct Inner {
+    half_edge: HalfEdgeId,
+    from: Point,
+    to: Point,
 }
 
 impl Cavity {
@@ -35,10 +47,13 @@ impl Cavity {
     /// # Complexity
     /// The faces to be replaced: about four on average.
     pub(crate) fn find(&mut self, t: &Triangulation, p: Point, locus: Locus) -> bool {
-        self.faces.clear();
-        self.rim.clear();
+        self.clear();
         match locus {
-            Locus::Face(f) => self.dig(t, f, f.half_edges().into_iter(), p),
+            Locus::Face(f) => {
+                self.dig(t, f, f.half_edges().into_iter(), p);
+                debug_assert!(self.is_seen_from(t, p), "a point in a face sees the rim of its cavity");
+                true
+            }
             Locus::Edge(h) if t.is_marked(h) || t.is_real(h.face()) && t.is_real(t.twin(h).face()) => {
                 let (o, mark) = (t.twin(h), t.mark(h));
                 self.dig(t, h.face(), [h.next(), h.prev()].into_iter(), p);
@@ -47,61 +62,91 @@ impl Cavity {
                 // The rim runs from dest(h) round to origin(h) and back: both spokes carry half of the parted edge.
                 self.rim[0].spoke = mark;
                 self.rim[middle].spoke = mark;
+                self.is_seen_from(t, p)
             }
-            _ => return false,
+            _ => false,
         }
-        self.rim.iter().all(|e| is_seen(t, e, p))
     }
 
     /// Takes the two faces at an unconstrained edge as the cavity, whatever their circles hold.
     ///
     /// Says whether the point can be inserted there, as [`find`](Self::find).
     pub(crate) fn take_pair(&mut self, t: &Triangulation, p: Point, h: HalfEdgeId) -> bool {
-        self.faces.clear();
-        self.rim.clear();
+        self.clear();
         let o = t.twin(h);
         if t.is_marked(h) || t.is_ghost(h.face()) || t.is_ghost(o.face()) {
             return false;
         }
         for (face, sides) in [(h.face(), [h.next(), h.prev()]), (o.face(), [o.next(), o.prev()])] {
             self.faces.push(face);
-            sides.into_iter().for_each(|inner| self.close(t, inner, t.region(face)));
+            sides.into_iter().for_each(|side| self.close(t, side, t.point(t.origin(side)), t.region(face)));
         }
-        self.rim.iter().all(|e| is_seen(t, e, p))
+        self.is_seen_from(t, p)
     }
 
-    /// Replaces the cavity found by a fan around unused vertex `v`.
+    /// Replaces the cavity found by a fan around unused vertex `v`; the faces are those of the fan then, in the order of the
+    /// rim.
     pub(crate) fn fill<J: Journal>(&mut self, t: &mut Triangulation, v: VertexId, j: &mut J) {
         t.mesh.fill_star(&mut self.faces, &self.rim, v, j);
     }
 
+    /// The edges around the cavity, counter-clockwise.
+    pub(crate) fn rim(&self) -> &[RimEdge] {
+        &self.rim
+    }
+
+    /// Where each edge of the rim starts; of no meaning at infinity.
+    pub(crate) fn rim_points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The faces of the cavity, or once it is filled those of the fan.
+    pub(crate) fn faces(&self) -> &[FaceId] {
+        &self.faces
+    }
+
+    fn clear(&mut self) {
+        self.faces.clear();
+        self.rim.clear();
+        self.points.clear();
+    }
+
     /// Takes in `face` and what lies beyond `sides`, two or three of its edges in order; adds their rim.
     fn dig(&mut self, t: &Triangulation, face: FaceId, sides: impl DoubleEndedIterator<Item = HalfEdgeId>, p: Point) {
-        let region = t.region(face);
+        let (region, is_real) = (t.region(face), t.is_real(face));
         self.faces.push(face);
-        self.stack.extend(sides.rev());
-        while let Some(inner) = self.stack.pop() {
-            let outer = t.twin(inner);
-            if !t.is_marked(inner) && circle_holds(t, outer.face(), p) {
-                self.faces.push(outer.face());
-                self.stack.extend([outer.prev(), outer.next()]);
-                continue;
+        // The vertex at infinity has no coordinates; no circle is asked for beside it.
+        let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
+        self.stack.extend(sides.rev().map(|h| Inner { half_edge: h, from: point(t.origin(h)), to: point(t.dest(h)) }));
+        while let Some(Inner { half_edge, from, to }) = self.stack.pop() {
+            let outer = t.twin(half_edge);
+            match t.points.get(t.apex(outer).index()) {
+                Some(&apex) if is_real && !t.is_marked(half_edge) && is_inside([to, from, apex], p) => {
+                    self.faces.push(outer.face());
+                    self.stack.push(Inner { half_edge: outer.prev(), from: apex, to });
+                    self.stack.push(Inner { half_edge: outer.next(), from, to: apex });
+                }
+                _ => self.close(t, half_edge, from, region),
             }
-            self.close(t, inner, region);
         }
     }
 
     /// Adds an edge to the rim.
-    fn close(&mut self, t: &Triangulation, inner: HalfEdgeId, region: u32) {
+    #[inline(always)]
+    fn close(&mut self, t: &Triangulation, inner: HalfEdgeId, at: Point, region: u32) {
         let (from, to, mark) = (t.origin(inner), t.dest(inner), t.mark(inner));
         self.rim.push(RimEdge { from, to, outer: t.twin(inner), mark, region, spoke: 0 });
+        self.points.push(at);
+    }
+
+    fn is_seen_from(&self, t: &Triangulation, p: Point) -> bool {
+        self.rim.iter().all(|e| is_seen(t, e, p))
     }
 }
 
-fn circle_holds(t: &Triangulation, f: FaceId, p: Point) -> bool {
-    let [a, b, c] = t.face_vertices(f);
-    let finite = a.is_finite() && b.is_finite() && c.is_finite();
-    finite && in_circle_perturbed(t.point(a), t.point(b), t.point(c), p) == CircleSide::Inside
+#[inline(always)]
+fn is_inside([a, b, c]: [Point; 3], p: Point) -> bool {
+    in_circle_perturbed(a, b, c, p) == CircleSide::Inside
 }
 
 /// Whether the face on a rim edge would be counter-clockwise; ghosts are not proved.

@@ -24,7 +24,7 @@ impl ConstrainedDelaunay {
         let kept: Vec<VertexId> =
             (0..self.points().len()).map(VertexId::from_index).filter(|v| ids[v.index()] != u32::MAX).collect();
         let id = |v: VertexId| ids[v.index()];
-        let segments: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_marked(h)).collect();
+        let segments: Vec<HalfEdgeId> = self.marked_edges().collect();
         let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
         let mut mesh = IndexedMesh {
             points: kept.iter().map(|&v| self.point(v)).collect(),

@@ -10,6 +10,9 @@ use super::{Point, Vector};
 const LARGE: f64 = f64::from_bits((1023 + 1020) << 52); // 2^1020
 /// The exact factor by which they are shrunk.
 const SHRINK: f64 = 0.125;
+/// Figures whose reach lies between these bounds need no scale: no square of them overflows or vanishes (2^-200, 2^200).
+const ORDINARY: core::ops::RangeInclusive<f64> =
+    f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
 /// A frame of reference for one small figure.
 #[derive(Clone, Copy, Debug)]
@@ -18,21 +21,27 @@ pub(super) struct Frame {
     origin: Vector,
     shrink: f64,
     scale: f64,
+    /// One over the scale: both are powers of two, so that multiplying is exact where dividing would be.
+    unscale: f64,
 }
 
 impl Frame {
-    /// The frame with the given origin in which the given points have coordinates of magnitude below four.
+    /// The frame with the given origin in which the given points have coordinates whose squares are ordinary numbers.
     #[inline]
     pub(super) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {
         let largest =
             points.iter().chain(core::iter::once(&origin)).fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
         let shrink = if largest > LARGE { SHRINK } else { 1.0 };
-        let mut frame = Self { origin: Vector::new(origin.x * shrink, origin.y * shrink), shrink, scale: 1.0 };
+        let mut frame =
+            Self { origin: Vector::new(origin.x * shrink, origin.y * shrink), shrink, scale: 1.0, unscale: 1.0 };
         let reach = points.iter().fold(0.0_f64, |m, p| {
             let Vector { x, y } = frame.local(*p);
             m.max(x.abs()).max(y.abs())
         });
-        frame.scale = power_of_two_scale(reach);
+        if !ORDINARY.contains(&reach) {
+            frame.scale = power_of_two_scale(reach);
+            frame.unscale = 1.0 / frame.scale;
+        }
         frame
     }
 
@@ -47,16 +56,14 @@ impl Frame {
     /// The point that the frame sees at `local`.
     #[inline]
     pub(super) fn point(&self, local: Vector) -> Point {
-        Point::new(
-            (self.origin.x + local.x / self.scale) / self.shrink,
-            (self.origin.y + local.y / self.scale) / self.shrink,
-        )
+        let grow = 1.0 / self.shrink;
+        Point::new((self.origin.x + local.x * self.unscale) * grow, (self.origin.y + local.y * self.unscale) * grow)
     }
 
     /// A length measured in the frame, in the caller's units.
     #[inline]
     pub(super) fn length(&self, local: f64) -> f64 {
-        local / self.scale / self.shrink
+        local * self.unscale / self.shrink
     }
 
     /// An area or squared length measured in the frame, in the caller's units; infinite or zero where it must be.

@@ -72,35 +72,38 @@ impl Triangulation {
     /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
-        let Some(mut face) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
-        let [a, b, c] = self.corners(face);
-        let source = Triangle::new(a, b, c).centroid();
-        let mut entered = HalfEdgeId::NONE;
+        let Some(start) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
+        let mut e = start.half_edge(0);
+        let mut side = self.side_of(e, p);
         for _ in 0..CALM_STEPS + self.face_slots() {
-            let Some(h) = self.exit_towards(face, entered, source, p) else {
-                return Walk::Arrived(self.locus_at(face, p));
+            let around = [e, e.next(), e.prev()];
+            let sides = [side, self.side_of(around[1], p), self.side_of(around[2], p)];
+            let [out_e, out_next, out_prev] = sides.map(|side| side == Orientation::Clockwise);
+            let exit = match (out_e, out_next, out_prev) {
+                (false, false, false) => return Walk::Arrived(self.locus_in(e, sides)),
+                (true, false, false) => around[0],
+                (false, true, false) => around[1],
+                (false, false, true) => around[2],
+                (true, true, _) => self.exit_towards(start, p, around[0]),
+                (_, true, true) => self.exit_towards(start, p, around[1]),
+                (true, _, true) => self.exit_towards(start, p, around[2]),
             };
-            if self.is_marked(h) || self.is_ghost(self.twin(h).face()) {
-                return Walk::Blocked(h);
+            if self.is_marked(exit) || self.is_ghost(self.twin(exit).face()) {
+                return Walk::Blocked(exit);
             }
-            entered = self.twin(h);
-            face = entered.face();
+            (e, side) = (self.twin(exit), Orientation::CounterClockwise);
         }
         Walk::Arrived(self.scan_or_outside(p))
     }
 
-    /// The edge of a face by which to go on towards `p`; `None` where the face contains it.
-    ///
-    /// Of two edges that have `p` beyond them it is the one that the line from `source` to `p` crosses.
-    fn exit_towards(&self, face: FaceId, entered: HalfEdgeId, source: Point, p: Point) -> Option<HalfEdgeId> {
-        let beyond = |h: &HalfEdgeId| *h != entered && self.side_of(*h, p) == Orientation::Clockwise;
-        let mut exits = face.half_edges().into_iter().filter(beyond);
-        let (first, second) = (exits.next()?, exits.next());
-        let Some(second) = second else { return Some(first) };
-        // They share a vertex; the line passes it on one side or the other.
-        let (before, after) = if second == first.next() { (first, second) } else { (second, first) };
-        let passes_left = orient2d(source, p, self.point(self.origin(after))) == Orientation::Clockwise;
-        Some(if passes_left { after } else { before })
+    /// Of the edges `first` and the next one around their face, which both have `p` beyond them, the one that the line from
+    /// the middle of `start` to `p` crosses: it passes the vertex they share on one side or the other.
+    fn exit_towards(&self, start: FaceId, p: Point, first: HalfEdgeId) -> HalfEdgeId {
+        let [a, b, c] = self.corners(start);
+        let source = Triangle::new(a, b, c).centroid();
+        let second = first.next();
+        let passes_left = orient2d(source, p, self.point(self.origin(second))) == Orientation::Clockwise;
+        if passes_left { second } else { first }
     }
 
     /// The visibility walk. `None` when the bound on steps was met.

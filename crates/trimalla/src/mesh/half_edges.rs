@@ -207,17 +207,27 @@ impl HalfEdgeMesh {
 
     /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
     pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| {
-            if !self.is_alive(h.face()) || !self.origin(h).is_finite() || !self.dest(h).is_finite() {
-                return false;
-            }
-            let t = self.twin(h);
-            match (self.is_ghost(h.face()), self.is_ghost(t.face())) {
-                (false, true) => true,
-                (true, false) => false,
-                _ => h < t,
-            }
-        })
+        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
+    }
+
+    /// Of the [`edges`](Self::edges) those that carry a constraint mark.
+    pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
+        let marked = (0..self.mark.len()).filter(|&h| self.mark[h] != 0);
+        marked.map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
+    }
+
+    /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
+    fn stands_for_edge(&self, h: HalfEdgeId) -> bool {
+        let (a, b, t) = (self.origin(h), self.dest(h), self.twin(h));
+        if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {
+            return false;
+        }
+        // Between two finite ends a face is a ghost by its apex.
+        match (self.apex(h).is_finite(), self.apex(t).is_finite()) {
+            (true, false) => true,
+            (false, true) => false,
+            _ => h < t,
+        }
     }
 
     /// The half-edge from `a` to `b`, if there is one.

@@ -64,8 +64,8 @@ impl Test {
     #[inline]
     pub(super) fn badness(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let in_region = region.and_then(|r| r.max_area).map_or(f64::INFINITY, |area| 2.0 * area);
-        let doubled_area = self.doubled_area.min(in_region);
-        if doubled_area < f64::INFINITY && (b - a).cross(c - a) > doubled_area {
+        let bound = if in_region < self.doubled_area { in_region } else { self.doubled_area };
+        if bound < f64::INFINITY && (b - a).cross(c - a) > bound {
             return Some(Badness::Area);
         }
         if self.asked.as_ref().is_some_and(|test| test(Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute))) {
@@ -83,10 +83,11 @@ impl Test {
     }
 }
 
-/// A triangle in the queue: its slot, and the look that put it here.
+/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a triangle
+/// that goes and comes again is another one, whether it gets its old slot back or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Waiting {
-    face: FaceId,
+pub(super) struct Claim {
+    pub(super) face: FaceId,
     look: u32,
 }
 
@@ -100,7 +101,7 @@ struct Waiting {
 /// matter whether a triangle that went and came again got its old slot back.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Queue {
-    steps: Vec<VecDeque<Waiting>>,
+    steps: Vec<VecDeque<Claim>>,
     /// One bit a step: whether anything waits there.
     occupied: Vec<u64>,
     /// No word of `occupied` below this one has a bit.
@@ -126,15 +127,26 @@ impl Queue {
             self.steps.resize_with(step + 1, VecDeque::new);
             self.occupied.resize(step / 64 + 1, 0);
         }
+        let claim = self.claim(cdt, face);
+        self.steps[step].push_back(claim);
+        self.occupied[step / 64] |= 1 << (step % 64);
+        self.lowest = self.lowest.min(step / 64);
+        self.len += 1;
+    }
+
+    /// Looks at a slot: earlier claims to it are void.
+    pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
             self.looks.resize(cdt.face_slots(), 0);
         }
         self.last_look = self.last_look.wrapping_add(1).max(1);
         self.looks[face.index()] = self.last_look;
-        self.steps[step].push_back(Waiting { face, look: self.last_look });
-        self.occupied[step / 64] |= 1 << (step % 64);
-        self.lowest = self.lowest.min(step / 64);
-        self.len += 1;
+        Claim { face, look: self.last_look }
+    }
+
+    /// Whether a triangle is still the one that was claimed.
+    pub(super) fn is_valid(&self, cdt: &ConstrainedDelaunay, claim: Claim) -> bool {
+        self.looks.get(claim.face.index()) == Some(&claim.look) && cdt.is_real(claim.face)
     }
 
     /// Notes that there is nothing bad in a slot now.
@@ -155,13 +167,12 @@ impl Queue {
                 continue;
             }
             let step = self.lowest * 64 + word.trailing_zeros() as usize;
-            let list = &mut self.steps[step];
-            while let Some(waiting) = if oldest_first { list.pop_front() } else { list.pop_back() } {
+            loop {
+                let list = &mut self.steps[step];
+                let Some(claim) = (if oldest_first { list.pop_front() } else { list.pop_back() }) else { break };
                 self.len -= 1;
-                let look = &mut self.looks[waiting.face.index()];
-                if *look == waiting.look && cdt.is_real(waiting.face) {
-                    *look = 0;
-                    return Some(waiting.face);
+                if self.is_valid(cdt, claim) {
+                    return Some(claim.face);
                 }
             }
             self.occupied[self.lowest] &= !(1 << (step % 64));
@@ -176,7 +187,8 @@ impl Queue {
 }
 
 /// Three ids in order: the name of a triangle.
-pub(super) fn sorted(mut v: [VertexId; 3]) -> [VertexId; 3] {
-    v.sort_unstable();
-    v
+#[inline]
+pub(super) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
+    let (low, high) = (a.min(b), a.max(b));
+    [low.min(c), low.max(high.min(c)), high.max(c)]
 }

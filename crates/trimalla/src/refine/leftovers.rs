@@ -84,7 +84,7 @@ impl Refinement {
     /// # Source
     /// `[MillerPavWalkington03]`.
     pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
-        let on_segments = self.cdt.face_vertices(f).into_iter().filter(|&v| self.segment_of(v).is_some()).count();
+        let on_segments = self.cdt.face_vertices(f).into_iter().filter(|&v| self.cdt.is_bound(v)).count();
         if on_segments < 2 {
             return false;
         }

@@ -149,7 +149,7 @@ step! {
 
 step! {
     /// Step 4: how the point goes in.
-    Insert, 4, Flip, {
+    Insert, 4, Cavity, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
         Cavity = "cavity", "faces whose circle holds the point go, a fan takes their place", "Bowyer81";
         FlipOrCentroid = "flip-or-centroid", "a terminal edge that fails the circle test is flipped, else the pair is parted into four", "Sanhueza";

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Badness, Queue, Test, sorted};
+use super::bad_triangles::{Badness, Claim, Queue, Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
 use super::history::History;
@@ -16,8 +16,10 @@ use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
-use crate::geometry::Triangle;
+use crate::delaunay::along_curve;
+use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
+use crate::triangulation::from_lowest;
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
@@ -61,10 +63,12 @@ pub struct Refinement {
     /// Places proposed for the triangle at work.
     pub(super) places: Vec<Proposal>,
     pub(super) log: UndoLog,
+    /// The star of the vertex at work.
+    spokes: Vec<HalfEdgeId>,
     /// How many triangles joined the queue.
     joined: u64,
     /// The triangle to be treated until it is gone.
-    current: Option<(FaceId, [VertexId; 3])>,
+    current: Option<Claim>,
     /// Triangles that the caller picked.
     picked: VecDeque<(FaceId, [VertexId; 3])>,
     /// Vertices that the mesh would have now.
@@ -168,6 +172,7 @@ impl Refinement {
             released: Vec::new(),
             places: Vec::new(),
             log: UndoLog::new(),
+            spokes: Vec::new(),
             joined: 0,
             current: None,
             picked: VecDeque::new(),
@@ -216,12 +221,40 @@ impl Refinement {
         let before = self.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
         self.stopwatch.enter(Part::Select);
-        let mut faces: Vec<FaceId> = self.cdt.real_faces().collect();
-        self.put_in_order(&mut faces);
-        for f in faces {
+        for f in self.faces_along_curve() {
             self.look_at_bad(f);
         }
         self.stopwatch.enter(before);
+    }
+
+    /// Every face, neighbours near each other, in an order that depends on no slot: by that of its vertices which comes first
+    /// along a space-filling curve, and faces of one vertex by their names.
+    fn faces_along_curve(&self) -> Vec<FaceId> {
+        let vertices = along_curve(self.cdt.points());
+        let mut rank = vec![0; vertices.len()];
+        for (i, &v) in vertices.iter().enumerate() {
+            rank[v as usize] = i;
+        }
+        let first =
+            |f: FaceId| self.cdt.face_vertices(f).map(|v| rank[v.index()]).into_iter().fold(usize::MAX, usize::min);
+        let mut ends = vec![0; vertices.len()];
+        self.cdt.real_faces().for_each(|f| ends[first(f)] += 1);
+        let mut sum = 0;
+        for end in &mut ends {
+            sum += std::mem::replace(end, sum);
+        }
+        let mut faces = vec![FaceId(0); sum];
+        for f in self.cdt.real_faces() {
+            let end = &mut ends[first(f)];
+            faces[*end] = f;
+            *end += 1;
+        }
+        let mut start = 0;
+        for end in ends {
+            self.put_in_order(&mut faces[start..end]);
+            start = end;
+        }
+        faces
     }
 
     /// The same with a step 2 of the caller's own.
@@ -335,13 +368,14 @@ impl Refinement {
             }
             return if self.retry() { StepOutcome::Retried } else { StepOutcome::Finished };
         };
-        let name = sorted(self.cdt.face_vertices(face));
+        let claim = self.queue.claim(&self.cdt, face);
         self.note_selected(face);
         self.stopwatch.enter(Part::Point);
         match self.treat(face) {
-            Ok(()) if self.options.recipe.until_destroyed => self.current = Some((face, name)),
-            Ok(()) => self.queue_if_there(face, name),
-            Err(reason) => self.given_up.push((name, reason)),
+            Ok(()) if self.options.recipe.until_destroyed => self.current = Some(claim),
+            Ok(()) if self.queue.is_valid(&self.cdt, claim) => self.look_at_bad(face),
+            Ok(()) => {}
+            Err(reason) => self.given_up.push((sorted(self.cdt.face_vertices(face)), reason)),
         }
         StepOutcome::Triangle
     }
@@ -364,23 +398,16 @@ impl Refinement {
         true
     }
 
-    /// The treated triangle waits again if its own treatment left it as it was.
-    fn queue_if_there(&mut self, face: FaceId, name: [VertexId; 3]) {
-        if self.cdt.is_real(face) && sorted(self.cdt.face_vertices(face)) == name {
-            self.look_at_bad(face);
-        }
-    }
-
     /// The triangle at work if it is still there, else the most urgent one.
     fn next_face(&mut self) -> Option<FaceId> {
-        let there =
-            |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
-        if let Some((face, _)) = self.current.take().filter(there) {
-            return Some(face);
+        if let Some(claim) = self.current.take().filter(|&claim| self.queue.is_valid(&self.cdt, claim)) {
+            return Some(claim.face);
         }
         if !self.select.is_manual() {
             return self.queue.pop(&self.cdt, self.select.takes_oldest());
         }
+        let there =
+            |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
         while let Some(picked) = self.picked.pop_front() {
             if there(&picked) {
                 return Some(picked.0);
@@ -409,12 +436,43 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        // From the lowest neighbour on, so that the order depends on no slot.
-        let spokes = self.cdt.star(v).filter(|&h| self.cdt.dest(h).is_finite());
-        let Some(first) = spokes.min_by_key(|&h| self.cdt.dest(h)) else { return };
-        let faces =
-            self.cdt.star_from(first).map(HalfEdgeId::face).filter(|&f| self.cdt.is_real(f)).collect::<Vec<_>>();
-        self.look_at_faces(&faces);
+        let before = self.stopwatch.enter(Part::Select);
+        let mut spokes = std::mem::take(&mut self.spokes);
+        spokes.clear();
+        spokes.extend(self.cdt.star(v));
+        // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
+        let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
+        spokes.rotate_left(first);
+        let mut subsegments = Vec::new();
+        for &spoke in &spokes {
+            let is_real = self.cdt.is_real(spoke.face());
+            if is_real {
+                self.look_at_bad(spoke.face());
+            }
+            subsegments.extend(self.cdt.is_marked(spoke).then_some(spoke));
+            subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
+        }
+        self.spokes = spokes;
+        self.queue_encroached_of(subsegments);
+        self.stopwatch.enter(before);
+    }
+
+    /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
+    pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
+        let before = self.stopwatch.enter(Part::Select);
+        let cavity = std::mem::take(&mut self.cdt.cavity);
+        let (faces, rim, points) = (cavity.faces(), cavity.rim(), cavity.rim_points());
+        let first = (0..rim.len()).min_by_key(|&i| rim[i].from).unwrap_or(0);
+        let mut subsegments = Vec::new();
+        for i in (first..rim.len()).chain(0..first) {
+            let (edge, next) = (&rim[i], if i + 1 < rim.len() { i + 1 } else { 0 });
+            let corners = from_lowest([edge.from, edge.to, v], [points[i], points[next], p]);
+            self.look_at(faces[i], corners);
+            subsegments.extend((edge.mark != 0).then_some(faces[i].half_edge(0)));
+        }
+        self.cdt.cavity = cavity;
+        self.queue_encroached_of(subsegments);
+        self.stopwatch.enter(before);
     }
 
     /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
@@ -430,18 +488,16 @@ impl Refinement {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
-        if !subsegments.is_empty() {
-            self.stopwatch.enter(Part::Prepare);
-            self.queue_encroached_of(subsegments);
-        }
+        self.queue_encroached_of(subsegments);
         self.stopwatch.enter(before);
     }
 
     /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
     fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
-        if !self.prepare.is_lasting() {
+        if subsegments.is_empty() || !self.prepare.is_lasting() {
             return;
         }
+        let before = self.stopwatch.enter(Part::Prepare);
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
         for h in subsegments {
@@ -450,6 +506,7 @@ impl Refinement {
                 let _ = self.queue_subsegment(h, false);
             }
         }
+        self.stopwatch.enter(before);
     }
 
     /// What is wrong with a face.
@@ -459,7 +516,12 @@ impl Refinement {
 
     /// Queues a face if it is bad.
     pub(super) fn look_at_bad(&mut self, f: FaceId) {
-        if self.badness(f).is_some() && !self.select.is_manual() {
+        self.look_at(f, self.cdt.corners(f));
+    }
+
+    /// Queues a face with these corners, the lowest first, if it is bad.
+    fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
+        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() && !self.select.is_manual() {
             let patience = self.select.patience(self.view(), f, self.joined);
             self.joined += 1;
             self.queue.push(&self.cdt, f, patience);

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use super::recipe::{PlacePoint, Recipe};
 use super::s3_point_lepp;
 use super::steps::{PointStep, Proposal, View};
-use crate::geometry::{Point, Triangle, math};
+use crate::geometry::{Point, Triangle, lexicographically_less, math};
 use crate::mesh::FaceId;
 
 /// `circumcenter`: the center of the circumcircle.
@@ -78,15 +78,15 @@ impl PointStep for OffCenter {
     }
 }
 
-/// The ends of the shortest edge; of equal ones the first from the smallest vertex on does not matter to the middle.
+/// The ends of the shortest edge; of equal ones that with the first middle, whichever corner comes first.
 fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
     let edges = [(a, b), (b, c), (c, a)];
-    let length = |e: &(Point, Point)| view.ruler.length_sq(e.0, e.1);
-    let place = |e: &(Point, Point)| Point::midpoint(e.0, e.1);
-    let by = |e: &(Point, Point), f: &(Point, Point)| {
-        length(e).total_cmp(&length(f)).then_with(|| crate::geometry::lexicographic(place(e), place(f)))
+    let lengths = edges.map(|(p, q)| view.ruler.length_sq(p, q));
+    let middle = |i: usize| Point::midpoint(edges[i].0, edges[i].1);
+    let less = |i: usize, j: usize| {
+        lengths[i] < lengths[j] || lengths[i] == lengths[j] && lexicographically_less(middle(i), middle(j))
     };
-    edges.into_iter().min_by(by).unwrap_or((a, b))
+    edges[(1..3).fold(0, |best, i| if less(i, best) { i } else { best })]
 }
 
 /// The step of a recipe, for an angle bound in radians.

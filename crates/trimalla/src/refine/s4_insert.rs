@@ -58,6 +58,10 @@ impl InsertStep for Cavity {
     ) -> Result<VertexId, SplitError> {
         cdt.split_by_cavity(h, p, provenance, log)
     }
+
+    fn by_cavity(&self) -> bool {
+        true
+    }
 }
 
 /// `partition`: the face or edge is split and nothing else; what is not Delaunay stays so.

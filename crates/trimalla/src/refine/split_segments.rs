@@ -47,8 +47,8 @@ impl Refinement {
     pub(super) fn queue_all_encroached(&mut self) {
         let mut found: Vec<([VertexId; 2], HalfEdgeId)> = self
             .cdt
-            .edges()
-            .filter(|&h| self.cdt.is_marked(h) && self.prepare.needs_split(self.view(), h))
+            .marked_edges()
+            .filter(|&h| self.prepare.needs_split(self.view(), h))
             .map(|h| {
                 let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
                 ([a.min(b), a.max(b)], h)

@@ -196,6 +196,12 @@ pub trait InsertStep {
         log: &mut UndoLog,
     ) -> Result<VertexId, SplitError>;
 
+    /// Whether free points go in by replacing the faces whose circle holds them: then the loop finds that cavity itself, sees
+    /// before anything changes what will be around the new vertex, and does not ask for [`insert`](Self::insert).
+    fn by_cavity(&self) -> bool {
+        false
+    }
+
     /// Whether the smallest angle at a vertex never gets larger: then splitting goes no further than it can help.
     fn keeps_small_angles(&self) -> bool {
         false

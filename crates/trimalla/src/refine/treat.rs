@@ -2,9 +2,9 @@
 //!
 //! 1. Those that no point can help are given up, with the reason.
 //! 2. The point strategy proposes places, the best first.
-//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; a point goes in through the
-//!    journal, and comes out again if it is too near to another vertex or encroaches upon a subsegment, which then waits for
-//!    its split instead.
+//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; so does, instead of the point, one
+//!    that a point would encroach upon. Step 4 by cavity sees that before it cuts; otherwise the point goes in through the
+//!    journal and comes out again, as it does if it is too near to another vertex.
 
 use super::bad_triangles::Badness;
 use super::event::InsertedKind;
@@ -16,17 +16,13 @@ use super::stopwatch::Part;
 use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 
 impl Refinement {
     /// Treats a bad triangle; the error says why it is given up.
     pub(super) fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
-        let of_shape = self.badness(face).is_some_and(Badness::is_of_shape);
-        if of_shape && self.is_across_small_input_angle(face) {
-            return Err(Reason::AcrossSmallInputAngle);
-        }
-        if of_shape && self.is_beyond_help(self.cdt.corners(face)) {
-            return Err(Reason::StrategyCannotImprove);
+        if let Some(reason) = self.is_hopeless(face) {
+            return Err(reason);
         }
         self.count_path(face);
         let mut places = std::mem::take(&mut self.places);
@@ -42,6 +38,18 @@ impl Refinement {
         });
         self.places = places;
         if taken { Ok(()) } else { Err(refused) }
+    }
+
+    /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape is.
+    fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
+        let reason = if self.is_across_small_input_angle(face) {
+            Reason::AcrossSmallInputAngle
+        } else if self.is_beyond_help(self.cdt.corners(face)) {
+            Reason::StrategyCannotImprove
+        } else {
+            return None;
+        };
+        self.badness(face).is_some_and(Badness::is_of_shape).then_some(reason)
     }
 
     /// Counts the length of the path, where the strategy follows it.
@@ -102,8 +110,51 @@ impl Refinement {
         Err(refused)
     }
 
+    /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing is cut
+    /// that would have to be taken back.
+    fn try_cavity(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
+        if !self.cdt.find_cavity(point, locus) {
+            return Err(Reason::PrecisionFloor);
+        }
+        let (cavity, ruler) = (&self.cdt.cavity, self.ruler);
+        if cavity.rim_points().iter().any(|&q| ruler.length_sq(point, q) < self.floor_sq) {
+            return Err(self.floor_reason);
+        }
+        self.insertions += 1;
+        if self.minds_encroachment() {
+            let encroached: Vec<HalfEdgeId> = cavity
+                .rim()
+                .iter()
+                .filter(|e| e.mark != 0)
+                .map(|e| self.cdt.twin(e.outer))
+                .filter(|&h| self.is_encroached(h, point))
+                .collect();
+            if !encroached.is_empty() {
+                self.report.points_rejected += 1;
+                let ends = |&h: &HalfEdgeId| ends_of(&self.cdt, h);
+                let ends: Vec<[VertexId; 2]> = encroached.iter().map(ends).collect();
+                self.note(|event| event.encroached = ends);
+                return self.split_instead(&encroached);
+            }
+        }
+        // Nobody takes it back; an event is told by what the log holds.
+        let v = if self.event.is_some() {
+            self.cdt.fill_cavity(point, Provenance::Free, &mut self.log)
+        } else {
+            self.cdt.fill_cavity(point, Provenance::Free, &mut NoJournal)
+        };
+        self.vertices += 1;
+        self.report.points_inserted += 1;
+        self.note_inserted(v, InsertedKind::Free);
+        self.look_around_cavity(v, point);
+        Ok(())
+    }
+
     /// Inserts a free point; takes it back if it encroaches upon subsegments.
     fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
+        if self.insert.by_cavity() {
+            return self.try_cavity(point, locus);
+        }
         if self.nearest_sq(point, locus) < self.floor_sq {
             return Err(self.floor_reason);
         }
@@ -160,8 +211,8 @@ impl Refinement {
     /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
     /// there is nothing to win.
     fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
-        let shortest = self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
-        self.insert.keeps_small_angles() && shortest < self.bisection_floor_sq
+        let shortest = || self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
+        self.bisection_floor_sq > 0.0 && self.insert.keeps_small_angles() && shortest() < self.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
@@ -184,10 +235,12 @@ impl Refinement {
     /// The subsegments opposite a new vertex that it encroaches upon.
     fn encroached_by(&self, v: VertexId) -> Vec<HalfEdgeId> {
         let p = self.cdt.point(v);
-        let encroached = |h: &HalfEdgeId| {
-            let [a, b] = self.cdt.edge_points(*h);
-            self.region.holds(a, b, p, self.ruler)
-        };
-        self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h)).filter(encroached).collect()
+        let marked = self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h));
+        marked.filter(|&h| self.is_encroached(h, p)).collect()
+    }
+
+    fn is_encroached(&self, h: HalfEdgeId, p: Point) -> bool {
+        let [a, b] = self.cdt.edge_points(h);
+        self.region.holds(a, b, p, self.ruler)
     }
 }

@@ -42,6 +42,14 @@ impl Deref for Triangulation {
     }
 }
 
+/// What belongs to the three vertices of a face, that of the lowest first.
+#[inline]
+pub(crate) fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
+    let first = if c < a.min(b) { 2 } else { usize::from(b < a) };
+    let around = [of_a, of_b, of_c, of_a, of_b];
+    [around[first], around[first + 1], around[first + 2]]
+}
+
 impl Triangulation {
     /// A triangulation of nothing, its points waiting to be used.
     #[must_use]
@@ -80,11 +88,8 @@ impl Triangulation {
     #[must_use]
     #[inline]
     pub fn corners(&self, f: FaceId) -> [Point; 3] {
-        let mut v = self.face_vertices(f);
-        while v[0] > v[1] || v[0] > v[2] {
-            v.rotate_left(1);
-        }
-        v.map(|v| self.point(v))
+        let v = self.face_vertices(f);
+        from_lowest(v, v).map(|v| self.point(v))
     }
 
     /// Coordinates of the ends of a finite half-edge.

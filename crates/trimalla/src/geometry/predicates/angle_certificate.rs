@@ -53,7 +53,34 @@ pub fn angle_at_least(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
 #[must_use]
 #[inline]
 pub fn triangle_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
+    smallest_angle_at_least(a, b, c, cos_sq).unwrap_or_else(|| all_angles_at_least(a, b, c, cos_sq))
+}
+
+/// One angle after the other.
+#[cold]
+#[inline(never)]
+fn all_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
     angle_at_least(a, b, c, cos_sq) && angle_at_least(b, c, a, cos_sq) && angle_at_least(c, a, b, cos_sq)
+}
+
+/// The answer for all three angles by the smallest alone, where the filter decides.
+///
+/// The smallest lies between the two longest edges and is at most 60 degrees, where the sine rises with the angle: with
+/// `d` twice the area and `P` the product of the two longest squared lengths, it is below the bound exactly if
+/// `d² < (1 - c) P`. In roundings, against `P`: each product of two squared lengths carries 9, and the largest of the
+/// three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`, hence its
+/// square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice as long
+/// as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not matter.
+#[inline]
+fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<bool> {
+    let (u, v, w) = (b - a, c - b, a - c);
+    let (u_sq, v_sq, w_sq) = (u.length_sq(), v.length_sq(), w.length_sq());
+    let greater = |x: f64, y: f64| if x > y { x } else { y };
+    let longest = greater(greater(u_sq * v_sq, v_sq * w_sq), w_sq * u_sq);
+    let doubled_area = u.cross(v);
+    let excess = doubled_area * doubled_area - (1.0 - cos_sq) * longest;
+    let decides = excess.abs() > ANGLE_BOUND * longest && SQUARES.contains(&longest);
+    decides.then_some(excess > 0.0)
 }
 
 /// Decides what the filter left open.

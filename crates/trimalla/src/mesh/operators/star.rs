@@ -45,24 +45,21 @@ impl HalfEdgeMesh {
             let f = self.take_face(j);
             faces.push(f);
         }
-        let slots = &faces[..];
-        for (&f, e) in slots.iter().zip(rim) {
-            self.set_face(f, [e.from, e.to, v], j);
-            self.set_region(f, e.region, j);
-        }
+        let slots = &faces[..rim.len()];
         for (i, (&f, e)) in slots.iter().zip(rim).enumerate() {
+            let next = if i + 1 < slots.len() { i + 1 } else { 0 };
             let [base, to_v, from_v] = f.half_edges();
-            let next = slots[(i + 1) % rim.len()];
+            self.set_face(f, [e.from, e.to, v], j);
             self.glue(base, e.outer, j);
-            self.glue(to_v, next.half_edge(2), j);
+            self.glue(to_v, slots[next].half_edge(2), j);
             if !self.mark.is_empty() {
                 self.set_mark_one_side(base, e.mark, j);
                 self.set_mark_one_side(from_v, e.spoke, j);
-                self.set_mark_one_side(to_v, rim[(i + 1) % rim.len()].spoke, j);
+                self.set_mark_one_side(to_v, rim[next].spoke, j);
             }
-        }
-        for (&f, e) in slots.iter().zip(rim) {
-            self.rehome(e.from, f.half_edge(0), j);
+            self.set_region(f, e.region, j);
+            // Whatever half-edge it kept may have gone with the cavity.
+            self.set_outgoing(e.from, base, j);
         }
         let first = slots[0].half_edge(2);
         self.set_outgoing(v, first, j);
