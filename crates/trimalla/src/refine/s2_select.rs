@@ -6,13 +6,19 @@ use super::recipe::{Recipe, Select};
 use super::steps::{SelectStep, View};
 use crate::mesh::FaceId;
 
-/// `shortest-edge`: the triangle with the shortest edge first.
+/// `shortest-edge`: the triangle with the shortest edge first, to within an eighth of an octave of its square.
+///
+/// Of those the newest comes first, so that the work stays in one place for a while; the meshes are as small as in the exact
+/// order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortestEdge;
 
+/// The bits of a number down to eighths of an octave.
+const EIGHTHS: u64 = !0 << (52 - 3);
+
 impl SelectStep for ShortestEdge {
     fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
-        shortest_sq(view, face)
+        f64::from_bits(shortest_sq(view, face).to_bits() & EIGHTHS)
     }
 }
 
