@@ -264,6 +264,13 @@ impl ConstrainedDelaunay {
         }
     }
 
+    /// The area bound of the region of a face, where there is one for the whole region.
+    #[inline]
+    pub(crate) fn fixed_area_bound(&self, f: FaceId) -> Option<f64> {
+        let region = self.t.region(f).checked_sub(1)?;
+        if self.area_map.is_some() { None } else { self.regions.get(region as usize)?.max_area }
+    }
+
     /// Flips edges that fail the circle test until none does; returns how many flips it took.
     ///
     /// Nothing happens to a triangulation that is constrained Delaunay. One that vertices went into without flips, or
