@@ -256,7 +256,10 @@ impl ConstrainedDelaunay {
     #[must_use]
     #[inline]
     pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
-        let region = self.t.region(f).checked_sub(1)?;
+        self.t.region(f).checked_sub(1).and_then(|region| self.rule_of(region, f))
+    }
+
+    fn rule_of(&self, region: u32, f: FaceId) -> Option<RegionRule> {
         let rule = self.regions.get(region as usize).copied()?;
         match &self.area_map {
             None => Some(rule),

@@ -64,6 +64,7 @@ impl Provenances {
     }
 
     /// Sets it, through the journal.
+    #[inline]
     pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
         while self.words.len() <= i {
             if J::ACTIVE {
@@ -71,7 +72,9 @@ impl Provenances {
             }
             self.words.push(FREE);
         }
-        self.bound.resize(self.words.len().div_ceil(64), 0);
+        if self.bound.len() * 64 < self.words.len() {
+            self.bound.resize(self.words.len().div_ceil(64), 0);
+        }
         let (old, new) = (self.words[i], new.to_words());
         if J::ACTIVE && old != new {
             j.note(Column::ProvenanceKind, i as u32, old[0]);

@@ -30,12 +30,28 @@ pub(crate) struct Cavity {
     stack: Vec<Inner>,
 }
 
-/// A half-edge inside the cavity, with its ends.
+/// A half-edge inside the cavity, and what lies across: looked at when it goes onto the stack, so that two edges, each of which
+/// may have to wait for memory, are tested side by side.
 #[derive(Clone, Copy, Debug)]
 struct Inner {
     half_edge: HalfEdgeId,
+    outer: HalfEdgeId,
     from: Point,
     to: Point,
+    mark: u32,
+    /// The vertex across, where its face is to be taken in.
+    conflict: Option<Point>,
+}
+
+impl Inner {
+    #[inline(always)]
+    fn new(t: &Triangulation, half_edge: HalfEdgeId, [from, to]: [Point; 2], p: Point) -> Self {
+        let (outer, mark) = (t.twin(half_edge), t.mark(half_edge));
+        // The vertex at infinity has no coordinates.
+        let apex = t.points.get(t.apex(outer).index()).copied().filter(|_| mark == 0);
+        let conflict = apex.filter(|&apex| in_circle_perturbed(to, from, apex, p) == CircleSide::Inside);
+        Self { half_edge, outer, from, to, mark, conflict }
+    }
 }
 
 impl Cavity {
@@ -79,7 +95,10 @@ impl Cavity {
         }
         for (face, sides) in [(h.face(), [h.next(), h.prev()]), (o.face(), [o.next(), o.prev()])] {
             self.faces.push(face);
-            sides.into_iter().for_each(|side| self.close(t, side, t.point(t.origin(side)), t.region(face)));
+            for h in sides {
+                let (from, to, outer, mark) = (t.origin(h), t.dest(h), t.twin(h), t.mark(h));
+                self.close(RimEdge { from, to, outer, mark, region: t.region(face), spoke: 0 }, t.point(from));
+            }
         }
         self.is_seen_from(t, p)
     }
@@ -117,36 +136,33 @@ impl Cavity {
         self.faces.push(face);
         // The vertex at infinity has no coordinates; no circle is asked for beside it.
         let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
-        self.stack.extend(sides.rev().map(|h| Inner { half_edge: h, from: point(t.origin(h)), to: point(t.dest(h)) }));
-        while let Some(Inner { half_edge, from, to }) = self.stack.pop() {
-            let outer = t.twin(half_edge);
-            match t.points.get(t.apex(outer).index()) {
-                Some(&apex) if is_real && !t.is_marked(half_edge) && is_inside([to, from, apex], p) => {
-                    self.faces.push(outer.face());
-                    self.stack.push(Inner { half_edge: outer.prev(), from: apex, to });
-                    self.stack.push(Inner { half_edge: outer.next(), from, to: apex });
-                }
-                _ => self.close(t, half_edge, from, region),
+        self.stack.extend(sides.rev().map(|h| {
+            let inner = Inner::new(t, h, [point(t.origin(h)), point(t.dest(h))], p);
+            Inner { conflict: inner.conflict.filter(|_| is_real), ..inner }
+        }));
+        while let Some(Inner { half_edge, outer, from, to, mark, conflict }) = self.stack.pop() {
+            if let Some(apex) = conflict {
+                let (next, prev) = outer.next_and_prev();
+                self.faces.push(outer.face());
+                self.stack.push(Inner::new(t, prev, [apex, to], p));
+                self.stack.push(Inner::new(t, next, [from, apex], p));
+            } else {
+                let edge = RimEdge { from: t.origin(half_edge), to: t.dest(half_edge), outer, mark, region, spoke: 0 };
+                self.close(edge, from);
             }
         }
     }
 
-    /// Adds an edge to the rim.
+    /// Adds an edge to the rim, and where it starts.
     #[inline(always)]
-    fn close(&mut self, t: &Triangulation, inner: HalfEdgeId, at: Point, region: u32) {
-        let (from, to, mark) = (t.origin(inner), t.dest(inner), t.mark(inner));
-        self.rim.push(RimEdge { from, to, outer: t.twin(inner), mark, region, spoke: 0 });
-        self.points.push(at);
+    fn close(&mut self, edge: RimEdge, from: Point) {
+        self.rim.push(edge);
+        self.points.push(from);
     }
 
     fn is_seen_from(&self, t: &Triangulation, p: Point) -> bool {
         self.rim.iter().all(|e| is_seen(t, e, p))
     }
-}
-
-#[inline(always)]
-fn is_inside([a, b, c]: [Point; 3], p: Point) -> bool {
-    in_circle_perturbed(a, b, c, p) == CircleSide::Inside
 }
 
 /// Whether the face on a rim edge would be counter-clockwise; ghosts are not proved.

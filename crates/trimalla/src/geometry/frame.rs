@@ -14,6 +14,13 @@ const SHRINK: f64 = 0.125;
 const ORDINARY: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
+/// The largest of a number and the magnitudes of two others; what is no number does not count.
+#[inline(always)]
+fn larger(most: f64, x: f64, y: f64) -> f64 {
+    let greater = |a: f64, b: f64| if b > a { b } else { a };
+    greater(greater(most, x.abs()), y.abs())
+}
+
 /// A frame of reference for one small figure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
@@ -29,14 +36,13 @@ impl Frame {
     /// The frame with the given origin in which the given points have coordinates whose squares are ordinary numbers.
     #[inline]
     pub(super) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {
-        let largest =
-            points.iter().chain(core::iter::once(&origin)).fold(0.0_f64, |m, p| m.max(p.x.abs()).max(p.y.abs()));
+        let largest = points.iter().chain(core::iter::once(&origin)).fold(0.0, |m, p| larger(m, p.x, p.y));
         let shrink = if largest > LARGE { SHRINK } else { 1.0 };
         let mut frame =
             Self { origin: Vector::new(origin.x * shrink, origin.y * shrink), shrink, scale: 1.0, unscale: 1.0 };
-        let reach = points.iter().fold(0.0_f64, |m, p| {
+        let reach = points.iter().fold(0.0, |m, p| {
             let Vector { x, y } = frame.local(*p);
-            m.max(x.abs()).max(y.abs())
+            larger(m, x, y)
         });
         if !ORDINARY.contains(&reach) {
             frame.scale = power_of_two_scale(reach);

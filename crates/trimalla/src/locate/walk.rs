@@ -74,23 +74,29 @@ impl Triangulation {
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
         let Some(start) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
         let mut e = start.half_edge(0);
-        let mut side = self.side_of(e, p);
+        let [mut a, mut b] = self.edge_points(e);
+        let mut side = orient2d(a, b, p);
         for _ in 0..CALM_STEPS + self.face_slots() {
-            let around = [e, e.next(), e.prev()];
-            let sides = [side, self.side_of(around[1], p), self.side_of(around[2], p)];
-            let [out_e, out_next, out_prev] = sides.map(|side| side == Orientation::Clockwise);
-            let exit = match (out_e, out_next, out_prev) {
-                (false, false, false) => return Walk::Arrived(self.locus_in(e, sides)),
-                (true, false, false) => around[0],
-                (false, true, false) => around[1],
-                (false, false, true) => around[2],
-                (true, true, _) => self.exit_towards(start, p, around[0]),
-                (_, true, true) => self.exit_towards(start, p, around[1]),
-                (true, _, true) => self.exit_towards(start, p, around[2]),
+            let (next, prev) = e.next_and_prev();
+            let c = self.point(self.origin(prev));
+            let sides = [side, orient2d(b, c, p), orient2d(c, a, p)];
+            let exit = match sides.map(|side| side == Orientation::Clockwise) {
+                [false, false, false] => return Walk::Arrived(self.locus_in(e, sides)),
+                [true, false, false] => e,
+                [false, true, false] => next,
+                [false, false, true] => prev,
+                [true, true, _] => self.exit_towards(start, p, e),
+                [_, true, true] => self.exit_towards(start, p, next),
+                [true, _, true] => self.exit_towards(start, p, prev),
             };
             if self.is_marked(exit) || self.is_ghost(self.twin(exit).face()) {
                 return Walk::Blocked(exit);
             }
+            (a, b) = match exit {
+                _ if exit == e => (b, a),
+                _ if exit == next => (c, b),
+                _ => (a, c),
+            };
             (e, side) = (self.twin(exit), Orientation::CounterClockwise);
         }
         Walk::Arrived(self.scan_or_outside(p))

@@ -36,6 +36,12 @@ pub struct HalfEdgeMesh {
     pub(super) free_vertices: Vec<VertexId>,
 }
 
+/// Whether none of a slot's vertices is dead or at infinity: those two ids are above all others.
+#[inline]
+fn are_ordinary(half_edges: &[HalfEdge]) -> bool {
+    half_edges.iter().all(|h| h.origin < VertexId::DEAD)
+}
+
 /// Reading.
 impl HalfEdgeMesh {
     /// The vertex a half-edge starts at.
@@ -142,7 +148,8 @@ impl HalfEdgeMesh {
     #[must_use]
     #[inline]
     pub fn is_real(&self, f: FaceId) -> bool {
-        self.is_alive(f) && !self.is_ghost(f)
+        let k = f.index() * 3;
+        self.half_edges.get(k..k + 3).is_some_and(are_ordinary)
     }
 
     /// The finite edge of a ghost face: the half-edge opposite the vertex at infinity.
@@ -197,7 +204,8 @@ impl HalfEdgeMesh {
 
     /// The real faces, oldest slot first.
     pub fn real_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
-        (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_real(f))
+        let faces = self.half_edges.chunks_exact(3).enumerate();
+        faces.filter(|(_, v)| are_ordinary(v)).map(|(f, _)| FaceId::from_index(f))
     }
 
     /// The ghost faces, oldest slot first.

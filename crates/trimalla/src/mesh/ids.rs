@@ -97,6 +97,17 @@ impl HalfEdgeId {
         if self.0 % 3 == 0 { Self(self.0 + 2) } else { Self(self.0 - 1) }
     }
 
+    /// The next and the previous half-edge around the face.
+    #[must_use]
+    #[inline]
+    pub const fn next_and_prev(self) -> (Self, Self) {
+        match self.0 % 3 {
+            0 => (Self(self.0 + 1), Self(self.0 + 2)),
+            1 => (Self(self.0 + 1), Self(self.0 - 1)),
+            _ => (Self(self.0 - 2), Self(self.0 - 1)),
+        }
+    }
+
     /// `Some` of a real half-edge, `None` of the sentinel.
     #[must_use]
     #[inline]

@@ -6,8 +6,17 @@ use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
-use crate::geometry::Triangle;
+use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+
+/// What one look at every triangle tells.
+struct Survey {
+    triangles: usize,
+    leftovers: Vec<Leftover>,
+    /// The triangles of the smallest and of the largest angle.
+    sharpest: Option<FaceId>,
+    bluntest: Option<FaceId>,
+}
 
 /// Squared distances this close, relatively, are on one shell.
 const SAME_SHELL: f64 = 1e-3;
@@ -23,27 +32,44 @@ impl Refinement {
         self.claim_segments();
         self.stopwatch.enter(Part::Rest);
         self.given_up.sort_unstable();
-        let leftovers = self.leftovers();
+        let survey = self.survey();
         let mut report = std::mem::take(&mut self.report);
-        report.leftovers = leftovers;
-        report.vertices = self.cdt.input_points() + self.cdt.steiner_vertices();
         report.steiner_points = self.cdt.steiner_vertices();
-        report.triangles = self.cdt.face_count();
-        (report.min_angle_deg, report.max_angle_deg) = self.extreme_angles();
+        report.vertices = self.cdt.input_points() + report.steiner_points;
+        report.triangles = survey.triangles;
+        (report.min_angle_deg, report.max_angle_deg) = self.extreme_angles(&survey);
+        report.leftovers = survey.leftovers;
         self.stopwatch.enter(Part::Outside);
         report.step_times = self.stopwatch.times();
         (self.cdt, report)
     }
 
-    fn leftovers(&self) -> Vec<Leftover> {
-        let bad = |(triangle, f): (usize, FaceId)| {
+    /// Looks at every triangle once: which stayed bad, and which have the extreme angles, by their signed squared cosines, which
+    /// fall as angles rise.
+    fn survey(&self) -> Survey {
+        let mut survey = Survey { triangles: 0, leftovers: Vec::new(), sharpest: None, bluntest: None };
+        let (mut greatest, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
+        for f in self.cdt.real_faces() {
             let corners = self.cdt.corners(f);
-            self.badness(f)?;
-            let [a, b, c] = corners;
-            let min_angle_deg = Triangle::new(a, b, c).min_angle().degrees();
-            Some(Leftover { triangle, min_angle_deg, reason: self.reason_of(f) })
-        };
-        self.cdt.real_faces().enumerate().filter_map(bad).collect()
+            if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
+                let min_angle_deg = triangle(corners).min_angle().degrees();
+                survey.leftovers.push(Leftover {
+                    triangle: survey.triangles,
+                    min_angle_deg,
+                    reason: self.reason_of(f),
+                });
+            }
+            for cosine in self.cosines(corners) {
+                if cosine > greatest {
+                    (greatest, survey.sharpest) = (cosine, Some(f));
+                }
+                if cosine < least {
+                    (least, survey.bluntest) = (cosine, Some(f));
+                }
+            }
+            survey.triangles += 1;
+        }
+        survey
     }
 
     /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
@@ -132,36 +158,24 @@ impl Refinement {
         }
     }
 
-    /// The smallest and the largest angle in degrees: found by signed squared cosines, which fall as angles rise, and measured
-    /// in the two triangles alone.
-    fn extreme_angles(&self) -> (f64, f64) {
-        let mut sharpest = (f64::NEG_INFINITY, None);
-        let mut bluntest = (f64::INFINITY, None);
-        for f in self.cdt.real_faces() {
-            let (least, most) = self.cosines(f);
-            if most > sharpest.0 {
-                sharpest = (most, Some(f));
-            }
-            if least < bluntest.0 {
-                bluntest = (least, Some(f));
-            }
-        }
-        let triangle = |f: FaceId| {
-            let [a, b, c] = self.cdt.corners(f);
-            Triangle::new(a, b, c)
-        };
-        let least = sharpest.1.map_or(180.0, |f| triangle(f).min_angle().degrees());
-        let most = bluntest.1.map_or(0.0, |f| triangle(f).max_angle().degrees());
+    /// The smallest and the largest angle in degrees, measured in the two triangles alone.
+    fn extreme_angles(&self, survey: &Survey) -> (f64, f64) {
+        let corners = |f: FaceId| triangle(self.cdt.corners(f));
+        let least = survey.sharpest.map_or(180.0, |f| corners(f).min_angle().degrees());
+        let most = survey.bluntest.map_or(0.0, |f| corners(f).max_angle().degrees());
         (least, most)
     }
 
-    /// The least and the greatest of a face's three signed squared cosines, rounded.
-    fn cosines(&self, f: FaceId) -> (f64, f64) {
-        let [a, b, c] = self.cdt.face_points(f);
+    /// The signed squared cosines of a triangle's angles, rounded.
+    #[inline]
+    fn cosines(&self, [a, b, c]: [Point; 3]) -> [f64; 3] {
         let [u, v, w] = [self.ruler.vector(a, b), self.ruler.vector(b, c), self.ruler.vector(c, a)];
         let [uu, vv, ww] = [u, v, w].map(|s| s.length_sq());
         let signed_sq = |dot: f64, p: f64, q: f64| -dot * dot.abs() / (p * q);
-        let all = [signed_sq(u.dot(w), uu, ww), signed_sq(v.dot(u), vv, uu), signed_sq(w.dot(v), ww, vv)];
-        (all[0].min(all[1]).min(all[2]), all[0].max(all[1]).max(all[2]))
+        [signed_sq(u.dot(w), uu, ww), signed_sq(v.dot(u), vv, uu), signed_sq(w.dot(v), ww, vv)]
     }
+}
+
+fn triangle([a, b, c]: [Point; 3]) -> Triangle {
+    Triangle::new(a, b, c)
 }

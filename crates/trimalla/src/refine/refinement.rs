@@ -520,14 +520,23 @@ impl Refinement {
     }
 
     /// Queues a face with these corners, the lowest first, if it is bad.
+    #[inline]
     fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
-        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() && !self.select.is_manual() {
-            let patience = self.select.patience(self.view(), f, self.joined);
-            self.joined += 1;
-            self.queue.push(&self.cdt, f, patience);
+        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
+            self.queue_bad(f);
         } else {
             self.queue.pass(f);
         }
+    }
+
+    /// Queues a bad face, unless the caller picks.
+    fn queue_bad(&mut self, f: FaceId) {
+        if self.select.is_manual() {
+            return self.queue.pass(f);
+        }
+        let patience = self.select.patience(self.view(), f, self.joined);
+        self.joined += 1;
+        self.queue.push(&self.cdt, f, patience);
     }
 
     /// Whether the point strategy keeps clear of segments.

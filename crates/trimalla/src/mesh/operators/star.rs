@@ -46,12 +46,14 @@ impl HalfEdgeMesh {
             faces.push(f);
         }
         let slots = &faces[..rim.len()];
+        let mut before = slots[slots.len() - 1];
         for (i, (&f, e)) in slots.iter().zip(rim).enumerate() {
             let next = if i + 1 < slots.len() { i + 1 } else { 0 };
             let [base, to_v, from_v] = f.half_edges();
-            self.set_face(f, [e.from, e.to, v], j);
-            self.glue(base, e.outer, j);
-            self.glue(to_v, slots[next].half_edge(2), j);
+            let twins = [e.outer, slots[next].half_edge(2), before.half_edge(1)];
+            self.set_vertices_and_twins(f, [e.from, e.to, v], twins, j);
+            self.set_twin(e.outer, base, j);
+            before = f;
             if !self.mark.is_empty() {
                 self.set_mark_one_side(base, e.mark, j);
                 self.set_mark_one_side(from_v, e.spoke, j);
