@@ -68,3 +68,6 @@ pub(super) fn step(recipe: &Recipe, region: Region) -> Arc<dyn PrepareStep + Sen
         Prepare::SplitEncroached => Arc::new(SplitEncroached { region, when: recipe.prepare_when }),
     }
 }
+
+#[cfg(test)]
+super::conformance::conforms!(prepare, prepare: Prepare { none => None, split_encroached => SplitEncroached, });

@@ -114,3 +114,13 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {
         Select::First => Arc::new(First),
     }
 }
+
+#[cfg(test)]
+super::conformance::conforms!(select, select: Select {
+    shortest_edge => ShortestEdge,
+    smallest_angle => SmallestAngle,
+    smallest_circumradius => SmallestCircumradius,
+    boundary_shortest_edge => BoundaryShortestEdge,
+    manual => Manual,
+    first => First,
+});

@@ -99,3 +99,13 @@ pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send 
         _ => Arc::new(OffCenter::new(min_angle)),
     }
 }
+
+#[cfg(test)]
+super::conformance::conforms!(point, point: PlacePoint {
+    off_center => OffCenter,
+    circumcenter => Circumcenter,
+    lepp_midpoint => LeppMidpoint,
+    lepp_centroid => LeppCentroid,
+    lepp_circumcenter => LeppCircumcenter,
+    lepp_off_center => LeppOffCenter,
+});

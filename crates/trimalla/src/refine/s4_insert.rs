@@ -159,3 +159,11 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {
         Insert::Partition => Arc::new(Partition),
     }
 }
+
+#[cfg(test)]
+super::conformance::conforms!(insert, insert: Insert {
+    flip => Flip,
+    cavity => Cavity,
+    flip_or_centroid => FlipOrCentroid,
+    partition => Partition,
+});

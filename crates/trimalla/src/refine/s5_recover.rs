@@ -107,3 +107,10 @@ impl Refinement {
         self.report.lost_segments = lost;
     }
 }
+
+#[cfg(test)]
+super::conformance::conforms!(recover, recover: Recover {
+    none => None,
+    by_splitting => BySplitting,
+    whole_edge => WholeEdge,
+});

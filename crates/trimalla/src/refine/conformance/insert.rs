@@ -1,0 +1,122 @@
+//! The suite of step 4.
+
+use std::sync::Arc;
+
+use super::{Breach, Subject, by_name, carved, drawings, ensure, laws, view};
+use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::delaunay::AlgorithmKey;
+use crate::domain::Pslg;
+use crate::geometry::{Point, Triangle};
+use crate::locate::Locus;
+use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
+use crate::refine::recipe::{Insert, Recipe};
+use crate::refine::steps::{InsertStep, Proposal};
+
+/// Puts a step 4 through its suite.
+///
+/// # Errors
+/// The first [`Breach`].
+pub fn insert(subject: &Subject) -> Result<(), Breach> {
+    for (drawing, pslg) in drawings::all() {
+        of_drawing(subject, &pslg).map_err(|Breach(breach)| Breach(format!("{drawing}: {breach}")))?;
+    }
+    laws(subject)
+}
+
+fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+    let step = subject.steps().insert;
+    let start = carved(pslg, AlgorithmKey::Incremental)?;
+    for place in places(&start) {
+        goes_in_and_comes_out(&*step, &start, place)?;
+        flips_only_what_can_be(subject, &start, place)?;
+    }
+    if !step.keeps_delaunay() {
+        return Ok(());
+    }
+    let flips = Subject::of(Recipe { insert: Insert::Flip, ..Recipe::default() }).steps().insert;
+    let [own, reference] = [&step, &flips].map(|step| all_in(step, start.clone()));
+    ensure(own == reference, || "one after the other, they make another mesh than Lawson's flips".to_owned())
+}
+
+/// The middle of every triangle and of every edge.
+fn places(cdt: &ConstrainedDelaunay) -> Vec<Proposal> {
+    let middles = by_name(cdt).into_iter().map(|f| {
+        let [a, b, c] = cdt.corners(f);
+        (f, Triangle::new(a, b, c).centroid())
+    });
+    let inside = middles.filter(|&(f, p)| cdt.locate_from(f, p) == Locus::Face(f));
+    let inside = inside.map(|(f, point)| Proposal::Free { point, locus: Locus::Face(f) });
+    let on_edge = |edge: HalfEdgeId| {
+        let [a, b] = cdt.edge_points(edge);
+        if cdt.is_marked(edge) {
+            Proposal::Split(edge)
+        } else {
+            Proposal::OnEdge { edge, point: Point::midpoint(a, b) }
+        }
+    };
+    inside.chain(cdt.edges().map(on_edge)).collect()
+}
+
+/// Puts a vertex in at a place; `None` where it was refused.
+fn put_in(
+    step: &dyn InsertStep,
+    cdt: &mut ConstrainedDelaunay,
+    place: Proposal,
+    log: &mut UndoLog,
+) -> (Point, Option<VertexId>) {
+    match place {
+        Proposal::Free { point, locus } => (point, step.insert(cdt, point, locus, log)),
+        Proposal::OnEdge { edge, point } => (point, step.split(cdt, edge, point, Provenance::Free, log).ok()),
+        Proposal::Split(h) => {
+            let (point, provenance) = cdt.point_on_subsegment(h, 0.5);
+            (point, step.split(cdt, h, point, provenance, log).ok())
+        }
+    }
+}
+
+/// The vertex lies where it was put, the triangulation is sound, segments are whole, and all of it can be taken back.
+fn goes_in_and_comes_out(step: &dyn InsertStep, start: &ConstrainedDelaunay, place: Proposal) -> Result<(), Breach> {
+    let (mut cdt, mut log) = (start.clone(), UndoLog::new());
+    let here = log.checkpoint();
+    let (point, inserted) = put_in(step, &mut cdt, place, &mut log);
+    let Some(v) = inserted else {
+        return ensure(cdt == *start, || format!("{point} is refused, and yet something has changed"));
+    };
+    ensure(cdt.point(v) == point && cdt.is_used(v), || format!("{point} is put in and is not there"))?;
+    let faults = if step.keeps_delaunay() { cdt.check() } else { cdt.triangulation_faults() };
+    ensure(faults.is_empty(), || format!("{point} leaves {} faults, the first: {:?}", faults.len(), faults[0]))?;
+    let marks = |cdt: &ConstrainedDelaunay| cdt.edges().filter(|&h| cdt.is_marked(h)).count();
+    let expected = marks(start) + usize::from(matches!(place, Proposal::Split(_)));
+    ensure(marks(&cdt) == expected, || format!("{point} leaves {} subsegments, not {expected}", marks(&cdt)))?;
+    cdt.rollback(&mut log, here);
+    ensure(cdt == *start, || format!("{point} taken out, it is not what it was"))
+}
+
+/// What is flipped instead of an insertion is no segment, and fails the circle test.
+fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedDelaunay, place: Proposal) -> Result<(), Breach> {
+    let (step, options) = (subject.steps().insert, subject.options());
+    let Some(h) = step.flip_instead(view(cdt, &options), place) else { return Ok(()) };
+    let ends = [cdt.origin(h), cdt.dest(h)];
+    ensure(!cdt.is_marked(h) && cdt.fails_circle_test(h), || format!("edge {ends:?} is flipped without need"))
+}
+
+/// The mesh of all middles, one after the other, each where it lies by then.
+fn all_in(step: &Arc<dyn InsertStep + Send + Sync>, mut cdt: ConstrainedDelaunay) -> (Vec<Point>, Vec<[VertexId; 3]>) {
+    let mut log = UndoLog::new();
+    let middles: Vec<Point> = places(&cdt)
+        .into_iter()
+        .filter_map(|place| if let Proposal::Free { point, .. } = place { Some(point) } else { None })
+        .collect();
+    for point in middles {
+        let locus = cdt.locate(point);
+        let is_free = match locus {
+            Locus::Face(f) => cdt.is_real(f),
+            Locus::Edge(h) => !cdt.is_marked(h),
+            _ => false,
+        };
+        if is_free {
+            step.insert(&mut cdt, point, locus, &mut log);
+        }
+    }
+    (cdt.points().to_vec(), cdt.canonical())
+}

@@ -1,0 +1,189 @@
+//! What every strategy must keep: one suite for each of the five steps, for the library's own strategies and for any other.
+//!
+//! | suite | asks of the step itself | and of refinement with it |
+//! |---|---|---|
+//! | [`prepare()`] | one answer for both sides of a subsegment | nothing that asks for a split is left unsplit |
+//! | [`select()`] | patience is a number and depends on no slot | the least patient is taken; what is taken is there, and bad |
+//! | [`point()`] | places lie where their locus says, and depend on no slot | |
+//! | [`insert()`] | the vertex is where it was put, and can be taken back | with the circle test kept: the mesh of Lawson's flips |
+//! | [`recover()`] | | segments are locked, recovered or reported, as it says |
+//!
+//! Each of them ends with the [laws of refinement](laws()): sound after every step, bounded, deterministic, reversible.
+//!
+//! # Examples
+//! ```
+//! use std::sync::Arc;
+//! use trimalla::geometry::Triangle;
+//! use trimalla::mesh::FaceId;
+//! use trimalla::refine::conformance::{self, Subject};
+//! use trimalla::refine::steps::{PointStep, Proposal, View};
+//!
+//! struct Barycenter;
+//!
+//! impl PointStep for Barycenter {
+//!     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+//!         let [a, b, c] = view.cdt.corners(face);
+//!         places.extend(Proposal::towards(view, face, Triangle::new(a, b, c).centroid()));
+//!     }
+//! }
+//!
+//! let subject = Subject::default().with_steps(|_, steps| steps.point = Arc::new(Barycenter));
+//! conformance::point(&subject)?;
+//! # Ok::<(), conformance::Breach>(())
+//! ```
+
+mod drawings;
+mod insert;
+mod laws;
+mod point;
+mod prepare;
+mod recover;
+mod select;
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::options::RefineOptions;
+use super::recipe::{Recipe, Select};
+use super::refinement::Refinement;
+use super::ruler::Ruler;
+use super::steps::{Steps, View};
+use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::delaunay::AlgorithmKey;
+use crate::domain::{DomainRule, Pslg, build};
+use crate::mesh::{FaceId, VertexId};
+
+pub use insert::insert;
+pub use laws::laws;
+pub use point::point;
+pub use prepare::prepare;
+pub use recover::recover;
+pub use select::select;
+
+/// Vertices that a run of a suite may have.
+const MOST_VERTICES: usize = 80;
+/// Steps after which a run of so few vertices must have ended.
+const MOST_STEPS: usize = 20_000;
+/// The angle bound of the suites, in degrees: above what is proved, so that limits are met too.
+const BOUND_DEG: f64 = 28.0;
+
+/// A law that a strategy breaks, in words, with the drawing and the step that show it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct Breach(pub String);
+
+/// Puts steps of the caller's own in the place of the recipe's.
+type Change = dyn Fn(&RefineOptions, &mut Steps) + Send + Sync;
+
+/// What is put through a suite: a recipe, perhaps with steps from outside.
+#[derive(Clone, Default)]
+pub struct Subject {
+    recipe: Recipe,
+    change: Option<Arc<Change>>,
+}
+
+impl Subject {
+    /// The steps of a recipe.
+    #[must_use]
+    pub fn of(recipe: Recipe) -> Self {
+        Self { recipe, change: None }
+    }
+
+    /// The same with steps of the caller's own: `change` puts them in the place of the recipe's.
+    #[must_use]
+    pub fn with_steps(mut self, change: impl Fn(&RefineOptions, &mut Steps) + Send + Sync + 'static) -> Self {
+        self.change = Some(Arc::new(change));
+        self
+    }
+
+    fn options(&self) -> RefineOptions {
+        let options = RefineOptions { recipe: self.recipe, ..RefineOptions::default() };
+        options.with_min_angle_deg(BOUND_DEG).with_max_vertices(MOST_VERTICES)
+    }
+
+    fn steps(&self) -> Steps {
+        let options = self.options();
+        let mut steps = Steps::of(&options);
+        if let Some(change) = &self.change {
+            change(&options, &mut steps);
+        }
+        steps
+    }
+
+    /// A refinement that has not made a step; where the order is manual, every triangle is picked.
+    fn begin(&self, drawing: &Pslg, algorithm: AlgorithmKey) -> Result<Refinement, Breach> {
+        let cdt = carved(drawing, algorithm)?;
+        let begun = Refinement::of_steps(cdt, self.options(), self.steps(), None);
+        let mut refinement = begun.map_err(|error| Breach(error.to_string()))?;
+        if self.recipe.select == Select::Manual {
+            let faces: Vec<FaceId> = by_name(refinement.triangulation());
+            ensure(faces.into_iter().all(|f| refinement.pick(f)), || "a triangle cannot be picked".to_owned())?;
+        }
+        Ok(refinement)
+    }
+}
+
+impl fmt::Debug for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Subject").field("recipe", &self.recipe).field("is_own", &self.change.is_some()).finish()
+    }
+}
+
+fn carved(drawing: &Pslg, algorithm: AlgorithmKey) -> Result<ConstrainedDelaunay, Breach> {
+    let built = build(drawing, DomainRule::Seeds, Crossings::Refuse, algorithm);
+    built.map(|(cdt, _)| cdt).map_err(|error| Breach(error.to_string()))
+}
+
+fn ensure(holds: bool, breach: impl FnOnce() -> String) -> Result<(), Breach> {
+    if holds { Ok(()) } else { Err(Breach(breach())) }
+}
+
+/// Three vertices in order: what a triangle is called, whatever slot it has.
+fn name(cdt: &ConstrainedDelaunay, face: FaceId) -> [VertexId; 3] {
+    super::bad_triangles::sorted(cdt.face_vertices(face))
+}
+
+/// The triangles in the order of their names.
+fn by_name(cdt: &ConstrainedDelaunay) -> Vec<FaceId> {
+    let mut faces: Vec<FaceId> = cdt.real_faces().collect();
+    faces.sort_unstable_by_key(|&f| name(cdt, f));
+    faces
+}
+
+/// What a step sees.
+fn view<'a>(cdt: &'a ConstrainedDelaunay, options: &'a RefineOptions) -> View<'a> {
+    View { cdt, criteria: &options.criteria, ruler: Ruler::for_box(cdt.bounding_box()) }
+}
+
+/// Makes a test of each named strategy, and one that none is missing.
+#[cfg(test)]
+macro_rules! conforms {
+    ($suite:ident, $field:ident: $kind:ty { $($test:ident => $variant:ident,)* }) => {
+        #[cfg(test)]
+        mod conformance {
+            use crate::refine::conformance::{Subject, $suite};
+            use crate::refine::recipe::*;
+
+            $(
+                #[test]
+                fn $test() {
+                    let recipe = Recipe { $field: <$kind>::$variant, ..Recipe::default() };
+                    $suite(&Subject::of(recipe)).unwrap();
+                }
+            )*
+
+            #[test]
+            fn every_row_of_the_registry_is_put_through_the_suite() {
+                let keys = [$((<$kind>::$variant.key(), stringify!($test).replace('_', "-"))),*];
+                assert!(keys.iter().all(|(key, test)| key == test), "{keys:?}");
+                assert_eq!(keys.len(), <$kind>::ALL.len());
+                assert!(<$kind>::ALL.iter().all(|row| keys.iter().any(|(key, _)| *key == row.key())), "{keys:?}");
+            }
+        }
+    };
+}
+#[cfg(test)]
+pub(crate) use conforms;
+
+#[cfg(test)]
+mod tests;

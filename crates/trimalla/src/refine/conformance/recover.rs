@@ -1,0 +1,63 @@
+//! The suite of step 5.
+
+use std::collections::BTreeSet;
+
+use super::{Breach, Subject, drawings, ensure, laws};
+use crate::constrained::ConstrainedDelaunay;
+use crate::delaunay::AlgorithmKey;
+use crate::domain::Pslg;
+use crate::quality::{InputFault, against_input};
+use crate::refine::refinement::StepOutcome;
+
+/// Puts a step 5 through its suite.
+///
+/// # Errors
+/// The first [`Breach`].
+pub fn recover(subject: &Subject) -> Result<(), Breach> {
+    for (drawing, pslg) in drawings::all() {
+        of_drawing(subject, &pslg).map_err(|Breach(breach)| Breach(format!("{drawing}: {breach}")))?;
+    }
+    laws(subject)
+}
+
+fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+    let step = subject.steps().recover;
+    let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
+    let mut is_finished = false;
+    laws::run(subject, pslg, &mut refinement, |refinement, event| {
+        is_finished = event.outcome == StepOutcome::Finished;
+        let cdt = refinement.triangulation();
+        the_border_is_locked(cdt)?;
+        ensure(!step.locks_segments() || missing(cdt, pslg).is_empty(), || {
+            "a segment is gone that is locked".to_owned()
+        })
+    })?;
+    let (cdt, report) = refinement.finish();
+    let told: BTreeSet<u32> = report.lost_segments.iter().copied().collect();
+    let missing = missing(&cdt, pslg);
+    ensure(missing == told, || format!("segments {missing:?} are missing in the end, and {told:?} are told of"))?;
+    let must_be_whole = step.locks_segments() || step.splits_back() && is_finished;
+    ensure(told.is_empty() || !must_be_whole, || format!("segments {told:?} are lost, though it says that none is"))
+}
+
+/// Every edge with a triangle on one side alone is marked, so that nothing flips it or walks across.
+fn the_border_is_locked(cdt: &ConstrainedDelaunay) -> Result<(), Breach> {
+    let open = cdt.edges().find(|&h| {
+        let sides = [h, cdt.twin(h)].map(|side| cdt.is_real(side.face()));
+        sides[0] != sides[1] && !cdt.is_marked(h)
+    });
+    ensure(open.is_none(), || "an edge of the border is not locked".to_owned())
+}
+
+/// The segments of the drawing that are no chains of edges.
+fn missing(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> BTreeSet<u32> {
+    let faults = against_input(&cdt.to_indexed(pslg), pslg).faults;
+    faults.into_iter().filter_map(|fault| segment_of(&fault)).collect()
+}
+
+fn segment_of(fault: &InputFault) -> Option<u32> {
+    match fault {
+        InputFault::SegmentNotCovered { segment, .. } => u32::try_from(*segment).ok(),
+        _ => None,
+    }
+}

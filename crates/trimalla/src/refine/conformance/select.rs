@@ -1,0 +1,104 @@
+//! The suite of step 2.
+
+use std::collections::BTreeSet;
+
+use super::{Breach, Subject, by_name, drawings, ensure, laws, name, view};
+use crate::constrained::ConstrainedDelaunay;
+use crate::delaunay::AlgorithmKey;
+use crate::domain::Pslg;
+use crate::geometry::triangle_angles_at_least;
+use crate::mesh::{FaceId, VertexId};
+use crate::refine::event::Why;
+use crate::refine::options::RefineOptions;
+use crate::refine::refinement::StepOutcome;
+
+/// Steps of patience within which triangles count as equally urgent: a 128th, and rounding.
+const STEP: f64 = 1.0 + 1.0 / 64.0;
+
+/// Puts a step 2 through its suite.
+///
+/// # Errors
+/// The first [`Breach`].
+pub fn select(subject: &Subject) -> Result<(), Breach> {
+    for (drawing, pslg) in drawings::all() {
+        let at = |Breach(breach)| Breach(format!("{drawing}: {breach}"));
+        patience_is_a_number(subject, &pslg).map_err(at)?;
+        the_least_patient_is_taken(subject, &pslg).map_err(at)?;
+        what_is_taken_is_there(subject, &pslg).map_err(at)?;
+    }
+    laws(subject)
+}
+
+/// Patience is neither negative nor no number, the same when asked again, and depends on no slot.
+fn patience_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+    let (step, options) = (subject.steps().select, subject.options());
+    let patiences = |algorithm: AlgorithmKey| -> Result<Vec<([VertexId; 3], u64)>, Breach> {
+        let refinement = subject.begin(pslg, algorithm)?;
+        let cdt = refinement.triangulation();
+        let patience = |f: FaceId| {
+            let [p, again] = [0; 2].map(|joined| step.patience(view(cdt, &options), f, joined));
+            ensure(p >= 0.0, || format!("the patience of {:?} is {p}", name(cdt, f)))?;
+            ensure(p.to_bits() == again.to_bits(), || format!("the patience of {:?} changes", name(cdt, f)))?;
+            Ok((name(cdt, f), p.to_bits()))
+        };
+        by_name(cdt).into_iter().map(patience).collect()
+    };
+    let both = [patiences(AlgorithmKey::Incremental)?, patiences(AlgorithmKey::DivideAndConquer)?];
+    ensure(both[0] == both[1], || "patience depends on where a triangle is stored".to_owned())
+}
+
+/// The first triangle that is treated is one of those that can wait least.
+fn the_least_patient_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+    let (step, options) = (subject.steps().select, subject.options());
+    let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
+    // Splits of subsegments come first, and change what is bad: only where there are none the order of the start holds.
+    let before = refinement.triangulation().clone();
+    let event = refinement.step();
+    let Some((taken, why)) = event.selected else { return Ok(()) };
+    if step.is_manual() {
+        let first = by_name(&before).first().map(|&f| name(&before, f));
+        return ensure(first == Some(taken) && why != Why::Asked, || "picks are not taken in their order".to_owned());
+    }
+    let bad = by_name(&before).into_iter().filter(|&f| is_bad(&before, f, &options));
+    let patiences =
+        (0_u64..).zip(bad).map(|(joined, f)| (name(&before, f), step.patience(view(&before, &options), f, joined)));
+    let patiences: Vec<_> = patiences.collect();
+    let least = patiences.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
+    let own = patiences.iter().find(|p| p.0 == taken).map_or(f64::NAN, |p| p.1);
+    ensure(own <= least * STEP, || format!("{taken:?} of patience {own} is taken, though one has {least}"))
+}
+
+/// What is selected is a triangle of the mesh, and bad, or picked.
+fn what_is_taken_is_there(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+    let (is_manual, options) = (subject.steps().select.is_manual(), subject.options());
+    let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
+    let mut before = refinement.triangulation().clone();
+    let mut picks = by_name(&before).len();
+    laws::run(subject, pslg, &mut refinement, |refinement, event| {
+        if let Some((taken, _)) = event.selected {
+            let face = by_name(&before).into_iter().find(|&f| name(&before, f) == taken);
+            ensure(face.is_some(), || format!("{taken:?} is taken and is no triangle"))?;
+            let is_bad = face.is_some_and(|f| is_bad(&before, f, &options));
+            ensure(is_bad || is_manual, || format!("{taken:?} is taken and is good"))?;
+            picks = if is_manual { picks.saturating_sub(1) } else { picks };
+        }
+        if event.outcome == StepOutcome::Finished && !is_manual {
+            everything_was_taken(refinement.triangulation(), refinement.clone().finish().1.leftovers.len(), &options)?;
+        }
+        before = refinement.triangulation().clone();
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// In the end every triangle that is still bad is told of.
+fn everything_was_taken(cdt: &ConstrainedDelaunay, told: usize, options: &RefineOptions) -> Result<(), Breach> {
+    let bad: BTreeSet<_> =
+        by_name(cdt).into_iter().filter(|&f| is_bad(cdt, f, options)).map(|f| name(cdt, f)).collect();
+    ensure(bad.len() == told, || format!("{} triangles are bad in the end, and {told} are told of", bad.len()))
+}
+
+fn is_bad(cdt: &ConstrainedDelaunay, face: FaceId, options: &RefineOptions) -> bool {
+    let [a, b, c] = cdt.corners(face);
+    !triangle_angles_at_least(a, b, c, options.criteria.min_angle.cos_sq())
+}
