@@ -31,7 +31,7 @@ use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orien
 use crate::mesh::Patch;
 
 /// Up to this many border vertices recursion is quicker.
-const SHORT: usize = 8;
+const SHORT: usize = 24;
 
 /// How a pseudo-polygon is filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,11 +98,16 @@ impl Border<'_> {
         orient2d(a, b, c) == Orientation::CounterClockwise
     }
 
-    /// Whether `d` lies inside the circle of a counter-clockwise triangle; a vertex that stands on the border twice is not
-    /// inside a circle through itself.
+    /// Whether a vertex lies inside the circle of a counter-clockwise triangle.
     #[inline]
     fn is_inside(self, triangle: [u32; 3], d: u32) -> bool {
-        let ([a, b, c], [d]) = (self.at(triangle), self.at([d]));
-        in_circle_perturbed(a, b, c, d) == CircleSide::Inside && d != a && d != b && d != c
+        is_inside(self.at(triangle), self.0[d as usize])
     }
+}
+
+/// Whether a point lies inside the circle of a counter-clockwise triangle; a vertex that stands on the border twice is not
+/// inside a circle through itself.
+#[inline]
+fn is_inside([a, b, c]: [Point; 3], d: Point) -> bool {
+    in_circle_perturbed(a, b, c, d) == CircleSide::Inside && d != a && d != b && d != c
 }

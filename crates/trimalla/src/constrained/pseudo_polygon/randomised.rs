@@ -23,9 +23,8 @@
 
 use super::{Border, Edges};
 use crate::geometry::Point;
-use crate::mesh::Patch;
+use crate::mesh::{Patch, Side, Triangle};
 
-const NONE: u32 = Patch::BORDER;
 /// Draws before the farthest vertex is taken instead.
 const DRAWS: u32 = 16;
 
@@ -137,40 +136,27 @@ struct Growing<'a> {
 struct Pending {
     v: u32,
     w: u32,
-    beyond: u32,
+    beyond: Side,
     /// Whether the vertex is known to see it.
     seen: bool,
-}
-
-fn next(h: u32) -> u32 {
-    if h % 3 == 2 { h - 2 } else { h + 1 }
-}
-
-fn prev(h: u32) -> u32 {
-    if h % 3 == 0 { h + 2 } else { h - 1 }
 }
 
 impl Growing<'_> {
     /// The first triangle: the base and one vertex.
     fn start(&mut self, n: u32, apex: u32) -> Option<()> {
-        let first = [0, n - 1, apex];
-        let Patch { corners, across, rim, base } = &mut *self.patch;
-        corners.clear();
-        corners.extend(first);
-        across.clear();
-        across.extend([NONE; 3]);
-        rim.clear();
-        rim.resize(n as usize - 1, NONE);
-        rim[apex as usize] = 1; // last → apex
-        rim[0] = 2; // apex → 0
-        *base = 0;
-        self.border.is_ccw(first).then_some(())
+        let corners = [0, n - 1, apex];
+        self.patch.start(self.border.0.len());
+        let first = self.add(corners);
+        self.patch.base = first;
+        self.patch.rim[apex as usize] = first.next(); // last → apex
+        self.patch.rim[0] = first.prev(); // apex → 0
+        self.border.is_ccw(corners).then_some(())
     }
 
     /// Puts `u` back between `p` and `n`.
     fn put_back(&mut self, u: u32, p: u32, n: u32) -> Option<()> {
         self.pending.push(Pending { v: n, w: p, beyond: self.patch.rim[p as usize], seen: false });
-        let mut spoke = NONE; // u → w of the triangle before in the fan
+        let mut spoke = Side::BORDER; // u → w of the triangle before in the fan
         while let Some(edge) = self.pending.pop() {
             let triangle = [edge.v, u, edge.w];
             if !edge.seen && !self.border.is_ccw(triangle) {
@@ -178,19 +164,19 @@ impl Growing<'_> {
                 self.dig(edge, false)?;
                 continue;
             }
-            if edge.beyond != NONE && self.border.is_inside(triangle, self.patch.corners[prev(edge.beyond) as usize]) {
+            if edge.beyond != Side::BORDER && self.border.is_inside(triangle, self.patch.origin(edge.beyond.prev())) {
                 self.dig(edge, true)?;
                 continue;
             }
             let t = self.add(triangle);
-            self.join_beyond(t + 2, edge);
-            if spoke == NONE {
+            self.join_beyond(t.prev(), edge);
+            if spoke == Side::BORDER {
                 self.patch.rim[u as usize] = t; // n → u
             } else {
-                self.patch.across[spoke as usize] = t;
-                self.patch.across[t as usize] = spoke;
+                self.patch.set_across(spoke, t);
+                self.patch.set_across(t, spoke);
             }
-            spoke = t + 1;
+            spoke = t.next();
         }
         self.patch.rim[p as usize] = spoke; // u → p
         Some(())
@@ -198,51 +184,40 @@ impl Growing<'_> {
 
     /// Takes away the triangle beyond an edge; its two other edges are pending instead, and seen or not.
     fn dig(&mut self, e: Pending, seen: bool) -> Option<()> {
-        if e.beyond == NONE {
+        if e.beyond == Side::BORDER {
             return None;
         }
-        let (wx, xv) = (next(e.beyond), prev(e.beyond));
-        let x = self.patch.corners[xv as usize];
-        self.free.push(e.beyond / 3);
-        let (beyond_wx, beyond_xv) = (self.beyond(wx), self.beyond(xv));
-        self.pending.push(Pending { v: x, w: e.w, beyond: beyond_wx, seen });
-        self.pending.push(Pending { v: e.v, w: x, beyond: beyond_xv, seen });
+        let (wx, xv) = (e.beyond.next(), e.beyond.prev());
+        let x = self.patch.origin(xv);
+        self.free.push(e.beyond.triangle());
+        for (v, w, side) in [(x, e.w, wx), (e.v, x, xv)] {
+            self.pending.push(Pending { v, w, beyond: self.patch.across(side), seen });
+        }
         // A filled region has no more than twice as many pending edges as the border has vertices.
         (self.pending.len() <= 2 * self.border.0.len()).then_some(())
     }
 
-    fn beyond(&mut self, h: u32) -> u32 {
-        let t = self.patch.across[h as usize];
-        if t != NONE {
-            self.patch.across[t as usize] = NONE;
-        }
-        t
-    }
-
     /// Adds a triangle; returns its first side.
-    fn add(&mut self, t: [u32; 3]) -> u32 {
-        let Patch { corners, across, .. } = &mut *self.patch;
+    fn add(&mut self, corners: [u32; 3]) -> Side {
+        let triangle = Triangle { corners, across: [Side::BORDER; 3] };
+        let triangles = &mut self.patch.triangles;
         if let Some(slot) = self.free.pop() {
-            let h = 3 * slot as usize;
-            corners[h..h + 3].copy_from_slice(&t);
-            across[h..h + 3].fill(NONE);
-            return 3 * slot;
+            triangles[slot as usize] = triangle;
+            return Side::new(slot, 0);
         }
-        let h = corners.len() as u32;
-        corners.extend(t);
-        across.extend([NONE; 3]);
-        h
+        triangles.push(triangle);
+        Side::new(triangles.len() as u32 - 1, 0)
     }
 
-    /// Joins new side `h` = w → v to what lies beyond it, or makes it the side along the border.
-    fn join_beyond(&mut self, h: u32, e: Pending) {
-        if e.beyond != NONE {
-            self.patch.across[h as usize] = e.beyond;
-            self.patch.across[e.beyond as usize] = h;
+    /// Joins new side w → v to what lies beyond it, or makes it the side along the border.
+    fn join_beyond(&mut self, side: Side, e: Pending) {
+        if e.beyond != Side::BORDER {
+            self.patch.set_across(side, e.beyond);
+            self.patch.set_across(e.beyond, side);
         } else if e.w == 0 && e.v as usize == self.border.0.len() - 1 {
-            self.patch.base = h;
+            self.patch.base = side;
         } else {
-            self.patch.rim[e.v as usize] = h;
+            self.patch.rim[e.v as usize] = side;
         }
     }
 }

@@ -10,8 +10,9 @@
 //! `[Vigo97]`, `TriangulatePseudopolygonDelaunay`; corners that are not left of the base are passed over
 //! here, which the paper leaves to the in-circle test.
 
-use super::{Border, Edges};
-use crate::mesh::Patch;
+use super::{Border, Edges, is_inside};
+use crate::geometry::ccw;
+use crate::mesh::{Patch, Side, Triangle};
 
 /// A stretch of the border between two vertices, with the edge between them for its base.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,7 @@ struct Stretch {
     first: u32,
     last: u32,
     /// The side of an earlier triangle along the base, if any.
-    parent: u32,
+    parent: Side,
 }
 
 /// The stack.
@@ -29,23 +30,19 @@ pub(super) struct Room(Vec<Stretch>);
 /// See [`super::Filler::fill`].
 pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
     let n = border.len()?;
-    patch.corners.clear();
-    patch.across.clear();
-    patch.rim.clear();
-    patch.rim.resize(n as usize - 1, Patch::BORDER);
-    patch.base = 0;
+    patch.start(border.0.len());
+    patch.base = Side::new(0, 0);
     room.0.clear();
-    room.0.push(Stretch { first: 0, last: n - 1, parent: Patch::BORDER });
+    room.0.push(Stretch { first: 0, last: n - 1, parent: Side::BORDER });
     while let Some(Stretch { first, last, parent }) = room.0.pop() {
         let corner = best_corner(border, first, last)?;
         // Counter-clockwise first → last → corner; the other two sides are rims or bases of stretches.
-        let base = patch.corners.len() as u32;
-        patch.corners.extend([first, last, corner]);
-        patch.across.extend([parent, Patch::BORDER, Patch::BORDER]);
-        if parent != Patch::BORDER {
-            patch.across[parent as usize] = base;
+        let this = patch.triangles.len() as u32;
+        patch.triangles.push(Triangle { corners: [first, last, corner], across: [parent, Side::BORDER, Side::BORDER] });
+        if parent != Side::BORDER {
+            patch.set_across(parent, Side::new(this, 0));
         }
-        for (first, last, side) in [(corner, last, base + 1), (first, corner, base + 2)] {
+        for (first, last, side) in [(corner, last, Side::new(this, 1)), (first, corner, Side::new(this, 2))] {
             if first + 1 == last {
                 patch.rim[first as usize] = side;
             } else {
@@ -58,12 +55,13 @@ pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Op
 
 /// Of the vertices strictly between and left of the base, the one whose circle holds none of the others.
 fn best_corner(border: Border<'_>, first: u32, last: u32) -> Option<u32> {
-    let mut best: Option<u32> = None;
-    for v in first + 1..last {
-        let is_better = best.is_none_or(|b| border.is_inside([first, last, b], v));
-        if is_better && border.is_ccw([first, last, v]) {
-            best = Some(v);
+    let [a, b] = border.at([first, last]);
+    let mut best = None;
+    for (v, &p) in (first + 1..).zip(&border.0[first as usize + 1..last as usize]) {
+        let is_better = best.is_none_or(|(_, c)| is_inside([a, b, c], p));
+        if is_better && ccw(a, b, p) {
+            best = Some((v, p));
         }
     }
-    best
+    best.map(|(v, _)| v)
 }

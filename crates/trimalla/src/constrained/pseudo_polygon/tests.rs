@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::*;
+use crate::mesh::Side;
 
 /// What lies across a side of a filled triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,15 +26,15 @@ struct Filled {
 
 /// The triangles of a patch one by one.
 fn triangles(patch: &Patch) -> Vec<Filled> {
-    let rims: BTreeMap<u32, u32> = patch.rim.iter().copied().zip(0..).collect();
-    let across = |side: u32| match patch.across[side as usize] {
-        Patch::BORDER if side == patch.base => Across::Base,
-        Patch::BORDER => Across::Rim(rims[&side]),
-        other => Across::Triangle(other / 3, other % 3),
+    let rims: BTreeMap<Side, u32> = patch.rim.iter().copied().zip(0..).collect();
+    let across = |side: Side| match patch.across(side) {
+        Side::BORDER if side == patch.base => Across::Base,
+        Side::BORDER => Across::Rim(rims[&side]),
+        other => Across::Triangle(other.triangle(), other.corner() as u32),
     };
     let triangle = |t: u32| Filled {
-        vertices: [0, 1, 2].map(|k| patch.corners[(3 * t + k) as usize]),
-        across: [0, 1, 2].map(|k| across(3 * t + k)),
+        vertices: patch.triangles[t as usize].corners,
+        across: [0, 1, 2].map(|k| across(Side::new(t, k))),
     };
     (0..patch.len() as u32).map(triangle).collect()
 }

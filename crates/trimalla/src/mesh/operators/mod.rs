@@ -22,10 +22,12 @@ mod carve;
 mod chain;
 mod flip;
 mod outside;
+mod patch;
 mod refill;
 mod split;
 mod star;
 mod unsplit;
 
-pub(crate) use refill::{Half, Patch, Rim};
+pub(crate) use patch::{Patch, Side, Triangle};
+pub(crate) use refill::{Half, Rim};
 pub(crate) use star::RimEdge;

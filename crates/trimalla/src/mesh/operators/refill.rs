@@ -1,45 +1,7 @@
 //! Refill: other faces in the same cavity.
 
+use super::patch::Patch;
 use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
-
-/// Triangles that fill a region beside an edge, the *base*; they know nothing of the mesh that they are meant for.
-///
-/// Border vertices are numbered along the border from one end of the base to the other, the region on the left; *rim*
-/// `i` is the edge of the border between vertices `i` and `i + 1`. Side `3 t + k` is that of triangle `t` from its corner
-/// `k` to the next one.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Patch {
-    /// Where each side starts: a border vertex.
-    pub(crate) corners: Vec<u32>,
-    /// The side across each side, [`BORDER`](Self::BORDER) for those on the border.
-    pub(crate) across: Vec<u32>,
-    /// The side along each rim.
-    pub(crate) rim: Vec<u32>,
-    /// The side along the base.
-    pub(crate) base: u32,
-}
-
-impl Patch {
-    /// What lies across the sides on the border.
-    pub(crate) const BORDER: u32 = u32::MAX;
-
-    /// Number of triangles.
-    pub(crate) fn len(&self) -> usize {
-        self.corners.len() / 3
-    }
-
-    /// The half-edge that a side becomes in these faces.
-    #[inline]
-    fn half_edge(faces: &[FaceId], side: u32) -> HalfEdgeId {
-        faces[side as usize / 3].half_edge(side % 3)
-    }
-
-    /// The edges that these faces have between them, one half-edge each.
-    pub(crate) fn inner_edges(&self, faces: &[FaceId]) -> impl Iterator<Item = HalfEdgeId> {
-        let inner = (0..).zip(&self.across).filter(|&(side, &across)| across != Self::BORDER && side < across);
-        inner.map(move |(side, _)| Self::half_edge(faces, side))
-    }
-}
 
 /// One half of a cavity that an edge parts.
 #[derive(Clone, Debug, Default)]
@@ -94,7 +56,7 @@ impl HalfEdgeMesh {
         }
         for (faces, half) in &halves {
             for (rim, &side) in half.rims.iter().zip(&half.patch.rim) {
-                self.set_twin(rim.outer, Patch::half_edge(faces, side), j);
+                self.set_twin(rim.outer, side.half_edge(faces), j);
             }
         }
         // The inner half-edge of an edge that dangles was told, as the other rim's outside, what comes in that one's place.
@@ -106,7 +68,7 @@ impl HalfEdgeMesh {
         for (faces, half) in &halves {
             self.write_half(faces, half, j);
         }
-        let [a, b] = halves.map(|(faces, half)| Patch::half_edge(faces, half.patch.base));
+        let [a, b] = halves.map(|(faces, half)| half.patch.base.half_edge(faces));
         self.glue(a, b, j);
         self.set_mark(a, mark, j);
     }
@@ -114,20 +76,17 @@ impl HalfEdgeMesh {
     /// Writes the faces of one half, but for what lies across its base.
     fn write_half<J: Journal>(&mut self, faces: &[FaceId], half: &Half, j: &mut J) {
         let Half { border, rims, patch } = half;
-        for ((&f, corners), across) in faces.iter().zip(patch.corners.chunks_exact(3)).zip(patch.across.chunks_exact(3))
-        {
-            for ((h, &corner), &across) in f.half_edges().into_iter().zip(corners).zip(across) {
-                self.set_origin(h, border[corner as usize], j);
-                if across != Patch::BORDER {
-                    self.set_twin(h, Patch::half_edge(faces, across), j);
-                }
-                if !self.mark.is_empty() {
-                    self.set_mark_one_side(h, 0, j);
-                }
+        let has_marks = self.has_marks();
+        for (&f, triangle) in faces.iter().zip(&patch.triangles) {
+            let vertices = triangle.corners.map(|corner| border[corner as usize]);
+            let twins = triangle.across.map(|side| side.half_edge(faces));
+            self.set_vertices_and_twins(f, vertices, twins, j);
+            if has_marks {
+                f.half_edges().into_iter().for_each(|h| self.set_mark_one_side(h, 0, j));
             }
         }
-        for ((rim, &side), &v) in rims.iter().zip(&patch.rim).zip(&border[1..]) {
-            let h = Patch::half_edge(faces, side);
+        for ((rim, side), &v) in rims.iter().zip(&patch.rim).zip(&border[1..]) {
+            let h = side.half_edge(faces);
             self.set_twin(h, rim.outer, j);
             if rim.mark != 0 {
                 self.set_mark_one_side(h, rim.mark, j);
