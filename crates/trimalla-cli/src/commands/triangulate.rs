@@ -9,7 +9,7 @@ use trimalla::domain::{Pslg, Warning};
 use trimalla::triangulation::IndexedMesh;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
-use crate::console;
+use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
 use crate::names::Names;
@@ -101,15 +101,15 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
     options.report.warn(&warnings);
     let prepared = outputs.prepare_mesh(&mesh, &[])?;
-    let angles_deg = text::extreme_angles_deg(&mesh);
+    let angles_deg = || text::extreme_angles_deg(&mesh);
     if options.report.json {
-        json::print(&json::of_triangulation(&mesh, angles_deg, options.algorithm.key(), seconds, &warnings))?;
-    } else {
+        json::print(&json::of_triangulation(&mesh, angles_deg(), options.algorithm.key(), seconds, &warnings))?;
+    } else if stream != Stream::Nowhere {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(&drawing));
         lines.row("algorithm", options.algorithm.key());
         text::add_counts(&mut lines, &mesh, mesh.input_points);
-        lines.row("angles", text::angles(angles_deg));
+        lines.row("angles", text::angles(angles_deg()));
         text::add_end(&mut lines, seconds, &outputs.files());
         console::write(stream, &lines.into_text())?;
     }
