@@ -14,6 +14,7 @@ use trimalla::triangulation::IndexedMesh;
 use crate::columns::{Points, Segments, check_triangles};
 use crate::error::IoError;
 use crate::numbers::{Numbering, VertexRange};
+use crate::rows::Rows;
 use crate::tokens::Reader;
 use crate::topology::{by_edge, sorted_sides};
 
@@ -86,9 +87,10 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
     let Edges { edges, markers } = edges_of(mesh)?;
     let base = u64::from(first_index);
     writeln!(out, "{} 1", edges.len())?;
-    for (i, (edge, marker)) in edges.iter().zip(&markers).enumerate() {
+    let mut rows = Rows::to(out);
+    for (i, (edge, &marker)) in edges.iter().zip(&markers).enumerate() {
         let [a, b] = edge.map(|v| u64::from(v) + base);
-        writeln!(out, "{} {a} {b} {marker}", i as u64 + base)?;
+        rows.integer(i as u64 + base).integer(a).integer(b).integer(marker).end()?;
     }
-    Ok(())
+    rows.finish()
 }

@@ -12,7 +12,8 @@ use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, check_triangles};
 use crate::error::IoError;
-use crate::numbers::{Numbering, Real, VertexRange};
+use crate::numbers::{Numbering, VertexRange};
+use crate::rows::Rows;
 use crate::tokens::Reader;
 
 /// The triangles of an `.ele` file.
@@ -73,13 +74,12 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
     let base = u64::from(first_index);
     let width = mesh.attributes_per_triangle;
     writeln!(out, "{} 3 {width}", mesh.triangles.len())?;
+    let mut rows = Rows::to(out);
     for (i, triangle) in mesh.triangles.iter().enumerate() {
         let [a, b, c] = triangle.map(|v| u64::from(v) + base);
-        write!(out, "{} {a} {b} {c}", i as u64 + base)?;
-        for attribute in &mesh.triangle_attributes[i * width..(i + 1) * width] {
-            write!(out, " {}", Real(*attribute))?;
-        }
-        writeln!(out)?;
+        rows.integer(i as u64 + base).integer(a).integer(b).integer(c);
+        rows.reals(&mesh.triangle_attributes[i * width..(i + 1) * width]);
+        rows.end()?;
     }
-    Ok(())
+    rows.finish()
 }

@@ -77,6 +77,7 @@ mod numbers;
 pub mod poly;
 mod read;
 pub mod recipe;
+mod rows;
 pub mod soup;
 pub mod svg;
 mod tokens;

@@ -14,6 +14,7 @@ use trimalla::triangulation::IndexedMesh;
 use crate::columns::{Points, check_triangles};
 use crate::error::IoError;
 use crate::numbers::Numbering;
+use crate::rows::Rows;
 use crate::tokens::Reader;
 use crate::topology::{by_edge, sorted_sides};
 
@@ -66,9 +67,10 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
     let neighbours = neighbours_of(mesh)?;
     let base = i64::from(first_index);
     writeln!(out, "{} 3", neighbours.len())?;
+    let mut rows = Rows::to(out);
     for (i, sides) in neighbours.iter().enumerate() {
         let [a, b, c] = sides.map(|side| side.map_or(-1, |t| i64::from(t) + base));
-        writeln!(out, "{} {a} {b} {c}", i as i64 + base)?;
+        rows.integer(i as i64 + base).integer(a).integer(b).integer(c).end()?;
     }
-    Ok(())
+    rows.finish()
 }

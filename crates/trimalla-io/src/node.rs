@@ -14,7 +14,8 @@ use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::Points;
 use crate::error::IoError;
-use crate::numbers::{Numbering, Real, VertexRange};
+use crate::numbers::{Numbering, VertexRange};
+use crate::rows::Rows;
 use crate::tokens::Reader;
 
 /// The vertices of a `.node` file, or of the first part of a `.poly` file.
@@ -123,15 +124,14 @@ pub(crate) fn write_points(out: &mut dyn Write, points: &Points<'_>, first_index
     points.check(first_index)?;
     let width = points.attributes_per_point;
     writeln!(out, "{} 2 {width} {}", points.points.len(), u8::from(!points.markers.is_empty()))?;
+    let mut rows = Rows::to(out);
     for (i, point) in points.points.iter().enumerate() {
-        write!(out, "{} {} {}", i as u64 + u64::from(first_index), Real(point.x), Real(point.y))?;
-        for attribute in &points.attributes[i * width..(i + 1) * width] {
-            write!(out, " {}", Real(*attribute))?;
+        rows.integer(i as u64 + u64::from(first_index)).real(point.x).real(point.y);
+        rows.reals(&points.attributes[i * width..(i + 1) * width]);
+        if let Some(&marker) = points.markers.get(i) {
+            rows.integer(marker);
         }
-        if let Some(marker) = points.markers.get(i) {
-            write!(out, " {marker}")?;
-        }
-        writeln!(out)?;
+        rows.end()?;
     }
-    Ok(())
+    rows.finish()
 }

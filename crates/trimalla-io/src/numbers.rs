@@ -60,7 +60,10 @@ impl Numbering {
         }
         reader.record(|| format!("{} {} of {}", self.noun, u64::from(self.next) + 1, self.count))?;
         let token = reader.expect("a number")?;
-        let number: i128 = parse(token).ok_or_else(|| reader.syntax(token, &self.describe()))?;
+        let number = match short_number(token) {
+            Some(number) => i128::from(number),
+            None => parse(token).ok_or_else(|| reader.syntax(token, &self.describe()))?,
+        };
         let fits = match self.first {
             Some(first) => number == i128::from(first) + i128::from(self.next),
             None => matches!(number, 0 | 1),
@@ -83,6 +86,13 @@ impl Numbering {
 
 fn parse<T: FromStr>(token: Token<'_>) -> Option<T> {
     std::str::from_utf8(token.text).ok()?.parse().ok()
+}
+
+/// The value of up to nine digits and nothing else: almost every number of a record or vertex.
+fn short_number(token: Token<'_>) -> Option<u32> {
+    let digits = token.text;
+    let is_short = (1..=9).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit);
+    is_short.then(|| digits.iter().fold(0, |value, &digit| 10 * value + u32::from(digit - b'0')))
 }
 
 fn looks_like_an_integer(text: &[u8]) -> bool {
@@ -125,7 +135,7 @@ impl Reader<'_> {
     /// A vertex index, counted from 0 whatever the file does.
     pub(crate) fn vertex(&mut self, range: VertexRange) -> Result<u32, IoError> {
         let token = self.expect("a vertex index")?;
-        match parse::<u32>(token).and_then(|n| n.checked_sub(range.first_index)) {
+        match short_number(token).or_else(|| parse(token)).and_then(|n: u32| n.checked_sub(range.first_index)) {
             Some(index) if index < range.count => Ok(index),
             _ if looks_like_an_integer(token.text) => Err(self.value(token, &range.describe())),
             _ => Err(self.syntax(token, &range.describe())),
@@ -173,12 +183,27 @@ impl Reader<'_> {
 
 /// Shows a number with the fewest digits that read back to the same bits, in scientific notation where plain
 /// notation would need long runs of zeros.
+///
+/// Of two such texts the nearer one is taken.
 pub(crate) struct Real(pub(crate) f64);
+
+impl Real {
+    /// Hands its text on.
+    pub(crate) fn with_text<T>(&self, take: impl FnOnce(&str) -> T) -> T {
+        match self.0.abs() {
+            size if size >= 1e17 => return take(&format!("{:e}", self.0)),
+            size if size >= 1e16 => return take(&self.0.to_string()),
+            _ => {}
+        }
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(self.0);
+        take(text.strip_suffix(".0").unwrap_or(text))
+    }
+}
 
 impl fmt::Display for Real {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = self.0.abs();
-        if size == 0.0 || (1e-5..1e17).contains(&size) { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+        if self.0.is_finite() { self.with_text(|text| f.write_str(text)) } else { self.0.fmt(f) }
     }
 }
 
@@ -193,6 +218,34 @@ mod tests {
             let text = Real(value).to_string();
             assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
             assert!(text.len() <= 24, "{text}");
+        }
+    }
+
+    /// The text of the standard library, in the notation used here.
+    fn plain(value: f64) -> String {
+        let size = value.abs();
+        if size == 0.0 || (1e-5..1e17).contains(&size) { format!("{value}") } else { format!("{value:e}") }
+    }
+
+    #[test]
+    fn reals_look_as_the_standard_library_writes_them() {
+        let mut state = 1_u64;
+        let mut values =
+            vec![0.0, -0.0, 1.0, 1e-5, 9.999e-6, 1e16, 9.99e15, 1e17, 1e22, 1e300, 5e-324, f64::MAX, 0.1 + 0.2];
+        for exponent in 0..2047 {
+            for _ in 0..8 {
+                state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+                values.push(f64::from_bits(state & 0x800f_ffff_ffff_ffff | exponent << 52));
+            }
+        }
+        for value in values {
+            let (ours, theirs) = (Real(value).to_string(), plain(value));
+            if ours != theirs {
+                // Two texts are equally near: the last digits differ by one.
+                let digit = |text: &str| text.split('e').next().and_then(|t| t.bytes().last());
+                assert_eq!(digit(&ours).map(|d| d + 1), digit(&theirs), "{ours} {theirs}");
+                assert_eq!((ours.len(), ours.parse()), (theirs.len(), Ok(value)), "{ours} {theirs}");
+            }
         }
     }
 }

@@ -23,6 +23,7 @@ use crate::columns::{Points, Segments};
 use crate::error::IoError;
 use crate::node::{self, Nodes};
 use crate::numbers::{Numbering, Real, VertexRange};
+use crate::rows::Rows;
 use crate::tokens::Reader;
 
 /// A `.poly` file: its vertices and what refers to them.
@@ -194,14 +195,16 @@ fn write_whole(out: &mut dyn Write, points: &Points<'_>, segments: &Segments<'_>
 fn write_sections(out: &mut dyn Write, sections: &Segments<'_>, first_index: u32) -> io::Result<()> {
     let base = u64::from(first_index);
     writeln!(out, "{} {}", sections.segments.len(), u8::from(!sections.markers.is_empty()))?;
+    let mut rows = Rows::to(out);
     for (i, segment) in sections.segments.iter().enumerate() {
         let [a, b] = segment.map(|v| u64::from(v) + base);
-        write!(out, "{} {a} {b}", i as u64 + base)?;
-        if let Some(marker) = sections.markers.get(i) {
-            write!(out, " {marker}")?;
+        rows.integer(i as u64 + base).integer(a).integer(b);
+        if let Some(&marker) = sections.markers.get(i) {
+            rows.integer(marker);
         }
-        writeln!(out)?;
+        rows.end()?;
     }
+    rows.finish()?;
     writeln!(out, "{}", sections.holes.len())?;
     for (i, hole) in sections.holes.iter().enumerate() {
         writeln!(out, "{} {} {}", i as u64 + base, Real(hole.x), Real(hole.y))?;

@@ -201,6 +201,9 @@ fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
     if bytes.starts_with(b"\x1f\x8b") {
         return Some((0, "gzip-compressed data"));
     }
+    if !bytes.contains(&0) {
+        return None; // At many bytes a step, which a search for the place is not.
+    }
     bytes.iter().position(|&b| b == 0).map(|offset| (offset, "a NUL byte"))
 }
 
