@@ -22,8 +22,9 @@ impl ConstrainedDelaunay {
         }
         let kept = real_among(self, keep);
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
-        self.crowded = crowded(self, &kept, |h| whole_segment(self, h));
-        self.t.mesh.carve(&kept, j);
+        let border = self.border_of(&kept);
+        self.crowded = crowded(self, &kept, &border, |h| whole_segment(self, h));
+        self.t.mesh.carve(&kept, &border, j);
         self.t.set_state(2, Closure::Domain, None, j);
         self.constrain_border(j);
         self.last = FaceId::from_index(first);

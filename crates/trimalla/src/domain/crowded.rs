@@ -20,7 +20,7 @@ use super::flood::flood;
 use super::from_mesh::border_vertices;
 use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::geometry::{Point, Segment, math};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::mesh::{Border, FaceId, HalfEdgeId, VertexId};
 
 /// How far from its edge a split may fall, many times over, in last places of the largest coordinate at work.
 const REACH_ULPS: f64 = 64.0;
@@ -35,6 +35,7 @@ const REACH_ULPS: f64 = 64.0;
 pub(super) fn crowded(
     cdt: &ConstrainedDelaunay,
     kept: &[bool],
+    border: &Border,
     whole: impl Fn(HalfEdgeId) -> [Point; 2],
 ) -> BTreeSet<[VertexId; 2]> {
     let is_border = |h: HalfEdgeId| kept[h.face().index()] && !kept[cdt.twin(h).face().index()];
@@ -44,17 +45,19 @@ pub(super) fn crowded(
     };
     let outside = Outside { cdt, kept, reach: reach_of(cdt.points().iter().copied()) };
     let mut crowded = BTreeSet::new();
-    for h in cdt.border_of(kept) {
-        if !outside.may_be_crowded(h) {
+    for (&h, &before) in border.edges.iter().zip(&border.before) {
+        if outside.is_clear(before, h) {
             continue;
         }
-        let near = outside.near(h, whole(h));
-        if near.is_empty() {
-            continue;
+        for h in [before, h] {
+            let near = outside.near(h, whole(h));
+            if near.is_empty() {
+                continue;
+            }
+            crowded.insert(name(h));
+            let beside = near.into_iter().flat_map(|v| cdt.edges_around(v));
+            crowded.extend(beside.filter(|&g| is_border(g) || is_border(cdt.twin(g))).map(name));
         }
-        crowded.insert(name(h));
-        let beside = near.into_iter().flat_map(|v| cdt.edges_around(v));
-        crowded.extend(beside.filter(|&g| is_border(g) || is_border(cdt.twin(g))).map(name));
     }
     crowded
 }
@@ -95,7 +98,8 @@ pub(super) fn crowded_border(cdt: &ConstrainedDelaunay) -> BTreeSet<[VertexId; 2
         let edge = cdt.half_edge_between(ends[0], ends[1]);
         edge.map_or_else(|| outside.edge_points(h), |h| whole_segment(cdt, h))
     };
-    crowded(&outside, &real_among(&outside, &keep), whole).into_iter().map(|ends| ends.map(global)).collect()
+    let kept = real_among(&outside, &keep);
+    crowded(&outside, &kept, &outside.border_of(&kept), whole).into_iter().map(|ends| ends.map(global)).collect()
 }
 
 /// How far from an edge between such points a split may fall.
@@ -113,20 +117,48 @@ struct Outside<'a> {
 }
 
 impl Outside<'_> {
-    /// Whether some neighbour outside of an end of border edge `h` is so near to the edge's line, or so far away, that it
-    /// needs a closer look; hardly ever.
-    fn may_be_crowded(&self, h: HalfEdgeId) -> bool {
-        let [a, b] = self.cdt.edge_points(h);
-        let along = b - a;
-        // Distances from the line, times the length; rounded by far less than what is added.
-        let bound = 2.0 * self.reach * along.length_sq().sqrt();
-        let is_far = |v: VertexId| {
-            !v.is_finite() || {
-                let doubled_area = along.cross(self.cdt.point(v) - a).abs();
-                doubled_area > bound && doubled_area < f64::INFINITY
+    /// Whether all neighbours outside of the vertex between two border edges are far from the lines of both; nearly always.
+    ///
+    /// ```text
+    ///             outside
+    ///         x3    x2    x1        `before` = c→a, `h` = a→b: the spokes from a, clockwise from b to c
+    ///           \   |   /
+    ///      c ════▶══ a ══▶═══ b
+    ///             inside
+    /// ```
+    fn is_clear(&self, before: HalfEdgeId, h: HalfEdgeId) -> bool {
+        let point = |v: VertexId| self.cdt.points().get(v.index()).copied();
+        let [[c, a], [_, b]] = [before, h].map(|h| self.cdt.edge_points(h));
+        let (Some(first), Some(second)) = (self.far_from(c, a), self.far_from(a, b)) else { return false };
+        if !first(b) {
+            return false;
+        }
+        let mut spoke = self.cdt.cw(h);
+        for _ in 0..self.kept.len() {
+            let x = point(self.cdt.dest(spoke));
+            let back = self.cdt.twin(spoke);
+            if back == before {
+                return x.is_none_or(&second);
             }
+            if !x.is_none_or(|x| first(x) && second(x)) {
+                return false;
+            }
+            spoke = back.next();
+        }
+        false
+    }
+
+    /// Whether a point is far from the line through two others, but not farther than numbers go: by its distance times
+    /// theirs. `None` where that says nothing.
+    fn far_from(&self, a: Point, b: Point) -> Option<impl Fn(Point) -> bool + use<>> {
+        let along = b - a;
+        // Rounded by far less than what is added.
+        let bound = 2.0 * self.reach * along.length_sq().sqrt();
+        let is_far = move |p: Point| {
+            let doubled_area = along.cross(p - a).abs();
+            doubled_area > bound && doubled_area < f64::INFINITY
         };
-        !bound.is_normal() || !self.neighbours(h).all(is_far)
+        bound.is_normal().then_some(is_far)
     }
 
     /// The neighbours outside of the ends of border edge `h` that are within rounding of it.

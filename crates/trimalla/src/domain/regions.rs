@@ -18,6 +18,9 @@ pub(super) fn assign(
     regions: &[Region],
     warnings: &mut Vec<Warning>,
 ) -> Result<(), DomainError> {
+    if regions.is_empty() {
+        return Ok(());
+    }
     let mut owner: Vec<Option<usize>> = vec![None; cdt.face_slots()];
     for (seed, region) in regions.iter().enumerate() {
         let at = region.seed;

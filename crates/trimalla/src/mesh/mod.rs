@@ -33,5 +33,5 @@ pub use circulators::{BoundaryLoop, Star};
 pub use half_edges::HalfEdgeMesh;
 pub use ids::{FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
-pub(crate) use operators::{Half, Patch, Rim, RimEdge, Side, Triangle};
+pub(crate) use operators::{Border, Half, Patch, Rim, RimEdge, Side, Triangle};
 pub use side_table::SideTable;

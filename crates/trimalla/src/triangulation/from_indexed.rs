@@ -22,7 +22,7 @@ use std::cmp::Ordering;
 
 use super::{Closure, IndexedMesh, MeshFault, Side, Sides, Triangulation, check_mesh};
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
+use crate::mesh::{Border, FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 
 impl Triangulation {
     /// The triangulation that has exactly the triangles of a mesh, in their order, closed by its border.
@@ -85,8 +85,8 @@ fn close(half_edges: &mut HalfEdgeMesh, mesh: &IndexedMesh, sides: &Sides) {
         let ends: Vec<HalfEdgeId> = at_vertex.iter().map(|s| half_edge(mesh, &end_of_fan(sides, *s))).collect();
         before.extend((0..ends.len()).map(|i| ends[(i + ends.len() - 1) % ends.len()]));
     }
-    let border: Vec<HalfEdgeId> = border.iter().map(|s| half_edge(mesh, s)).collect();
-    half_edges.close_border(&border, &vec![0; border.len()], &before, &mut NoJournal);
+    let edges: Vec<HalfEdgeId> = border.iter().map(|s| half_edge(mesh, s)).collect();
+    half_edges.close_border(&Border { edges, before }, &vec![0; border.len()], &mut NoJournal);
 }
 
 /// The border side that ends at the origin of a border side, in the same fan of triangles.

@@ -2,6 +2,15 @@
 
 use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
+/// The border between the faces of a domain and what is outside.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Border {
+    /// The half-edges a→b of faces inside with none across.
+    pub(crate) edges: Vec<HalfEdgeId>,
+    /// For each, the border half-edge c→a met first, turning clockwise around `a` through what is outside.
+    pub(crate) before: Vec<HalfEdgeId>,
+}
+
 impl HalfEdgeMesh {
     /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each border of
     /// what is left with new ghosts.
@@ -19,11 +28,8 @@ impl HalfEdgeMesh {
     ///
     /// # Complexity
     /// Linear in all faces.
-    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], j: &mut J) {
-        let border = self.border_of(kept);
-        // For border edge a→b, the border edge c→a reached by turning clockwise around a, through removed faces.
-        let before: Vec<HalfEdgeId> = border.iter().map(|&h| self.turn_through(h, kept)).collect();
-        let marks: Vec<u32> = border.iter().map(|&h| self.mark(h)).collect();
+    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], border: &Border, j: &mut J) {
+        let marks: Vec<u32> = border.edges.iter().map(|&h| self.mark(h)).collect();
         // The lowest slot is freed last: it is used again first.
         for f in (0..self.face_slots()).rev().map(FaceId::from_index) {
             if !kept[f.index()] && self.is_alive(f) {
@@ -33,31 +39,32 @@ impl HalfEdgeMesh {
                 self.free_face(f, j);
             }
         }
-        self.close_border(&border, &marks, &before, j);
+        self.close_border(border, &marks, j);
     }
 
-    /// The half-edges of kept faces that have removed ones across, faces in order.
-    pub(crate) fn border_of(&self, kept: &[bool]) -> Vec<HalfEdgeId> {
-        let faces = kept.iter().enumerate().filter(|&(_, &is_kept)| is_kept).map(|(f, _)| FaceId::from_index(f));
-        faces.flat_map(FaceId::half_edges).filter(|&h| !kept[self.twin(h).face().index()]).collect()
+    /// The border of kept faces, in the order of their slots.
+    pub(crate) fn border_of(&self, kept: &[bool]) -> Border {
+        let mut border = Border::default();
+        for f in (0..self.face_slots()).map(FaceId::from_index).filter(|f| kept[f.index()]) {
+            for h in f.half_edges() {
+                if !kept[self.twin(h).face().index()] {
+                    border.edges.push(h);
+                    border.before.push(self.turn_through(h, kept));
+                }
+            }
+        }
+        border
     }
 
-    /// Hangs a ghost on each border half-edge a→b, with its mark, and joins it at `a` to the ghost of the border half-edge
-    /// c→a that comes `before` it: the one met first, turning clockwise around `a` through what is outside.
-    pub(crate) fn close_border<J: Journal>(
-        &mut self,
-        border: &[HalfEdgeId],
-        marks: &[u32],
-        before: &[HalfEdgeId],
-        j: &mut J,
-    ) {
-        let ghosts: Vec<FaceId> = border.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
-        for (&ghost, &b) in ghosts.iter().zip(before) {
+    /// Hangs a ghost on each half-edge of a border, with its mark, and joins it to the ghost of the one before.
+    pub(crate) fn close_border<J: Journal>(&mut self, border: &Border, marks: &[u32], j: &mut J) {
+        let ghosts: Vec<FaceId> = border.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
+        for (&ghost, &b) in ghosts.iter().zip(&border.before) {
             // a→∞ of the ghost of a→b meets ∞→a of the ghost of c→a.
             let other = self.twin(b).face();
             self.glue(ghost.half_edge(1), other.half_edge(2), j);
         }
-        for &h in border {
+        for &h in &border.edges {
             self.set_outgoing(self.origin(h), h, j);
         }
     }

@@ -28,6 +28,7 @@ mod split;
 mod star;
 mod unsplit;
 
+pub(crate) use carve::Border;
 pub(crate) use patch::{Patch, Side, Triangle};
 pub(crate) use refill::{Half, Rim};
 pub(crate) use star::RimEdge;
