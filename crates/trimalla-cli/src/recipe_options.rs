@@ -64,12 +64,12 @@ pub(crate) struct RecipeOptions {
 
     /// Step 3, LEPP: where paths end, besides at a mutual longest edge
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(LeppRule::ALL.map(|c| (c.key(), lepp_summary(c), c))))]
+          value_parser = one_of(LeppRule::ALL.map(|c| (c.key(), c.row().summary, c))))]
     lepp_stop: Option<LeppRule>,
 
     /// Step 3, lepp-centroid: which centroid of the two terminal triangles
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Centroid::ALL.map(|c| (c.key(), centroid_summary(c), c))))]
+          value_parser = one_of(Centroid::ALL.map(|c| (c.key(), c.row().summary, c))))]
     centroid: Option<Centroid>,
 
     /// Step 3, lepp-midpoint and lepp-centroid: when a constrained second-longest edge is split instead
@@ -104,19 +104,5 @@ impl RecipeOptions {
         recipe.centroid = self.centroid.unwrap_or(recipe.centroid);
         recipe.constrained_second = self.constrained_second.unwrap_or(recipe.constrained_second);
         recipe.terminal = self.terminal.unwrap_or(recipe.terminal);
-    }
-}
-
-fn lepp_summary(rule: LeppRule) -> &'static str {
-    match rule {
-        LeppRule::StopAtConstraints => "at any constrained edge",
-        LeppRule::StopAtBorder => "at the border alone, as in the documents",
-    }
-}
-
-fn centroid_summary(centroid: Centroid) -> &'static str {
-    match centroid {
-        Centroid::Area => "of the area",
-        Centroid::Average => "the average of the four corners",
     }
 }

@@ -48,7 +48,7 @@ pub(crate) struct RefiningOptions {
 
     /// Segments that may not be split; beside those that are kept, angles below the bound may stay [default: none]
     #[arg(long, value_name = "WHICH", help_heading = "Refinement",
-          value_parser = one_of(Protect::ALL.map(|p| (p.key(), summary_of(p), p))))]
+          value_parser = one_of(Protect::ALL.map(|p| (p.key(), p.summary(), p))))]
     protect: Option<Protect>,
 
     /// Stop at this many vertices, those of the input included [default: 5000000]
@@ -73,14 +73,6 @@ pub(crate) struct RefiningOptions {
     /// As bar charts for people, as "details" in JSON, and below the mesh in SVG. Taking the time makes the work about a tenth slower.
     #[arg(long, help_heading = "Output")]
     details: bool,
-}
-
-fn summary_of(protect: Protect) -> &'static str {
-    match protect {
-        Protect::None => "all segments may be split",
-        Protect::Boundary => "those on the border of the domain stay whole",
-        Protect::All => "all segments stay whole",
-    }
 }
 
 /// What came of the work, its warnings in the words of the input.

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{ConstrainedSecond, Encroachment, Initial, PrepareWhen, Row, Terminal, registry};
+use trimalla::refine::{Protect, Row, registry};
 use trimalla_io::Format;
 
 use crate::console;
@@ -21,49 +21,38 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The steps of a recipe, 0 for whole recipes.
-const STEPS: [(u8, &str); 6] = [
-    (0, "algorithms: recipes by name (mesh --algorithm, compare --algorithms)"),
-    (1, "step 1, prepare: what is done to segments first (mesh --prepare)"),
-    (2, "step 2, select: which bad triangle is next (mesh --select)"),
-    (3, "step 3, point: where the new vertex goes (mesh --point)"),
-    (4, "step 4, insert: how it goes in (mesh --insert)"),
-    (5, "step 5, recover: what becomes of interior segments (mesh --recover)"),
+/// What each choice of a recipe is about, in the order of the registry.
+const OPTIONS: [(&str, &str); 14] = [
+    ("preset", "algorithms: recipes by name (mesh --algorithm, compare --algorithms)"),
+    ("initial", "initial triangulation (mesh --initial)"),
+    ("prepare", "step 1, prepare: what is done to segments first (mesh --prepare)"),
+    ("prepare-when", "step 1, when (mesh --prepare-when)"),
+    ("encroachment", "step 1, encroachment: the region kept free around segments (mesh --encroachment)"),
+    ("select", "step 2, select: which bad triangle is next (mesh --select)"),
+    ("until-destroyed", "step 2, until destroyed (mesh --until-destroyed)"),
+    ("point", "step 3, point: where the new vertex goes (mesh --point)"),
+    ("lepp-stop", "step 3, LEPP: where paths end besides at a mutual longest edge (mesh --lepp-stop)"),
+    ("centroid", "step 3, lepp-centroid: which centroid (mesh --centroid)"),
+    (
+        "constrained-second",
+        "step 3, lepp-midpoint and lepp-centroid: constrained second-longest edges are split instead (mesh --constrained-second)",
+    ),
+    ("terminal", "step 3, lepp-circumcenter and lepp-off-center: the center is that of (mesh --terminal)"),
+    ("insert", "step 4, insert: how it goes in (mesh --insert)"),
+    ("recover", "step 5, recover: what becomes of interior segments (mesh --recover)"),
 ];
 
 fn text() -> String {
     let mut text = String::new();
     let rows = registry();
-    for (step, title) in STEPS {
-        add(&mut text, title, rows.iter().filter(|row| row.step == step).map(with_source));
-        if step == 3 {
-            add(
-                &mut text,
-                "constrained second-longest edges (mesh --constrained-second): split instead",
-                ConstrainedSecond::ALL.iter().map(|c| with_source(&c.row())),
-            );
-            add(
-                &mut text,
-                "terminal triangle (mesh --terminal): the circumcenter or off-center is that of",
-                Terminal::ALL.iter().map(|c| with_source(&c.row())),
-            );
-        }
-        if step == 0 {
-            add(
-                &mut text,
-                "initial triangulation (mesh --initial)",
-                Initial::ALL.iter().map(|c| with_source(&c.row())),
-            );
-        }
-        if step == 1 {
-            add(&mut text, "when (mesh --prepare-when)", PrepareWhen::ALL.iter().map(|c| with_source(&c.row())));
-            add(
-                &mut text,
-                "encroachment: the region kept free around segments (mesh --encroachment)",
-                Encroachment::ALL.iter().map(|e| with_source(&e.row())),
-            );
-        }
+    for (option, title) in OPTIONS {
+        add(&mut text, title, rows.iter().filter(|row| row.option == option).map(with_source));
     }
+    add(
+        &mut text,
+        "segments that stay whole (mesh --protect)",
+        Protect::ALL.iter().map(|p| (p.key(), p.summary().to_owned())),
+    );
     add(
         &mut text,
         "triangulators (triangulate --algorithm, mesh --triangulator)",
@@ -81,7 +70,8 @@ fn text() -> String {
 }
 
 fn with_source(row: &Row) -> (&'static str, String) {
-    (row.key, format!("{} [{}]", row.summary, row.source))
+    let source = if row.source.is_empty() { String::new() } else { format!(" [{}]", row.source) };
+    (row.key, format!("{}{source}", row.summary))
 }
 
 /// One section: a title, and a line each key.

@@ -58,6 +58,34 @@ fn list_names_every_key() {
 }
 
 #[test]
+fn list_explains_every_key_of_a_recipe() {
+    let scratch = Scratch::with_square("list-recipe");
+    let list = scratch.run("list").expect(0).stdout;
+    let recipe = scratch.run("mesh square -q --save-recipe -").expect(0).stdout;
+    let steps = recipe.lines().take_while(|line| !line.starts_with('[')).filter_map(|line| line.split_once(" = "));
+    let options: Vec<(&str, &str)> = steps.map(|(key, value)| (key, value.trim_matches('"'))).collect();
+    assert_eq!(options.len(), 15, "{recipe}");
+    for (option, value) in options {
+        let named = if option == "preset" { "algorithm" } else { option };
+        let section =
+            list.split("\n\n").find(|section| section.lines().next().unwrap().contains(&format!("--{named}")));
+        let section = section.unwrap_or_else(|| panic!("{option}: {list}"));
+        let is_value = |line: &str| line.split_whitespace().next() == Some(value);
+        assert!(section.lines().skip(1).any(is_value), "{option} = {value}: {section}");
+        // Every row of the option is there, and can be asked for.
+        let rows: Vec<_> = registry().into_iter().filter(|row| row.option == option).collect();
+        assert!(rows.len() == section.lines().count() - 1 || option == "protect", "{section}");
+        for row in rows {
+            assert!(section.contains(row.summary), "{}: {section}", row.key);
+            let status = scratch.run(&format!("mesh square --{named} {} -q", row.key)).status;
+            assert!(status == Some(0) || status == Some(1), "--{named} {}", row.key);
+        }
+    }
+    let sections: usize = registry().iter().map(|row| row.option).collect::<std::collections::BTreeSet<_>>().len();
+    assert_eq!(sections, 14);
+}
+
+#[test]
 fn every_key_of_the_registry_that_is_an_option_is_accepted() {
     let scratch = Scratch::with_square("keys");
     for preset in trimalla::refine::Preset::ALL {

@@ -15,6 +15,7 @@
 
 use std::cmp::Ordering;
 
+use super::recipe::Row;
 use super::ruler::Ruler;
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::Point;
@@ -43,6 +44,16 @@ impl LeppRule {
             Self::StopAtConstraints => "constraints",
             Self::StopAtBorder => "border",
         }
+    }
+
+    /// Its row in the registry.
+    #[must_use]
+    pub const fn row(self) -> Row {
+        let (summary, source) = match self {
+            Self::StopAtConstraints => ("at any constrained edge: no point beyond it can improve this side", ""),
+            Self::StopAtBorder => ("at the border alone, as in the documents", "Valenzuela09"),
+        };
+        Row { step: 3, option: "lepp-stop", key: self.key(), summary, source }
     }
 }
 
@@ -90,6 +101,16 @@ impl Centroid {
             Self::Area => "area",
             Self::Average => "average",
         }
+    }
+
+    /// Its row in the registry.
+    #[must_use]
+    pub const fn row(self) -> Row {
+        let (summary, source) = match self {
+            Self::Area => ("of the area of the two triangles", "Valenzuela09"),
+            Self::Average => ("the average of their four corners", "MeshSuite"),
+        };
+        Row { step: 3, option: "centroid", key: self.key(), summary, source }
     }
 }
 

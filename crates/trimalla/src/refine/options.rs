@@ -65,6 +65,16 @@ impl Protect {
             Self::All => "all",
         }
     }
+
+    /// One line on what it does.
+    #[must_use]
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::None => "all segments may be split",
+            Self::Boundary => "those on the border of the domain stay whole",
+            Self::All => "all segments stay whole",
+        }
+    }
 }
 
 /// Where a refinement stops although triangles are still bad.

@@ -8,18 +8,20 @@ use super::lepp::{Centroid, LeppRule};
 /// A row of the registry: what a key stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The step, 1 to 5; 0 for a preset.
+    /// The step, 1 to 5; 0 for a preset, and for what refinement starts from.
     pub step: u8,
+    /// What it is a choice of, by the key in recipes: `initial`, `prepare`, `prepare-when`, …; `preset` for whole recipes.
+    pub option: &'static str,
     /// The key, as scripts, the program and reports spell it.
     pub key: &'static str,
     /// One line on what it does.
     pub summary: &'static str,
-    /// Where it comes from, a key of REFERENCES.md.
+    /// Where it comes from, a key of REFERENCES.md; empty for what is ours.
     pub source: &'static str,
 }
 
 macro_rules! step {
-    ($(#[$doc:meta])* $name:ident, $step:literal, $default:ident, { $($(#[$vdoc:meta])* $variant:ident = $key:literal, $summary:literal, $source:literal;)* }) => {
+    ($(#[$doc:meta])* $name:ident, $step:literal, $option:literal, $default:ident, { $($(#[$vdoc:meta])* $variant:ident = $key:literal, $summary:literal, $source:literal;)* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
@@ -33,7 +35,7 @@ macro_rules! step {
             #[must_use]
             pub const fn row(self) -> Row {
                 match self {
-                    $(Self::$variant => Row { step: $step, key: $key, summary: $summary, source: $source },)*
+                    $(Self::$variant => Row { step: $step, option: $option, key: $key, summary: $summary, source: $source },)*
                 }
             }
 
@@ -81,7 +83,7 @@ pub struct UnknownKey {
 
 step! {
     /// The triangulation that refinement starts from.
-    Initial, 0, Constrained, {
+    Initial, 0, "initial", Constrained, {
         Constrained = "constrained", "constrained Delaunay: segments are edges; what is not Delaunay is flipped first", "Chew89a";
         Conforming = "conforming", "conforming Delaunay: segments inside are split until they are edges without being walls", "MeshSuite";
         Given = "given", "the triangulation as it stands, Delaunay or not", "Sanhueza";
@@ -90,7 +92,7 @@ step! {
 
 step! {
     /// Step 1: what is done to segments before points go in.
-    Prepare, 1, SplitEncroached, {
+    Prepare, 1, "prepare", SplitEncroached, {
         None = "none", "segments are left as they are", "MeshSuite";
         SplitEncroached = "split-encroached", "segments with a vertex in their protecting region are split first", "Ruppert95";
     }
@@ -98,7 +100,7 @@ step! {
 
 step! {
     /// Step 1: when segments are looked at.
-    PrepareWhen, 1, Always, {
+    PrepareWhen, 1, "prepare-when", Always, {
         Always = "always", "before every insertion", "Ruppert95";
         Once = "once", "once, before the first insertion", "MeshSuite";
     }
@@ -106,7 +108,7 @@ step! {
 
 step! {
     /// Step 2: which bad triangle is treated next.
-    Select, 2, ShortestEdge, {
+    Select, 2, "select", ShortestEdge, {
         ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
         SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
         SmallestCircumradius = "smallest-circumradius", "the bad triangle with the smallest circumcircle first", "MeshSuite";
@@ -118,7 +120,7 @@ step! {
 
 step! {
     /// Step 3: the point proposed for a bad triangle.
-    PlacePoint, 3, OffCenter, {
+    PlacePoint, 3, "point", OffCenter, {
         OffCenter = "off-center", "the circumcenter, or nearer the shortest edge the point that makes its triangle just good", "Ungor09";
         Circumcenter = "circumcenter", "the center of the circumcircle", "Ruppert95";
         LeppMidpoint = "lepp-midpoint", "the middle of the path's terminal edge", "Rivara97";
@@ -130,7 +132,7 @@ step! {
 
 step! {
     /// When a constrained second-longest edge of a terminal triangle is split instead.
-    ConstrainedSecond, 3, S2, {
+    ConstrainedSecond, 3, "constrained-second", S2, {
         Always = "always", "whenever it is constrained", "Valenzuela09";
         Never = "never", "never: the terminal edge it is", "Rivara97";
         S1 = "s1", "where the terminal triangle has an angle below the bound", "RivaraCalderon10";
@@ -141,7 +143,7 @@ step! {
 
 step! {
     /// Which terminal triangle gives the circumcenter or off-center.
-    Terminal, 3, Larger, {
+    Terminal, 3, "terminal", Larger, {
         Larger = "larger", "the one with the larger circumcircle", "MeshSuite";
         Last = "last", "the last one of the path", "MeshSuite";
     }
@@ -149,7 +151,7 @@ step! {
 
 step! {
     /// Step 4: how the point goes in.
-    Insert, 4, Cavity, {
+    Insert, 4, "insert", Cavity, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
         Cavity = "cavity", "faces whose circle holds the point go, a fan takes their place", "Bowyer81";
         FlipOrCentroid = "flip-or-centroid", "a terminal edge that fails the circle test is flipped, else the pair is parted into four", "Sanhueza";
@@ -159,7 +161,7 @@ step! {
 
 step! {
     /// Step 5: what becomes of interior segments meanwhile.
-    Recover, 5, WholeEdge, {
+    Recover, 5, "recover", WholeEdge, {
         None = "none", "segments inside are let go, and what is missing in the end is reported", "MeshSuite";
         BySplitting = "by-splitting", "segments inside are let go, and in the end split until they are chains of edges", "MeshSuite";
         WholeEdge = "whole-edge", "segments are edges that nothing removes", "Vigo97";
@@ -168,7 +170,7 @@ step! {
 
 step! {
     /// The region of a subsegment in which a vertex encroaches upon it.
-    Encroachment, 1, Lens, {
+    Encroachment, 1, "encroachment", Lens, {
         Lens = "lens", "where the subsegment is seen at 180 degrees less twice the angle bound, or more", "Chew93";
         DiametralDisk = "disk", "the disk of which the subsegment is a diameter", "Ruppert95";
     }
@@ -207,7 +209,7 @@ pub struct Recipe {
 
 step! {
     /// A recipe by name.
-    Preset, 0, OffCenter, {
+    Preset, 0, "preset", OffCenter, {
         OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
         Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
         LeppBisection = "lepp-bisection", "terminal edges halved without flips: nested triangles", "Rivara97";
@@ -266,14 +268,41 @@ impl fmt::Display for Recipe {
     }
 }
 
-/// Every row, presets first, then the steps in order: what `trimalla list` prints.
+/// Step 2: whether a triangle is treated until it is gone.
+const UNTIL_DESTROYED: [Row; 2] = [
+    Row {
+        step: 2,
+        option: "until-destroyed",
+        key: "false",
+        summary: "a triangle that is still there and bad waits its turn again",
+        source: "Ruppert95",
+    },
+    Row {
+        step: 2,
+        option: "until-destroyed",
+        key: "true",
+        summary: "a triangle is treated again and again until it is gone",
+        source: "MeshSuite",
+    },
+];
+
+/// Every choice that a recipe has, with a row each: what `trimalla list` prints. Presets come first, then the steps in order; the choices of
+/// one [option](Row::option) stand together.
 #[must_use]
 pub fn registry() -> Vec<Row> {
-    let presets = Preset::ALL.iter().map(|c| c.row());
-    let prepare = Prepare::ALL.iter().map(|c| c.row());
-    let select = Select::ALL.iter().map(|c| c.row());
-    let point = PlacePoint::ALL.iter().map(|c| c.row());
-    let insert = Insert::ALL.iter().map(|c| c.row());
-    let recover = Recover::ALL.iter().map(|c| c.row());
-    presets.chain(prepare).chain(select).chain(point).chain(insert).chain(recover).collect()
+    let mut rows: Vec<Row> = Preset::ALL.iter().map(|c| c.row()).collect();
+    rows.extend(Initial::ALL.iter().map(|c| c.row()));
+    rows.extend(Prepare::ALL.iter().map(|c| c.row()));
+    rows.extend(PrepareWhen::ALL.iter().map(|c| c.row()));
+    rows.extend(Encroachment::ALL.iter().map(|c| c.row()));
+    rows.extend(Select::ALL.iter().map(|c| c.row()));
+    rows.extend(UNTIL_DESTROYED);
+    rows.extend(PlacePoint::ALL.iter().map(|c| c.row()));
+    rows.extend(LeppRule::ALL.map(LeppRule::row));
+    rows.extend(Centroid::ALL.map(Centroid::row));
+    rows.extend(ConstrainedSecond::ALL.iter().map(|c| c.row()));
+    rows.extend(Terminal::ALL.iter().map(|c| c.row()));
+    rows.extend(Insert::ALL.iter().map(|c| c.row()));
+    rows.extend(Recover::ALL.iter().map(|c| c.row()));
+    rows
 }
