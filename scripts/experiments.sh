@@ -101,6 +101,9 @@ TEXT
     done
     cat <<'TEXT'
 
+The documents' presets insert by Lawson's flips (`flip`), ours by Bowyer's and Watson's cavities (`cavity`), which are faster: both make the same mesh, vertex by
+vertex, and a test says so (`flips_and_cavities_agree` in `crates/trimalla/tests/steps.rs`).
+
 What we see. At small angles off-centers need the fewest vertices. On A placements along longest-edge paths need fewer from 28 degrees
 on; on the other two off-centers stay ahead as long as they end. Circumcenters need more vertices than off-centers nearly everywhere. At 37 degrees only
 placements along longest-edge paths end, and the 50 scattered points make it harder for them too.
@@ -127,8 +130,9 @@ TEXT
     cat <<'TEXT'
 For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part beyond, and no
 order is best throughout. For off-centers it does: by age or by smallest circumradius meshes are larger from 28 degrees on, by
-age refinement ends at smaller angles too, and the shortest edge is the best or nearly so. Triangles on the border first (`boundary-shortest-edge`) is
-no gain over the shortest edge alone but for single cases, and a loss at large angles.
+age refinement is among the first to stop, and up to 34 degrees the shortest edge is the best or nearly so. Triangles on the border
+first (`boundary-shortest-edge`) are a loss against the shortest edge alone from 28 degrees on but for single cases: 33 degrees on `mesh-b`, and
+35 on `mesh-b-points`, where they and the smallest angle first end alone.
 
 MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.
 
