@@ -73,19 +73,20 @@ fn round_of(i: u32) -> u32 {
 
 /// Curve key in the high half, position in the low half.
 fn keys(points: &[Point], positions: impl ExactSizeIterator<Item = usize> + Clone) -> Vec<u64> {
-    let cells = Cells::around(BoundingBox::of(positions.clone().map(|i| points[i])));
+    let cells = CurveCells::around(BoundingBox::of(positions.clone().map(|i| points[i])));
     positions.map(|i| u64::from(cells.key(points[i])) << 32 | i as u64).collect()
 }
 
 /// A grid of 2¹⁶ × 2¹⁶ cells over a box.
-struct Cells {
+#[derive(Clone, Debug)]
+pub(crate) struct CurveCells {
     min: Point,
     /// Cells a unit; coordinates are halved before subtraction so that nothing overflows.
     scale: f64,
 }
 
-impl Cells {
-    fn around(bounds: Option<BoundingBox>) -> Self {
+impl CurveCells {
+    pub(crate) fn around(bounds: Option<BoundingBox>) -> Self {
         let Some(bounds) = bounds else { return Self { min: Point::default(), scale: 0.0 } };
         let scale = 65535.0 / bounds.half_width().max(bounds.half_height());
         Self { min: bounds.min, scale: if scale.is_finite() { scale } else { 0.0 } }
@@ -97,7 +98,7 @@ impl Cells {
         clippy::cast_sign_loss,
         reason = "the cast saturates, and the cell is an order only"
     )]
-    fn key(&self, p: Point) -> u32 {
+    pub(crate) fn key(&self, p: Point) -> u32 {
         let cell = |c: f64, min: f64| ((c * 0.5 - min * 0.5) * self.scale) as u16;
         hilbert_key_16(cell(p.x, self.min.x), cell(p.y, self.min.y))
     }

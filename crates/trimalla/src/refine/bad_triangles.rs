@@ -1,12 +1,11 @@
-//! Bad triangles: the test, and the queue they wait in.
+//! Bad triangles: the test.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::options::Criteria;
-use crate::constrained::{ConstrainedDelaunay, RegionRule};
+use crate::constrained::RegionRule;
 use crate::geometry::{Point, Triangle, triangle_angles_at_least};
-use crate::mesh::{FaceId, VertexId};
+use crate::mesh::VertexId;
 use crate::quality::aspect_ratio;
 
 /// What is wrong with a triangle.
@@ -80,109 +79,6 @@ impl Test {
     fn aspect_badness(&self, [a, b, c]: [Point; 3]) -> Option<Badness> {
         let bounded = self.max_aspect_ratio < f64::INFINITY;
         (bounded && aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio).then_some(Badness::AspectRatio)
-    }
-}
-
-/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a triangle
-/// that goes and comes again is another one, whether it gets its old slot back or not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Claim {
-    pub(super) face: FaceId,
-    look: u32,
-}
-
-/// Bad triangles by patience. Triangles that are gone stay until they come up.
-///
-/// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
-/// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than the
-/// other way round; for an order that asks for it, those that came first.
-///
-/// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
-/// matter whether a triangle that went and came again got its old slot back.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Queue {
-    steps: Vec<VecDeque<Claim>>,
-    /// One bit a step: whether anything waits there.
-    occupied: Vec<u64>,
-    /// No word of `occupied` below this one has a bit.
-    lowest: usize,
-    len: usize,
-    /// The newest look at each slot; 0 where there was nothing bad.
-    looks: Vec<u32>,
-    last_look: u32,
-}
-
-impl Queue {
-    /// Mantissa bits that do not choose the step.
-    const SHIFT: u32 = 45;
-    /// Exponents below this one, biased, share the first step: patience is measured in units that fit the drawing.
-    const LEAST: u64 = (1023 - 220) << 7;
-
-    /// Adds a triangle, whose patience is not negative.
-    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, patience: f64) {
-        // Positive numbers are ordered as their bits.
-        let step = (patience.max(0.0).to_bits() >> Self::SHIFT).saturating_sub(Self::LEAST);
-        let step = usize::try_from(step).unwrap_or(usize::MAX);
-        if step >= self.steps.len() {
-            self.steps.resize_with(step + 1, VecDeque::new);
-            self.occupied.resize(step / 64 + 1, 0);
-        }
-        let claim = self.claim(cdt, face);
-        self.steps[step].push_back(claim);
-        self.occupied[step / 64] |= 1 << (step % 64);
-        self.lowest = self.lowest.min(step / 64);
-        self.len += 1;
-    }
-
-    /// Looks at a slot: earlier claims to it are void.
-    pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
-        if face.index() >= self.looks.len() {
-            self.looks.resize(cdt.face_slots(), 0);
-        }
-        self.last_look = self.last_look.wrapping_add(1).max(1);
-        self.looks[face.index()] = self.last_look;
-        Claim { face, look: self.last_look }
-    }
-
-    /// Whether a triangle is still the one that was claimed.
-    pub(super) fn is_valid(&self, cdt: &ConstrainedDelaunay, claim: Claim) -> bool {
-        self.looks.get(claim.face.index()) == Some(&claim.look) && cdt.is_real(claim.face)
-    }
-
-    /// Notes that there is nothing bad in a slot now.
-    pub(super) fn pass(&mut self, face: FaceId) {
-        if let Some(look) = self.looks.get_mut(face.index()) {
-            *look = 0;
-        }
-    }
-
-    /// The least patient triangle that is still there; every face that changes is looked at again.
-    ///
-    /// # Complexity
-    /// Constant, amortised over the triangles that are gone.
-    pub(super) fn pop(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
-        while let Some(word) = self.occupied.get(self.lowest) {
-            if *word == 0 {
-                self.lowest += 1;
-                continue;
-            }
-            let step = self.lowest * 64 + word.trailing_zeros() as usize;
-            loop {
-                let list = &mut self.steps[step];
-                let Some(claim) = (if oldest_first { list.pop_front() } else { list.pop_back() }) else { break };
-                self.len -= 1;
-                if self.is_valid(cdt, claim) {
-                    return Some(claim.face);
-                }
-            }
-            self.occupied[self.lowest] &= !(1 << (step % 64));
-        }
-        None
-    }
-
-    /// How many wait, those that are gone included.
-    pub(super) fn len(&self) -> usize {
-        self.len
     }
 }
 

@@ -36,6 +36,7 @@ mod leftovers;
 pub mod lepp;
 mod options;
 mod outlook;
+mod queue;
 mod recipe;
 mod refinement;
 mod report;

@@ -4,11 +4,12 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Badness, Claim, Queue, Test, sorted};
+use super::bad_triangles::{Badness, Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
 use super::history::History;
 use super::options::{OptionError, RefineOptions};
+use super::queue::{Claim, Patches, Queue};
 use super::recipe::Initial;
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
@@ -212,8 +213,24 @@ impl Refinement {
                 self.released = self.cdt.release_inner_segments();
             }
         }
+        self.queue = self.empty_queue();
         self.look_at_everything();
         self.stopwatch.enter(Part::Outside);
+    }
+
+    /// An empty queue in the order of step 2: by patches, if it allows, of a mesh as large as this one or as areas demand.
+    fn empty_queue(&self) -> Queue {
+        if !self.select.works_by_patches() {
+            return Queue::default();
+        }
+        let vertices = self.options.criteria.max_area.map_or(0.0, |most| self.doubled_area() / (2.0 * most));
+        let most = self.options.limits.max_vertices as f64;
+        Queue::by_patches(Patches::new(&self.cdt, vertices.max(self.vertices as f64).min(most)))
+    }
+
+    /// Twice the area of the domain, rounded.
+    fn doubled_area(&self) -> f64 {
+        self.cdt.real_faces().map(|f| self.cdt.corners(f)).map(|[a, b, c]| (b - a).cross(c - a)).sum()
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
@@ -261,7 +278,7 @@ impl Refinement {
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.select = Arc::new(select);
-        self.queue = Queue::default();
+        self.queue = self.empty_queue();
         self.look_at_everything();
         self
     }
@@ -523,20 +540,20 @@ impl Refinement {
     #[inline]
     fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
         if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
-            self.queue_bad(f);
+            self.queue_bad(f, corners[0]);
         } else {
             self.queue.pass(f);
         }
     }
 
-    /// Queues a bad face, unless the caller picks.
-    fn queue_bad(&mut self, f: FaceId) {
+    /// Queues a bad face at a place, unless the caller picks.
+    fn queue_bad(&mut self, f: FaceId, at: Point) {
         if self.select.is_manual() {
             return self.queue.pass(f);
         }
         let patience = self.select.patience(self.view(), f, self.joined);
         self.joined += 1;
-        self.queue.push(&self.cdt, f, patience);
+        self.queue.push(&self.cdt, f, at, patience);
     }
 
     /// Whether the point strategy keeps clear of segments.

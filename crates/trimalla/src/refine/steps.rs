@@ -107,6 +107,12 @@ pub trait SelectStep {
         false
     }
 
+    /// Whether a large drawing may be treated in patches of some thousand triangles, one after the other, the order holding
+    /// within each of them.
+    fn works_by_patches(&self) -> bool {
+        false
+    }
+
     /// Whether only triangles that the caller picks are treated.
     fn is_manual(&self) -> bool {
         false

@@ -235,3 +235,33 @@ fn every_step_is_timed_where_there_is_a_clock() {
     assert_eq!((silent.step_times, untimed), (None, mesh));
     assert_eq!(silent, Report { step_times: None, ..report });
 }
+
+/// The shortest edge first, in the whole drawing at once.
+struct AllAtOnce;
+
+impl steps::SelectStep for AllAtOnce {
+    fn patience(&self, view: steps::View<'_>, face: crate::mesh::FaceId, _: u64) -> f64 {
+        let [a, b, c] = view.cdt.corners(face);
+        view.ruler.length_sq(a, b).min(view.ruler.length_sq(b, c)).min(view.ruler.length_sq(c, a))
+    }
+}
+
+#[test]
+fn large_drawings_are_as_small_by_patches_as_all_at_once() {
+    let domain = polygon(&L_SHAPE);
+    let begun = || {
+        let options = RefineOptions::default().with_max_area(1.2e-4);
+        Refinement::new(carved(&domain, AlgorithmKey::Incremental), options).unwrap()
+    };
+    let [by_patches, all_at_once] = [begun(), begun().with_select(AllAtOnce)].map(|mut refinement| {
+        refinement.run(&mut NoObserver);
+        let (cdt, report) = refinement.finish();
+        assert_eq!(cdt.check(), []);
+        assert_eq!(report.leftovers, []);
+        report.vertices
+    });
+    // At least five patches.
+    assert!(by_patches > 30_000, "{by_patches}");
+    let ratio = f64::from(by_patches as u32) / f64::from(all_at_once as u32);
+    assert!((0.99..1.01).contains(&ratio), "{by_patches} to {all_at_once}");
+}

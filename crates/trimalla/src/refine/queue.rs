@@ -1,0 +1,194 @@
+//! The queue in which bad triangles wait.
+//!
+//! ```text
+//!    1 ── 2   7 ── 8       Where step 2 allows, a large drawing is cut into patches along a Hilbert curve. Those that wait in
+//!         │   │    │       the present patch lie in steps of patience; those of every other patch in a list, until it is its
+//!    4 ── 3   6   …        turn: when nothing waits in the present patch any more, the next one along the curve comes up in
+//!    └──────── 5           which anything does, after the last the first again.
+//! ```
+//!
+//! Work that stays in one patch finds what it needs in the cache.
+
+use std::collections::VecDeque;
+
+use crate::constrained::ConstrainedDelaunay;
+use crate::delaunay::CurveCells;
+use crate::geometry::Point;
+use crate::mesh::FaceId;
+
+/// Parts of the drawing's box: pieces of equal length of a Hilbert curve over a grid.
+#[derive(Clone, Debug)]
+pub(super) struct Patches {
+    cells: CurveCells,
+    count: u32,
+}
+
+impl Patches {
+    /// Vertices in a patch to begin with: many enough that the edges of patches, where the order does not hold, hardly
+    /// matter, and few enough for the cache.
+    const VERTICES: f64 = 6000.0;
+    /// No more patches than this.
+    const MOST: f64 = 4096.0;
+
+    /// Patches for so many vertices within the box of a triangulation.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 4096")]
+    pub(super) fn new(cdt: &ConstrainedDelaunay, vertices: f64) -> Self {
+        let count = (vertices / Self::VERTICES).clamp(1.0, Self::MOST) as u32;
+        Self { cells: CurveCells::around(cdt.bounding_box()), count }
+    }
+
+    #[inline]
+    fn of(&self, p: Point) -> usize {
+        if self.count == 1 { 0 } else { ((u64::from(self.cells.key(p)) * u64::from(self.count)) >> 32) as usize }
+    }
+}
+
+/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a triangle
+/// that goes and comes again is another one, whether it gets its old slot back or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Claim {
+    pub(super) face: FaceId,
+    look: u32,
+}
+
+/// Bad triangles by patience. Triangles that are gone stay until they come up.
+///
+/// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
+/// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than the
+/// other way round; for an order that asks for it, those that came first.
+///
+/// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
+/// matter whether a triangle that went and came again got its old slot back.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Queue {
+    /// `None` where the whole drawing is one patch.
+    patches: Option<Patches>,
+    /// The patch whose triangles lie in the steps.
+    present: usize,
+    /// Triangles of other patches, with their patience.
+    elsewhere: Vec<Vec<(Claim, f64)>>,
+    steps: Vec<VecDeque<Claim>>,
+    /// One bit a step: whether anything waits there.
+    occupied: Vec<u64>,
+    /// No word of `occupied` below this one has a bit.
+    lowest: usize,
+    len: usize,
+    /// The newest look at each slot; 0 where there was nothing bad.
+    looks: Vec<u32>,
+    last_look: u32,
+}
+
+impl Queue {
+    /// Mantissa bits that do not choose the step.
+    const SHIFT: u32 = 45;
+    /// Exponents below this one, biased, share the first step: patience is measured in units that fit the drawing.
+    const LEAST: u64 = (1023 - 220) << 7;
+
+    /// An empty queue that takes one patch after the other.
+    pub(super) fn by_patches(patches: Patches) -> Self {
+        Self { elsewhere: vec![Vec::new(); patches.count as usize], patches: Some(patches), ..Self::default() }
+    }
+
+    /// Adds a triangle at a place, whose patience is not negative.
+    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, at: Point, patience: f64) {
+        let claim = self.claim(cdt, face);
+        self.len += 1;
+        let patch = self.patches.as_ref().map_or(0, |patches| patches.of(at));
+        if patch == self.present {
+            self.put_into_step(claim, patience);
+        } else {
+            self.elsewhere[patch].push((claim, patience));
+        }
+    }
+
+    fn put_into_step(&mut self, claim: Claim, patience: f64) {
+        // Positive numbers are ordered as their bits.
+        let step = (patience.max(0.0).to_bits() >> Self::SHIFT).saturating_sub(Self::LEAST);
+        let step = usize::try_from(step).unwrap_or(usize::MAX);
+        if step >= self.steps.len() {
+            self.steps.resize_with(step + 1, VecDeque::new);
+            self.occupied.resize(step / 64 + 1, 0);
+        }
+        self.steps[step].push_back(claim);
+        self.occupied[step / 64] |= 1 << (step % 64);
+        self.lowest = self.lowest.min(step / 64);
+    }
+
+    /// Goes on to the next patch in which anything waits; says whether there is one.
+    fn take_next_patch(&mut self, cdt: &ConstrainedDelaunay) -> bool {
+        let count = self.elsewhere.len();
+        let Some(next) = (1..=count).map(|i| (self.present + i) % count).find(|&p| !self.elsewhere[p].is_empty())
+        else {
+            return false;
+        };
+        self.present = next;
+        for (claim, patience) in std::mem::take(&mut self.elsewhere[next]) {
+            if self.is_valid(cdt, claim) {
+                self.put_into_step(claim, patience);
+            } else {
+                self.len -= 1;
+            }
+        }
+        true
+    }
+
+    /// Looks at a slot: earlier claims to it are void.
+    pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
+        if face.index() >= self.looks.len() {
+            self.looks.resize(cdt.face_slots(), 0);
+        }
+        self.last_look = self.last_look.wrapping_add(1).max(1);
+        self.looks[face.index()] = self.last_look;
+        Claim { face, look: self.last_look }
+    }
+
+    /// Whether a triangle is still the one that was claimed.
+    pub(super) fn is_valid(&self, cdt: &ConstrainedDelaunay, claim: Claim) -> bool {
+        self.looks.get(claim.face.index()) == Some(&claim.look) && cdt.is_real(claim.face)
+    }
+
+    /// Notes that there is nothing bad in a slot now.
+    pub(super) fn pass(&mut self, face: FaceId) {
+        if let Some(look) = self.looks.get_mut(face.index()) {
+            *look = 0;
+        }
+    }
+
+    /// The least patient triangle of the patch that is still there; every face that changes is looked at again.
+    ///
+    /// # Complexity
+    /// Constant, amortised over the triangles that are gone.
+    pub(super) fn pop(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
+        loop {
+            let here = self.pop_here(cdt, oldest_first);
+            if here.is_some() || !self.take_next_patch(cdt) {
+                return here;
+            }
+        }
+    }
+
+    fn pop_here(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
+        while let Some(word) = self.occupied.get(self.lowest) {
+            if *word == 0 {
+                self.lowest += 1;
+                continue;
+            }
+            let step = self.lowest * 64 + word.trailing_zeros() as usize;
+            loop {
+                let list = &mut self.steps[step];
+                let Some(claim) = (if oldest_first { list.pop_front() } else { list.pop_back() }) else { break };
+                self.len -= 1;
+                if self.is_valid(cdt, claim) {
+                    return Some(claim.face);
+                }
+            }
+            self.occupied[self.lowest] &= !(1 << (step % 64));
+        }
+        None
+    }
+
+    /// How many wait, those that are gone included.
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+}
