@@ -20,17 +20,18 @@ use super::lawson::Lawson;
 use super::order;
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, NoJournal, VertexId};
+use crate::mesh::{FaceId, Named, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.
 pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> Triangulation {
     let chosen: Option<Vec<Point>> = subset.map(|s| s.iter().map(|v| points[v.index()]).collect());
-    let curve = order::along_curve(chosen.as_deref().unwrap_or(points));
+    let (curve, spare) = order::keyed_along_curve(chosen.as_deref().unwrap_or(points));
     let caller = |i: u32| subset.map_or(VertexId(i), |s| s[i as usize]);
-    let names: Vec<VertexId> = curve.into_iter().map(caller).collect();
+    let names: Vec<Named> = curve.into_iter().map(|k| Named::new(caller(k.position))).collect();
     drop(chosen);
-    let mut t = Triangulation::of_unused(names.iter().map(|v| points[v.index()]).collect());
+    let mut t = Triangulation::in_bulk(names.iter().map(|v| points[v.name.index()]).collect());
+    t.mesh.reserve_faces(2 * t.points.len(), spare);
     let same = insert_all(&mut t);
     name_vertices(&mut t, points, names, &same);
     t
@@ -38,18 +39,14 @@ pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> Triangulat
 
 /// Inserts every vertex; returns pairs of vertices at the same place, the used one second.
 fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
-    let order = order::rounds(t.points.len());
-    let Some(first) = first_triangle(t, &order) else { return chain(t) };
-    t.mesh.reserve_faces(2 * t.points.len());
+    let order = || order::rounds(t.points.len()).map(VertexId);
+    let Some(first) = first_triangle(t, order()) else { return chain(t) };
+    let order = order();
     start_with(t, first);
     let mut same = Vec::new();
     let mut lawson = Lawson::default();
     let mut last = FaceId(0);
-    for &i in &order {
-        let v = VertexId(i);
-        if first.contains(&v) {
-            continue;
-        }
+    for v in order.filter(|v| !first.contains(v)) {
         let locus = t.locate_from(last, t.point(v));
         if let Locus::Vertex(w) = locus {
             same.push((v, w));
@@ -62,14 +59,12 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
         };
         insert_at::<false, _>(t, v, locus, &mut lawson, &mut NoJournal);
     }
-    t.mesh.keep_half_edges(t.points.len());
     same
 }
 
 /// The first vertex of the order, the first one elsewhere, and the first one off their line,
 /// counter-clockwise.
-fn first_triangle(t: &Triangulation, order: &[u32]) -> Option<[VertexId; 3]> {
-    let mut vertices = order.iter().map(|&i| VertexId(i));
+fn first_triangle(t: &Triangulation, mut vertices: impl Iterator<Item = VertexId>) -> Option<[VertexId; 3]> {
     let a = vertices.next()?;
     let b = vertices.find(|&v| t.point(v) != t.point(a))?;
     vertices.find_map(|c| match orient2d(t.point(a), t.point(b), t.point(c)) {
@@ -115,17 +110,18 @@ fn chain(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
 }
 
 /// From storage order back to the caller's ids; equal points become the one of lowest id.
-fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<VertexId>, same: &[(VertexId, VertexId)]) {
+fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<Named>, same: &[(VertexId, VertexId)]) {
     for &(v, w) in same {
         // Whichever was inserted, the lowest id is used.
-        if names[v.index()] < names[w.index()] {
+        if names[v.index()].name < names[w.index()].name {
             names.swap(v.index(), w.index());
         }
     }
-    t.mesh.relabel(&names, points.len());
+    let name = |v: VertexId| names[v.index()].name;
+    t.lone = t.lone.map(name);
+    t.duplicates = same.iter().map(|&(v, w)| (name(v), name(w))).collect();
+    t.duplicates.sort_unstable();
     t.points.clear();
     t.points.extend_from_slice(points);
-    t.lone = t.lone.map(|v| names[v.index()]);
-    t.duplicates = same.iter().map(|&(v, w)| (names[v.index()], names[w.index()])).collect();
-    t.duplicates.sort_unstable();
+    t.mesh.name_vertices(names, points.len());
 }

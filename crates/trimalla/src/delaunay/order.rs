@@ -2,9 +2,12 @@
 //!
 //! 1. Points are quantised to 2¹⁶ × 2¹⁶ cells and sorted by their place on a Hilbert curve, with a
 //!    radix sort; crowded cells are sorted again by a finer curve of their own.
-//! 2. A biased randomised insertion order (BRIO) takes a sixteenth of the points first, then a
-//!    sixteenth of the rest is held for the round after, and so on: each round runs along the curve.
-//!    The coin is a hash of the position, so the order is a function of the input alone.
+//! 2. A biased randomised insertion order (BRIO): of every sixteen neighbours on the curve one is drawn, of
+//!    every sixteen of those one, and so on. Rounds begin with the fewest; each runs along the curve.
+//!    Draws are hashes of positions, so the order is a function of the input alone.
+//!
+//! *Departure from the source:* a coin for each point would leave gaps and crowds in a round; one of sixteen
+//! neighbours does not, and the order need not be stored.
 //!
 //! # Source
 //! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
@@ -17,64 +20,63 @@ const CROWDED: usize = 16;
 const ROUND_SHIFT: u32 = 4;
 /// Below this many points rounds cost more than they save.
 const ROUNDS_FROM: usize = 2000;
-/// More rounds than any array of 32-bit indices can need.
-const MAX_ROUND: u32 = 7;
+
+/// A position and its place on the curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Keyed {
+    key: u32,
+    pub(super) position: u32,
+}
 
 /// Positions 0..n in the order of a Hilbert curve.
 ///
 /// # Complexity
 /// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement.
 pub(crate) fn along_curve(points: &[Point]) -> Vec<u32> {
-    let mut keyed = sort_by_key(keys(points, 0..points.len()));
+    keyed_along_curve(points).0.into_iter().map(|k| k.position).collect()
+}
+
+/// [`along_curve`] with the keys, and memory that the sort has no more use for.
+pub(super) fn keyed_along_curve(points: &[Point]) -> (Vec<Keyed>, Vec<Keyed>) {
+    let (mut keyed, spare) = sort_by_key(keys(points, 0..points.len()));
     refine_crowded_cells(points, &mut keyed);
-    keyed.into_iter().map(low).collect()
+    (keyed, spare)
 }
 
-/// The positions of `0..n` in insertion order: round after round, each along the storage.
-pub(crate) fn rounds(n: usize) -> Vec<u32> {
+/// The positions of `0..n` in insertion order: round after round, each along the storage, every other one backwards, so that
+/// the last point of one is near the first of the next.
+pub(super) fn rounds(n: usize) -> impl Iterator<Item = u32> {
     #[allow(clippy::cast_possible_truncation, reason = "bounded by the number of vertex ids")]
-    let all = 0..n as u32;
-    if n < ROUNDS_FROM {
-        return all.collect();
-    }
-    let mut size = [0usize; MAX_ROUND as usize + 1];
-    for i in all.clone() {
-        size[round_of(i) as usize] += 1;
-    }
-    let mut next = [0usize; MAX_ROUND as usize + 1];
-    let mut start = 0;
-    for r in (0..size.len()).rev() {
-        next[r] = start;
-        start += size[r];
-    }
-    let firsts = next;
-    let mut order = vec![0; n];
-    for i in all {
-        let r = round_of(i) as usize;
-        order[next[r]] = i;
-        next[r] += 1;
-    }
-    // Every other round runs backwards: the last point of one is near the first of the next.
-    for r in (1..size.len()).step_by(2) {
-        order[firsts[r]..firsts[r] + size[r]].reverse();
-    }
-    order
+    let n = n as u32;
+    let first = if (n as usize) < ROUNDS_FROM { 0 } else { n.ilog2() / ROUND_SHIFT };
+    (0..=first).rev().flat_map(move |round| {
+        let blocks = n.div_ceil(1 << (ROUND_SHIFT * round));
+        let along = (0..blocks).map(move |i| if round % 2 == 0 { i } else { blocks - 1 - i });
+        let new = along.filter(move |&block| round == first || block != chosen_child(block >> ROUND_SHIFT, round + 1));
+        new.map(move |block| representative(block, round)).filter(move |&position| position < n)
+    })
 }
 
-/// The round that a position is held back for: a hash's trailing zeros, four to a round.
+/// The position that stands for a block of 16^`round` positions: that of the block's chosen sixteenth.
 #[inline]
-fn round_of(i: u32) -> u32 {
-    let mut h = i.wrapping_mul(0x9e37_79b1);
+fn representative(block: u32, round: u32) -> u32 {
+    (1..=round).rev().fold(block, chosen_child)
+}
+
+/// The sixteenth of a block that is inserted with it; a hash draws it.
+#[inline]
+fn chosen_child(block: u32, round: u32) -> u32 {
+    let mut h = (block ^ round << 28).wrapping_mul(0x9e37_79b1);
     h ^= h >> 15;
     h = h.wrapping_mul(0x85eb_ca77);
-    h ^= h >> 13;
-    (h.trailing_zeros() / ROUND_SHIFT).min(MAX_ROUND)
+    block << ROUND_SHIFT | h >> (32 - ROUND_SHIFT)
 }
 
-/// Curve key in the high half, position in the low half.
-fn keys(points: &[Point], positions: impl ExactSizeIterator<Item = usize> + Clone) -> Vec<u64> {
+/// Points of the given positions with their keys.
+#[allow(clippy::cast_possible_truncation, reason = "bounded by the number of vertex ids")]
+fn keys(points: &[Point], positions: impl ExactSizeIterator<Item = usize> + Clone) -> Vec<Keyed> {
     let cells = CurveCells::around(BoundingBox::of(positions.clone().map(|i| points[i])));
-    positions.map(|i| u64::from(cells.key(points[i])) << 32 | i as u64).collect()
+    positions.map(|i| Keyed { key: cells.key(points[i]), position: i as u32 }).collect()
 }
 
 /// A grid of 2¹⁶ × 2¹⁶ cells over a box.
@@ -104,49 +106,49 @@ impl CurveCells {
     }
 }
 
-/// Radix sort by the high half, stable: three passes of eleven bits.
-fn sort_by_key(mut a: Vec<u64>) -> Vec<u64> {
+/// Radix sort by key, stable: three passes of eleven bits. Returns the array between which it went to and fro as well.
+fn sort_by_key(mut a: Vec<Keyed>) -> (Vec<Keyed>, Vec<Keyed>) {
     const BITS: u32 = 11;
     const SIZE: usize = 1 << BITS;
     if a.len() < 256 {
-        a.sort_unstable();
-        return a;
+        a.sort_by_key(|k| k.key);
+        return (a, Vec::new());
     }
-    let digit = |k: u64, pass: usize| (k >> (32 + BITS * pass as u32)) as usize & (SIZE - 1);
+    let digit = |k: &Keyed, pass: usize| (k.key >> (BITS * pass as u32)) as usize & (SIZE - 1);
     let mut counts = vec![[0u32; SIZE]; 3];
-    for &k in &a {
+    for k in &a {
         for (pass, count) in counts.iter_mut().enumerate() {
             count[digit(k, pass)] += 1;
         }
     }
-    let mut b = vec![0u64; a.len()];
+    let mut b = vec![Keyed { key: 0, position: 0 }; a.len()];
     for (pass, count) in counts.iter_mut().enumerate() {
         let mut start = 0;
         for c in count.iter_mut() {
             start += std::mem::replace(c, start);
         }
-        for &k in &a {
+        for k in &a {
             let slot = &mut count[digit(k, pass)];
-            b[*slot as usize] = k;
+            b[*slot as usize] = *k;
             *slot += 1;
         }
         std::mem::swap(&mut a, &mut b);
     }
-    a
+    (a, b)
 }
 
 /// Sorts every crowded cell by a curve over its own points, and so on for its crowded cells.
-fn refine_crowded_cells(points: &[Point], keyed: &mut [u64]) {
+fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed]) {
     let mut work: Vec<(usize, usize)> = vec![(0, keyed.len())];
     while let Some((start, end)) = work.pop() {
         let mut i = start;
         while i < end {
-            let key = keyed[i] >> 32;
-            let run = keyed[i..end].iter().take_while(|&&k| k >> 32 == key).count();
+            let key = keyed[i].key;
+            let run = keyed[i..end].iter().take_while(|k| k.key == key).count();
             if run > CROWDED && run < end - start {
                 let cell = &mut keyed[i..i + run];
-                let finer =
-                    sort_by_key(keys(points, cell.iter().map(|&k| low(k) as usize).collect::<Vec<_>>().into_iter()));
+                let positions: Vec<usize> = cell.iter().map(|k| k.position as usize).collect();
+                let (finer, _) = sort_by_key(keys(points, positions.into_iter()));
                 cell.copy_from_slice(&finer);
                 work.push((i, i + run));
             }
@@ -155,7 +157,27 @@ fn refine_crowded_cells(points: &[Point], keyed: &mut [u64]) {
     }
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "the low half is the position")]
-fn low(k: u64) -> u32 {
-    k as u32
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounds_meet_every_position_once() {
+        for n in [0, 1, 15, 16, 17, 1999, 2000, 2001, 4095, 4096, 5000, 70_000] {
+            let mut order: Vec<u32> = rounds(n).collect();
+            assert_eq!(order.len(), n);
+            order.sort_unstable();
+            assert!(order.into_iter().eq(0..n as u32));
+        }
+    }
+
+    #[test]
+    fn a_sixteenth_of_each_round_comes_before_it() {
+        let order: Vec<u32> = rounds(1 << 16).collect();
+        for round in [1, 2, 3] {
+            let mut earlier: Vec<u32> = order[..1 << (16 - 4 * round)].iter().map(|i| i >> (4 * round)).collect();
+            earlier.sort_unstable();
+            assert!(earlier.into_iter().eq(0..1 << (16 - 4 * round)), "one of each block");
+        }
+    }
 }

@@ -15,6 +15,21 @@ impl HalfEdge {
     const DEAD: Self = Self { origin: VertexId::DEAD, twin: HalfEdgeId::NONE };
 }
 
+/// A vertex of a bulk build: the id that it will have, and the half-edge that it will keep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Named {
+    pub(crate) name: VertexId,
+    half_edge: HalfEdgeId,
+}
+
+impl Named {
+    /// A vertex without half-edges so far.
+    #[inline]
+    pub(crate) const fn new(name: VertexId) -> Self {
+        Self { name, half_edge: HalfEdgeId::NONE }
+    }
+}
+
 /// Triangles as triples of half-edges, closed to a sphere by ghost faces.
 ///
 /// # Shape
@@ -481,8 +496,12 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Room for that many more faces.
-    pub(crate) fn reserve_faces(&mut self, faces: usize) {
+    /// Makes room for that many faces in a mesh without any, beginning with memory that has served elsewhere: pages that
+    /// have been touched need not be fetched from the system again.
+    pub(crate) fn reserve_faces<T>(&mut self, faces: usize, mut spare: Vec<T>) {
+        spare.clear();
+        // Collecting in place keeps the allocation of an empty vector whose elements have the same layout.
+        self.half_edges = spare.into_iter().map(|_| HalfEdge::DEAD).collect();
         self.half_edges.reserve(3 * faces);
     }
 
@@ -514,17 +533,20 @@ impl HalfEdgeMesh {
         true
     }
 
-    /// Replaces every vertex id `v` by `new[v]`, in place; ids of `outgoing` move along.
-    pub(crate) fn relabel(&mut self, new: &[VertexId], vertices: usize) {
-        let mut outgoing = vec![HalfEdgeId::NONE; vertices];
-        for (v, &h) in self.outgoing.iter().enumerate() {
-            outgoing[new[v].index()] = h;
-        }
-        self.outgoing = outgoing;
-        for h in &mut self.half_edges {
-            if let Some(&n) = new.get(h.origin.index()) {
-                h.origin = n;
+    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own.
+    ///
+    /// # Complexity
+    /// Linear; one look-up a half-edge.
+    pub(crate) fn name_vertices(&mut self, mut named: Vec<Named>, vertices: usize) {
+        for (i, h) in self.half_edges.iter_mut().enumerate() {
+            if let Some(vertex) = named.get_mut(h.origin.index()) {
+                vertex.half_edge = HalfEdgeId::from_index(i);
+                h.origin = vertex.name;
             }
+        }
+        self.outgoing = vec![HalfEdgeId::NONE; vertices];
+        for vertex in named {
+            self.outgoing[vertex.name.index()] = vertex.half_edge;
         }
     }
 }

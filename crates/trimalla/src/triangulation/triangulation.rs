@@ -57,6 +57,12 @@ impl Triangulation {
         Self { mesh: HalfEdgeMesh::with_vertices(points.len()), points, dimension: -1, ..Self::default() }
     }
 
+    /// The same for a bulk build: vertices keep no half-edges until it ends.
+    #[must_use]
+    pub(crate) fn in_bulk(points: Vec<Point>) -> Self {
+        Self { points, dimension: -1, ..Self::default() }
+    }
+
     /// The half-edges alone.
     #[must_use]
     pub fn mesh(&self) -> &HalfEdgeMesh {
