@@ -3,7 +3,7 @@
 use super::plan::SegmentPlan;
 use super::pseudo_polygon::{Edges, Filler, Filling};
 use crate::delaunay::Lawson;
-use crate::mesh::{FaceId, Half, HalfEdgeId, Journal, Rim, VertexId};
+use crate::mesh::{FaceId, Half, HalfEdgeId, Journal};
 use crate::triangulation::Triangulation;
 
 /// What is known of the triangulation that a segment goes into.
@@ -93,13 +93,9 @@ impl Corridor {
         faces.clear();
         faces.extend(plan.crossed.first().map(|h| h.face()));
         faces.extend(plan.crossed.iter().map(|&h| t.twin(h).face()));
-        let (start, end) = ([plan.from], [plan.to]);
-        let along = start.iter().chain(&plan.left).chain(&end);
-        let back = end.iter().chain(plan.right.iter().rev()).chain(&start);
-        let edges = [
-            fill(t, along, plan.left_rim.iter(), left, filler, filling)?,
-            fill(t, back, plan.right_rim.iter().rev(), right, filler, filling)?,
-        ];
+        left.start(plan.from, plan.left.iter(), plan.to, plan.left_rim.iter());
+        right.start(plan.to, plan.right.iter().rev(), plan.from, plan.right_rim.iter().rev());
+        let edges = [fill(t, left, filler, filling)?, fill(t, right, filler, filling)?];
         t.mesh.refill(faces, [left, right], mark, j);
         Some(if edges == [Edges::Legal; 2] { Edges::Legal } else { Edges::Unproved })
     }
@@ -111,19 +107,8 @@ impl Corridor {
     }
 }
 
-/// Fills one half of a cavity; `border` begins and ends with the ends of the segment, and has the cavity on its left.
-fn fill<'a>(
-    t: &Triangulation,
-    border: impl Iterator<Item = &'a VertexId>,
-    rims: impl Iterator<Item = &'a HalfEdgeId>,
-    half: &mut Half,
-    filler: &mut Filler,
-    filling: Filling,
-) -> Option<Edges> {
-    half.border.clear();
-    half.border.extend(border);
-    half.rims.clear();
-    half.rims.extend(rims.map(|&inner| Rim::new(inner)));
+/// Fills one half of a cavity.
+fn fill(t: &Triangulation, half: &mut Half, filler: &mut Filler, filling: Filling) -> Option<Edges> {
     filler.points.clear();
     filler.points.extend(half.border.iter().map(|&v| t.point(v)));
     filler.fill(&mut half.patch, filling)

@@ -35,7 +35,9 @@ impl Constraints {
         match segments {
             [segment] => {
                 let at = *segment as usize;
-                self.alone.resize(self.alone.len().max(at + 1), 0);
+                if self.alone.len() <= at {
+                    self.alone.resize(at + 1, 0);
+                }
                 self.alone[at] = mark;
             }
             _ => drop(self.class_of.insert(segments.to_vec(), mark)),

@@ -133,7 +133,7 @@ impl Triangulation {
     }
 
     /// Where a spoke of `from` points.
-    #[inline]
+    #[inline(always)]
     fn bearing(&self, spoke: HalfEdgeId, from: VertexId, to: VertexId) -> Bearing {
         let x = self.dest(spoke);
         if x == to {

@@ -34,5 +34,5 @@ pub use half_edges::HalfEdgeMesh;
 pub(crate) use half_edges::Named;
 pub use ids::{FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
-pub(crate) use operators::{Border, Half, Patch, Rim, RimEdge, Side, Triangle};
+pub(crate) use operators::{Border, Half, Patch, RimEdge, Side, Triangle};
 pub use side_table::SideTable;

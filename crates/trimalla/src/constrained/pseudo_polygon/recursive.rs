@@ -33,8 +33,8 @@ pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Op
     patch.start(border.0.len());
     patch.base = Side::new(0, 0);
     room.0.clear();
-    room.0.push(Stretch { first: 0, last: n - 1, parent: Side::BORDER });
-    while let Some(Stretch { first, last, parent }) = room.0.pop() {
+    let mut next = Some(Stretch { first: 0, last: n - 1, parent: Side::BORDER });
+    while let Some(Stretch { first, last, parent }) = next.take().or_else(|| room.0.pop()) {
         let corner = best_corner(border, first, last)?;
         // Counter-clockwise first → last → corner; the other two sides are rims or bases of stretches.
         let this = patch.triangles.len() as u32;
@@ -45,8 +45,8 @@ pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Op
         for (first, last, side) in [(corner, last, Side::new(this, 1)), (first, corner, Side::new(this, 2))] {
             if first + 1 == last {
                 patch.rim[first as usize] = side;
-            } else {
-                room.0.push(Stretch { first, last, parent: side });
+            } else if let Some(waiting) = next.replace(Stretch { first, last, parent: side }) {
+                room.0.push(waiting);
             }
         }
     }

@@ -30,5 +30,5 @@ mod unsplit;
 
 pub(crate) use carve::Border;
 pub(crate) use patch::{Patch, Side, Triangle};
-pub(crate) use refill::{Half, Rim};
+pub(crate) use refill::Half;
 pub(crate) use star::RimEdge;

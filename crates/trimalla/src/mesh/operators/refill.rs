@@ -9,14 +9,14 @@ pub(crate) struct Half {
     /// The vertices of its border.
     pub(crate) border: Vec<VertexId>,
     /// Its rims.
-    pub(crate) rims: Vec<Rim>,
+    rims: Vec<Rim>,
     /// What fills it.
     pub(crate) patch: Patch,
 }
 
 /// An edge of the rim of a cavity.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Rim {
+struct Rim {
     /// Its half-edge inside the cavity.
     inner: HalfEdgeId,
     /// Its half-edge outside.
@@ -24,10 +24,22 @@ pub(crate) struct Rim {
     mark: u32,
 }
 
-impl Rim {
-    /// The rim with that half-edge inside the cavity.
-    pub(crate) const fn new(inner: HalfEdgeId) -> Self {
-        Self { inner, outer: HalfEdgeId::NONE, mark: 0 }
+impl Half {
+    /// The half left of the edge from `first` to `last`, with the border `between` them and the inner half-edges of its rims
+    /// in that order; not filled yet.
+    pub(crate) fn start<'a>(
+        &mut self,
+        first: VertexId,
+        between: impl Iterator<Item = &'a VertexId>,
+        last: VertexId,
+        rims: impl Iterator<Item = &'a HalfEdgeId>,
+    ) {
+        self.border.clear();
+        self.border.push(first);
+        self.border.extend(between);
+        self.border.push(last);
+        self.rims.clear();
+        self.rims.extend(rims.map(|&inner| Rim { inner, outer: HalfEdgeId::NONE, mark: 0 }));
     }
 }
 
