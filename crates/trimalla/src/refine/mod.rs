@@ -44,7 +44,6 @@ mod ruler;
 mod s1_prepare;
 mod s2_select;
 mod s3_point;
-mod s3_point_lepp;
 mod s4_insert;
 mod s5_recover;
 mod split_segments;

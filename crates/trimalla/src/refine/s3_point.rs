@@ -8,95 +8,35 @@
 //!        p ───── q
 //! ```
 
+mod circumcenter;
+mod lepp_centroid;
+mod lepp_circumcenter;
+mod lepp_midpoint;
+mod lepp_off_center;
+mod off_center;
+mod terminal;
+
 use std::sync::Arc;
 
 use super::recipe::{PlacePoint, Recipe};
-use super::s3_point_lepp;
-use super::steps::{PointStep, Proposal, View};
-use crate::geometry::{Point, Triangle, lexicographically_less, math};
-use crate::mesh::FaceId;
-
-/// `circumcenter`: the center of the circumcircle.
-///
-/// # Source
-/// `[Ruppert95]`, `[Chew93]`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Circumcenter;
-
-impl PointStep for Circumcenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
-        places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
-    }
-}
-
-/// The circumcenter of a face, rounded.
-pub(super) fn center_of(view: View<'_>, face: FaceId) -> Option<Point> {
-    let [a, b, c] = view.cdt.corners(face);
-    Triangle::new(a, b, c).circumcenter()
-}
-
-/// `off-center`: the circumcenter, or nearer to the shortest edge the point that makes its triangle just good.
-///
-/// # Source
-/// `[Ungor09]`. The true off-center lies at half of cot(α/2) times the edge's length from its middle; 95 % of that leaves
-/// the new triangle strictly good.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct OffCenter {
-    /// Height of the off-center over the middle of a shortest edge of length one.
-    reach: f64,
-}
-
-impl OffCenter {
-    /// 95 % of the half.
-    const FACTOR: f64 = 0.475;
-
-    /// For an angle bound in radians; at 0 the reach is infinite and every point a circumcenter.
-    pub(super) fn new(min_angle: f64) -> Self {
-        Self { reach: Self::FACTOR / math::tan(min_angle / 2.0) }
-    }
-}
-
-impl OffCenter {
-    /// The off-center of a face, rounded.
-    pub(super) fn place(self, view: View<'_>, face: FaceId) -> Option<Point> {
-        let corners = view.cdt.corners(face);
-        let [a, b, c] = corners;
-        let center = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
-        let (p, q) = shortest_edge(corners, view);
-        let middle = Point::midpoint(p, q);
-        let height_sq = view.ruler.length_sq(middle, center);
-        let reach_sq = self.reach * self.reach * view.ruler.length_sq(p, q);
-        // Towards the circumcenter, but no farther than it: a quotient of lengths, free of units.
-        Some(if reach_sq < height_sq { Point::lerp(middle, center, (reach_sq / height_sq).sqrt()) } else { center })
-    }
-}
-
-impl PointStep for OffCenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
-        let towards = |point| Proposal::towards(view, face, point);
-        places.extend(self.place(view, face).and_then(towards).or_else(|| center_of(view, face).and_then(towards)));
-    }
-}
-
-/// The ends of the shortest edge; of equal ones that with the first middle, whichever corner comes first.
-fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
-    let edges = [(a, b), (b, c), (c, a)];
-    let lengths = edges.map(|(p, q)| view.ruler.length_sq(p, q));
-    let middle = |i: usize| Point::midpoint(edges[i].0, edges[i].1);
-    let less = |i: usize, j: usize| {
-        lengths[i] < lengths[j] || lengths[i] == lengths[j] && lexicographically_less(middle(i), middle(j))
-    };
-    edges[(1..3).fold(0, |best, i| if less(i, best) { i } else { best })]
-}
+use super::steps::PointStep;
+use circumcenter::Circumcenter;
+use lepp_centroid::LeppCentroid;
+use lepp_circumcenter::LeppCircumcenter;
+use lepp_midpoint::LeppMidpoint;
+use lepp_off_center::LeppOffCenter;
+use off_center::OffCenter;
 
 /// The step of a recipe, for an angle bound in radians.
 pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send + Sync> {
-    if let Some(lepp) = s3_point_lepp::step(recipe, min_angle) {
-        return lepp;
-    }
+    let (rule, second, terminal) = (recipe.lepp_rule, recipe.constrained_second, recipe.terminal);
     match recipe.point {
+        PlacePoint::OffCenter => Arc::new(OffCenter::new(min_angle)),
         PlacePoint::Circumcenter => Arc::new(Circumcenter),
-        _ => Arc::new(OffCenter::new(min_angle)),
+        PlacePoint::LeppMidpoint => Arc::new(LeppMidpoint { rule, second }),
+        PlacePoint::LeppCentroid => Arc::new(LeppCentroid { kind: recipe.centroid, rule, second }),
+        PlacePoint::LeppCircumcenter => Arc::new(LeppCircumcenter { terminal, rule }),
+        PlacePoint::LeppOffCenter => Arc::new(LeppOffCenter { off_center: OffCenter::new(min_angle), terminal, rule }),
     }
 }
 

@@ -1,154 +1,18 @@
 //! Step 4: how the new vertex goes in.
 
+mod cavity;
+mod flip;
+mod flip_or_centroid;
+mod partition;
+
 use std::sync::Arc;
 
-use super::lepp::longest_edge;
 use super::recipe::{Insert, Recipe};
-use super::ruler::Ruler;
-use super::steps::{InsertStep, Proposal, View};
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
-use crate::geometry::{BoundingBox, Point};
-use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
-use crate::triangulation::Triangulation;
-
-/// `flip`: the face or edge is split, then Lawson's flips restore the circle test.
-///
-/// # Source
-/// `[Lawson77]`, `[Vigo97]`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Flip;
-
-impl InsertStep for Flip {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        Some(cdt.insert_vertex_at(p, locus, log))
-    }
-
-    fn split(
-        &self,
-        cdt: &mut ConstrainedDelaunay,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-        log: &mut UndoLog,
-    ) -> Result<VertexId, SplitError> {
-        cdt.split_subsegment(h, p, provenance, log)
-    }
-}
-
-/// `cavity`: every face whose circle holds the point away, a fan in their place.
-///
-/// # Source
-/// `[Bowyer81]`, `[Watson81]`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cavity;
-
-impl InsertStep for Cavity {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        cdt.insert_by_cavity(p, locus, log)
-    }
-
-    fn split(
-        &self,
-        cdt: &mut ConstrainedDelaunay,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-        log: &mut UndoLog,
-    ) -> Result<VertexId, SplitError> {
-        cdt.split_by_cavity(h, p, provenance, log)
-    }
-
-    fn by_cavity(&self) -> bool {
-        true
-    }
-}
-
-/// `partition`: the face or edge is split and nothing else; what is not Delaunay stays so.
-///
-/// # Source
-/// `[Rivara97]`: longest-edge bisection.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Partition;
-
-impl InsertStep for Partition {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        cdt.place_vertex_at(p, locus, log)
-    }
-
-    fn split(
-        &self,
-        cdt: &mut ConstrainedDelaunay,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-        log: &mut UndoLog,
-    ) -> Result<VertexId, SplitError> {
-        cdt.cut_subsegment(h, p, provenance, log)
-    }
-
-    fn keeps_small_angles(&self) -> bool {
-        true
-    }
-
-    fn keeps_delaunay(&self) -> bool {
-        false
-    }
-}
-
-/// `flip-or-centroid`: where the terminal edge fails the circle test it is flipped; else the new vertex parts the two faces
-/// at it into four. The terminal edge is the longest of the face in which the point lies.
-///
-/// # Source
-/// `[Sanhueza]`, the slide of the algorithm. (Slide 4 puts it the other way round: flips where the pair *is* Delaunay.)
-#[derive(Clone, Copy, Debug)]
-pub(super) struct FlipOrCentroid;
-
-impl FlipOrCentroid {
-    fn edge_of(t: &Triangulation, ruler: Ruler, locus: Locus) -> Option<HalfEdgeId> {
-        match locus {
-            Locus::Face(f) => Some(longest_edge(t, ruler, f)),
-            Locus::Edge(h) => Some(h),
-            _ => None,
-        }
-    }
-}
-
-impl InsertStep for FlipOrCentroid {
-    fn flip_instead(&self, view: View<'_>, place: Proposal) -> Option<HalfEdgeId> {
-        let edge = match place {
-            Proposal::Free { locus, .. } => Self::edge_of(view.cdt, view.ruler, locus)?,
-            Proposal::OnEdge { edge, .. } => edge,
-            Proposal::Split(_) => return None,
-        };
-        view.cdt.fails_circle_test(edge).then_some(edge)
-    }
-
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        // The scale is a power of two: that of the face itself orders its edges as that of the drawing does.
-        let corners = match locus {
-            Locus::Face(f) => BoundingBox::of(cdt.face_points(f)),
-            _ => None,
-        };
-        let in_pair = Self::edge_of(cdt, Ruler::for_box(corners), locus).and_then(|h| cdt.insert_in_pair(p, h, log));
-        in_pair.or_else(|| cdt.place_vertex_at(p, locus, log))
-    }
-
-    fn split(
-        &self,
-        cdt: &mut ConstrainedDelaunay,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-        log: &mut UndoLog,
-    ) -> Result<VertexId, SplitError> {
-        cdt.cut_subsegment(h, p, provenance, log)
-    }
-
-    fn keeps_delaunay(&self) -> bool {
-        false
-    }
-}
+use super::steps::InsertStep;
+use cavity::Cavity;
+use flip::Flip;
+use flip_or_centroid::FlipOrCentroid;
+use partition::Partition;
 
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn InsertStep + Send + Sync> {

@@ -6,6 +6,10 @@
 //! | `by-splitting` | segments inside are let go | those missing are halved until they are chains of edges |
 //! | `none` | segments inside are let go | what is missing is reported |
 
+mod by_splitting;
+mod none;
+mod whole_edge;
+
 use std::sync::Arc;
 
 use super::event::InsertedKind;
@@ -16,49 +20,9 @@ use super::stopwatch::Part;
 use crate::constrained::SplitLimits;
 use crate::geometry::Point;
 use crate::mesh::NoJournal;
-
-/// `whole-edge`: segments are edges that nothing removes; there is nothing to recover.
-///
-/// # Source
-/// `[Vigo97]` section 4.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct WholeEdge;
-
-impl RecoverStep for WholeEdge {
-    fn locks_segments(&self) -> bool {
-        true
-    }
-}
-
-/// `by-splitting`: what was let go is split until it is edges again.
-///
-/// # Source
-/// `[MeshSuite]` 2.6.1.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BySplitting;
-
-impl RecoverStep for BySplitting {
-    fn locks_segments(&self) -> bool {
-        false
-    }
-
-    fn splits_back(&self) -> bool {
-        true
-    }
-}
-
-/// `none`: what was let go stays as it is; the report names what is missing.
-///
-/// # Source
-/// `[MeshSuite]` 4.2, its LEPP algorithms.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Nothing;
-
-impl RecoverStep for Nothing {
-    fn locks_segments(&self) -> bool {
-        false
-    }
-}
+use by_splitting::BySplitting;
+use none::Nothing;
+use whole_edge::WholeEdge;
 
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {

@@ -1,0 +1,50 @@
+//! `split-encroached`: subsegments with a visible vertex in their protecting region are split.
+//!
+//! Only the apexes of the two triangles at a subsegment are looked at: in a constrained Delaunay triangulation, if any
+//! visible vertex is in the region, one of them is.
+//!
+//! Under a bound on areas also those are split that no good triangle fits: else the triangles beside them would be refined
+//! first, and their vertices deleted when the subsegment is split after all.
+
+use crate::mesh::HalfEdgeId;
+use crate::refine::encroachment::Region;
+use crate::refine::recipe::PrepareWhen;
+use crate::refine::steps::{PrepareStep, View};
+
+/// Step 1, `split-encroached`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SplitEncroached {
+    pub(super) region: Region,
+    pub(super) when: PrepareWhen,
+}
+
+impl PrepareStep for SplitEncroached {
+    fn is_lasting(&self) -> bool {
+        self.when == PrepareWhen::Always
+    }
+
+    fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
+        let cdt = view.cdt;
+        let [a, b] = cdt.edge_points(h);
+        let is_encroached = [h, cdt.twin(h)]
+            .into_iter()
+            .map(|s| cdt.apex(s))
+            .any(|apex| apex.is_finite() && self.region.holds(a, b, cdt.point(apex), view.ruler));
+        is_encroached || Self::is_too_long(view, h)
+    }
+}
+
+impl SplitEncroached {
+    /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it: the one
+    /// that has the bound as its angle at either end.
+    fn is_too_long(view: View<'_>, h: HalfEdgeId) -> bool {
+        let sides = [h, view.cdt.twin(h)].map(HalfEdgeId::face).into_iter().filter(|&f| view.cdt.is_real(f));
+        let in_regions = sides.filter_map(|f| view.cdt.fixed_area_bound(f)).fold(f64::INFINITY, f64::min);
+        let bound = view.criteria.max_area.map_or(in_regions, |area| area.min(in_regions));
+        if bound == f64::INFINITY {
+            return false;
+        }
+        let [a, b] = view.cdt.edge_points(h);
+        0.25 * (b - a).length_sq() * view.criteria.effective_min_angle().tan() > bound
+    }
+}

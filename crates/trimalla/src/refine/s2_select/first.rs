@@ -1,0 +1,19 @@
+//! `first`: the triangle that has waited longest first.
+
+use crate::mesh::FaceId;
+use crate::refine::steps::{SelectStep, View};
+
+/// Step 2, `first`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct First;
+
+impl SelectStep for First {
+    #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 triangles ever wait")]
+    fn patience(&self, _: View<'_>, _: FaceId, joined: u64) -> f64 {
+        joined as f64
+    }
+
+    fn takes_oldest(&self) -> bool {
+        true
+    }
+}

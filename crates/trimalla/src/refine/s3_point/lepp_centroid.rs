@@ -1,0 +1,43 @@
+//! `lepp-centroid`: the centroid of the two terminal triangles; where there is no room for it, the middle of the terminal edge.
+//!
+//! # Source
+//! `[RivaraCalderon10]`; `selectPointCentroid` of `[Valenzuela09]`, section 6.1.
+
+use super::terminal::{second_to_split, unsplit_terminal_edge};
+use crate::mesh::FaceId;
+use crate::refine::lepp::{Centroid, LeppRule, edge_midpoint, quadrilateral_centroid};
+use crate::refine::recipe::ConstrainedSecond;
+use crate::refine::steps::{PointStep, Proposal, View};
+
+/// Step 3, `lepp-centroid`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeppCentroid {
+    pub(super) kind: Centroid,
+    pub(super) rule: LeppRule,
+    pub(super) second: ConstrainedSecond,
+}
+
+impl PointStep for LeppCentroid {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
+        let point = quadrilateral_centroid(view.cdt, view.ruler, h, self.kind);
+        if let Some(s) = second_to_split(self.second, view, h, point) {
+            places.push(Proposal::Split(s));
+            return;
+        }
+        places.extend(Proposal::towards(view, h.face(), point));
+        places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(view.cdt, h) });
+    }
+
+    fn minds_encroachment(&self) -> bool {
+        false
+    }
+
+    fn shells_at_every_joint(&self) -> bool {
+        false
+    }
+
+    fn follows_path(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,40 @@
+//! `lepp-midpoint`: the middle of the terminal edge.
+//!
+//! # Source
+//! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.
+
+use super::terminal::{second_to_split, unsplit_terminal_edge};
+use crate::mesh::FaceId;
+use crate::refine::lepp::{LeppRule, edge_midpoint};
+use crate::refine::recipe::ConstrainedSecond;
+use crate::refine::steps::{PointStep, Proposal, View};
+
+/// Step 3, `lepp-midpoint`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeppMidpoint {
+    pub(super) rule: LeppRule,
+    pub(super) second: ConstrainedSecond,
+}
+
+impl PointStep for LeppMidpoint {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
+        let point = edge_midpoint(view.cdt, h);
+        places.push(match second_to_split(self.second, view, h, point) {
+            Some(s) => Proposal::Split(s),
+            None => Proposal::OnEdge { edge: h, point },
+        });
+    }
+
+    fn minds_encroachment(&self) -> bool {
+        false
+    }
+
+    fn shells_at_every_joint(&self) -> bool {
+        false
+    }
+
+    fn follows_path(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,37 @@
+//! `lepp-off-center`: the off-center of a terminal triangle; where there is no room for it, the middle of the terminal edge.
+//!
+//! # Source
+//! `[MeshSuite]` 4.2.
+
+use super::off_center::OffCenter;
+use super::terminal::{chosen_terminal, unsplit_terminal_edge};
+use crate::mesh::FaceId;
+use crate::refine::lepp::{LeppRule, edge_midpoint};
+use crate::refine::recipe::Terminal;
+use crate::refine::steps::{PointStep, Proposal, View};
+
+/// Step 3, `lepp-off-center`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeppOffCenter {
+    pub(super) off_center: OffCenter,
+    pub(super) terminal: Terminal,
+    pub(super) rule: LeppRule,
+}
+
+impl PointStep for LeppOffCenter {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
+        let Some(from) = chosen_terminal(view, h, self.terminal) else { return };
+        let point = self.off_center.place(view, from);
+        places.extend(point.and_then(|point| Proposal::towards(view, from, point)));
+        places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(view.cdt, h) });
+    }
+
+    fn shells_at_every_joint(&self) -> bool {
+        false
+    }
+
+    fn follows_path(&self) -> bool {
+        true
+    }
+}

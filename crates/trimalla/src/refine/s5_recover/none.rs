@@ -1,0 +1,16 @@
+//! `none`: what was let go stays as it is; the report names what is missing.
+//!
+//! # Source
+//! `[MeshSuite]` 4.2, its LEPP algorithms.
+
+use crate::refine::steps::RecoverStep;
+
+/// Step 5, `none`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nothing;
+
+impl RecoverStep for Nothing {
+    fn locks_segments(&self) -> bool {
+        false
+    }
+}
