@@ -424,7 +424,7 @@ impl HalfEdgeMesh {
     }
 
     /// A face slot: the newest freed one, or a new one at the end.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn take_face<J: Journal>(&mut self, j: &mut J) -> FaceId {
         if let Some(f) = self.free_faces.pop() {
             if J::ACTIVE {
