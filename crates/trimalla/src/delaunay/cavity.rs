@@ -24,8 +24,8 @@ use crate::triangulation::Triangulation;
 pub(crate) struct Cavity {
     faces: Vec<FaceId>,
     rim: Vec<RimEdge>,
-    /// Where each rim edge starts.
-    points: Vec<Point>,
+    /// The ends of each rim edge.
+    ends: Vec<[Point; 2]>,
     /// Inner half-edges still to be looked across, the next one last.
     stack: Vec<Inner>,
 }
@@ -97,7 +97,10 @@ impl Cavity {
             self.faces.push(face);
             for h in sides {
                 let (from, to, outer, mark) = (t.origin(h), t.dest(h), t.twin(h), t.mark(h));
-                self.close(RimEdge { from, to, outer, mark, region: t.region(face), spoke: 0 }, t.point(from));
+                self.close(
+                    RimEdge { from, to, outer, mark, region: t.region(face), spoke: 0 },
+                    [from, to].map(|v| t.point(v)),
+                );
             }
         }
         self.is_seen_from(t, p)
@@ -114,9 +117,9 @@ impl Cavity {
         &self.rim
     }
 
-    /// Where each edge of the rim starts; of no meaning at infinity.
-    pub(crate) fn rim_points(&self) -> &[Point] {
-        &self.points
+    /// The ends of each edge of the rim; of no meaning at infinity.
+    pub(crate) fn rim_ends(&self) -> &[[Point; 2]] {
+        &self.ends
     }
 
     /// The faces of the cavity, or once it is filled those of the fan.
@@ -127,7 +130,7 @@ impl Cavity {
     fn clear(&mut self) {
         self.faces.clear();
         self.rim.clear();
-        self.points.clear();
+        self.ends.clear();
     }
 
     /// Takes in `face` and what lies beyond `sides`, two or three of its edges in order; adds their rim.
@@ -148,16 +151,16 @@ impl Cavity {
                 self.stack.push(Inner::new(t, next, [from, apex], p));
             } else {
                 let edge = RimEdge { from: t.origin(half_edge), to: t.dest(half_edge), outer, mark, region, spoke: 0 };
-                self.close(edge, from);
+                self.close(edge, [from, to]);
             }
         }
     }
 
-    /// Adds an edge to the rim, and where it starts.
+    /// Adds an edge to the rim.
     #[inline(always)]
-    fn close(&mut self, edge: RimEdge, from: Point) {
+    fn close(&mut self, edge: RimEdge, ends: [Point; 2]) {
         self.rim.push(edge);
-        self.points.push(from);
+        self.ends.push(ends);
     }
 
     fn is_seen_from(&self, t: &Triangulation, p: Point) -> bool {

@@ -60,25 +60,34 @@ impl Test {
     }
 
     /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
-    #[inline]
-    pub(super) fn badness(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
+    #[inline(always)] // In the loop over the triangles around a new vertex.
+    pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
+        let [a, b, c] = corners;
         let in_region = region.and_then(|r| r.max_area).map_or(f64::INFINITY, |area| 2.0 * area);
         let bound = if in_region < self.doubled_area { in_region } else { self.doubled_area };
         if bound < f64::INFINITY && (b - a).cross(c - a) > bound {
             return Some(Badness::Area);
         }
-        if self.asked.as_ref().is_some_and(|test| test(Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute))) {
+        if self.asked.is_some() && self.is_refused(corners, region) {
             return Some(Badness::Asked);
         }
         match self.cos_sq {
             Some(cos_sq) if !triangle_angles_at_least(a, b, c, cos_sq) => Some(Badness::Angle),
-            _ => self.aspect_badness([a, b, c]),
+            _ if self.max_aspect_ratio < f64::INFINITY => self.aspect_badness(corners),
+            _ => None,
         }
     }
 
+    /// Whether the caller's own test refuses a triangle of a region.
+    #[inline(never)]
+    fn is_refused(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> bool {
+        let attribute = region.map_or(0.0, |r| r.attribute);
+        self.asked.as_ref().is_some_and(|test| test(Triangle::new(a, b, c), attribute))
+    }
+
+    #[inline(never)]
     fn aspect_badness(&self, [a, b, c]: [Point; 3]) -> Option<Badness> {
-        let bounded = self.max_aspect_ratio < f64::INFINITY;
-        (bounded && aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio).then_some(Badness::AspectRatio)
+        (aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio).then_some(Badness::AspectRatio)
     }
 }
 

@@ -44,14 +44,13 @@ impl Refinement {
         (self.cdt, report)
     }
 
-    /// Looks at every triangle once: which stayed bad, and which have the extreme angles, by their signed squared cosines, which
-    /// fall as angles rise.
+    /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), sharpest: None, bluntest: None };
-        let (mut greatest, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (mut least_sine, mut least_cosine) = (f64::INFINITY, f64::INFINITY);
         for f in self.cdt.real_faces() {
             let corners = self.cdt.corners(f);
-            if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
+            if self.is_bad(f, corners) {
                 let min_angle_deg = triangle(corners).min_angle().degrees();
                 survey.leftovers.push(Leftover {
                     triangle: survey.triangles,
@@ -59,13 +58,12 @@ impl Refinement {
                     reason: self.reason_of(f),
                 });
             }
-            for cosine in self.cosines(corners) {
-                if cosine > greatest {
-                    (greatest, survey.sharpest) = (cosine, Some(f));
-                }
-                if cosine < least {
-                    (least, survey.bluntest) = (cosine, Some(f));
-                }
+            let (sine, cosine) = self.extreme_angles_of(corners);
+            if sine < least_sine {
+                (least_sine, survey.sharpest) = (sine, Some(f));
+            }
+            if cosine < least_cosine {
+                (least_cosine, survey.bluntest) = (cosine, Some(f));
             }
             survey.triangles += 1;
         }
@@ -166,13 +164,22 @@ impl Refinement {
         (least, most)
     }
 
-    /// The signed squared cosines of a triangle's angles, rounded.
+    /// The squared sine of a triangle's smallest angle, and the squared cosine of its largest with the cosine's sign: both tell
+    /// which of two triangles has the more extreme one. Rounded.
     #[inline]
-    fn cosines(&self, [a, b, c]: [Point; 3]) -> [f64; 3] {
-        let [u, v, w] = [self.ruler.vector(a, b), self.ruler.vector(b, c), self.ruler.vector(c, a)];
-        let [uu, vv, ww] = [u, v, w].map(|s| s.length_sq());
-        let signed_sq = |dot: f64, p: f64, q: f64| -dot * dot.abs() / (p * q);
-        [signed_sq(u.dot(w), uu, ww), signed_sq(v.dot(u), vv, uu), signed_sq(w.dot(v), ww, vv)]
+    fn extreme_angles_of(&self, corners: [Point; 3]) -> (f64, f64) {
+        let scale = self.ruler.scale();
+        let [a, b, c] = corners.map(|p| Point::new(p.x * scale, p.y * scale));
+        let [u, v, w] = [b - a, c - b, a - c];
+        let [p, q, r] = [u, v, w].map(|side| side.length_sq());
+        let (lesser, greater) =
+            (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
+        let (low, high) = (lesser(p, q), greater(p, q));
+        let (short, middle, long) = (lesser(low, r), greater(low, lesser(high, r)), greater(high, r));
+        let doubled_area = u.cross(v);
+        // The smallest angle lies between the two longer sides, the largest one between the two shorter.
+        let excess = short + middle - long;
+        ((doubled_area / long) * (doubled_area / middle), excess * excess.abs() / (short * middle))
     }
 }
 

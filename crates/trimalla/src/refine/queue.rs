@@ -26,15 +26,11 @@ pub(super) struct Patches {
 impl Patches {
     /// Vertices in a patch to begin with: many enough that the edges of patches, where the order does not hold, hardly
     /// matter, and few enough for the cache.
-    const VERTICES: f64 = 6000.0;
-    /// No more patches than this.
-    const MOST: f64 = 4096.0;
+    const VERTICES: usize = 6000;
 
     /// Patches for so many vertices within the box of a triangulation.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 4096")]
-    pub(super) fn new(cdt: &ConstrainedDelaunay, vertices: f64) -> Self {
-        let count = (vertices / Self::VERTICES).clamp(1.0, Self::MOST) as u32;
-        Self { cells: CurveCells::around(cdt.bounding_box()), count }
+    pub(super) fn new(cdt: &ConstrainedDelaunay, vertices: usize) -> Self {
+        Self { cells: CurveCells::around(cdt.bounding_box()), count: (vertices / Self::VERTICES).max(1) as u32 }
     }
 
     #[inline]
@@ -90,10 +86,10 @@ impl Queue {
     }
 
     /// Adds a triangle at a place, whose patience is not negative.
-    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, at: Point, patience: f64) {
+    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, place: Point, patience: f64) {
         let claim = self.claim(cdt, face);
         self.len += 1;
-        let patch = self.patches.as_ref().map_or(0, |patches| patches.of(at));
+        let patch = self.patches.as_ref().map_or(0, |patches| patches.of(place));
         if patch == self.present {
             self.put_into_step(claim, patience);
         } else {

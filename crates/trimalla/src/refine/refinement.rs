@@ -218,19 +218,12 @@ impl Refinement {
         self.stopwatch.enter(Part::Outside);
     }
 
-    /// An empty queue in the order of step 2: by patches, if it allows, of a mesh as large as this one or as areas demand.
+    /// An empty queue in the order of step 2: by patches, if it allows.
     fn empty_queue(&self) -> Queue {
         if !self.select.works_by_patches() {
             return Queue::default();
         }
-        let vertices = self.options.criteria.max_area.map_or(0.0, |most| self.doubled_area() / (2.0 * most));
-        let most = self.options.limits.max_vertices as f64;
-        Queue::by_patches(Patches::new(&self.cdt, vertices.max(self.vertices as f64).min(most)))
-    }
-
-    /// Twice the area of the domain, rounded.
-    fn doubled_area(&self) -> f64 {
-        self.cdt.real_faces().map(|f| self.cdt.corners(f)).map(|[a, b, c]| (b - a).cross(c - a)).sum()
+        Queue::by_patches(Patches::new(&self.cdt, self.vertices))
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
@@ -478,17 +471,21 @@ impl Refinement {
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
         let before = self.stopwatch.enter(Part::Select);
         let cavity = std::mem::take(&mut self.cdt.cavity);
-        let (faces, rim, points) = (cavity.faces(), cavity.rim(), cavity.rim_points());
+        let (faces, rim, ends) = (cavity.faces(), cavity.rim(), cavity.rim_ends());
         let first = (0..rim.len()).min_by_key(|&i| rim[i].from).unwrap_or(0);
         let mut subsegments = Vec::new();
-        for i in (first..rim.len()).chain(0..first) {
-            let (edge, next) = (&rim[i], if i + 1 < rim.len() { i + 1 } else { 0 });
-            let corners = from_lowest([edge.from, edge.to, v], [points[i], points[next], p]);
-            self.look_at(faces[i], corners);
-            subsegments.extend((edge.mark != 0).then_some(faces[i].half_edge(0)));
+        for range in [first..rim.len(), 0..first] {
+            for ((&face, edge), &[from, to]) in faces[range.clone()].iter().zip(&rim[range.clone()]).zip(&ends[range]) {
+                self.look_at(face, from_lowest([edge.from, edge.to, v], [from, to, p]));
+                if edge.mark != 0 {
+                    subsegments.push(face.half_edge(0));
+                }
+            }
         }
         self.cdt.cavity = cavity;
-        self.queue_encroached_of(subsegments);
+        if !subsegments.is_empty() {
+            self.queue_encroached_of(subsegments);
+        }
         self.stopwatch.enter(before);
     }
 
@@ -537,23 +534,29 @@ impl Refinement {
     }
 
     /// Queues a face with these corners, the lowest first, if it is bad.
-    #[inline]
+    #[inline(always)] // In the loop over the triangles around a new vertex.
     fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
-        if self.test.badness(corners, self.cdt.region_rule(f)).is_some() {
+        if self.is_bad(f, corners) {
             self.queue_bad(f, corners[0]);
         } else {
             self.queue.pass(f);
         }
     }
 
+    /// Whether a face with these corners, the lowest first, is bad.
+    #[inline]
+    pub(super) fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
+        self.test.badness(corners, self.cdt.region_rule(f)).is_some()
+    }
+
     /// Queues a bad face at a place, unless the caller picks.
-    fn queue_bad(&mut self, f: FaceId, at: Point) {
+    fn queue_bad(&mut self, f: FaceId, place: Point) {
         if self.select.is_manual() {
             return self.queue.pass(f);
         }
         let patience = self.select.patience(self.view(), f, self.joined);
         self.joined += 1;
-        self.queue.push(&self.cdt, f, at, patience);
+        self.queue.push(&self.cdt, f, place, patience);
     }
 
     /// Whether the point strategy keeps clear of segments.

@@ -248,11 +248,13 @@ impl steps::SelectStep for AllAtOnce {
 
 #[test]
 fn large_drawings_are_as_small_by_patches_as_all_at_once() {
-    let domain = polygon(&L_SHAPE);
-    let begun = || {
-        let options = RefineOptions::default().with_max_area(1.2e-4);
-        Refinement::new(carved(&domain, AlgorithmKey::Incremental), options).unwrap()
-    };
+    let mut domain = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    // Evenly spread without a pattern: multiples of two irrational numbers, their whole parts away.
+    let spread = |i: u32, step: f64| 0.001 + 0.998 * (f64::from(i) * step).fract();
+    domain
+        .points
+        .extend((1..20_000).map(|i| Point::new(spread(i, 0.754_877_666_246_692_8), spread(i, 0.618_033_988_749_895))));
+    let begun = || Refinement::new(carved(&domain, AlgorithmKey::Incremental), RefineOptions::default()).unwrap();
     let [by_patches, all_at_once] = [begun(), begun().with_select(AllAtOnce)].map(|mut refinement| {
         refinement.run(&mut NoObserver);
         let (cdt, report) = refinement.finish();
@@ -260,8 +262,7 @@ fn large_drawings_are_as_small_by_patches_as_all_at_once() {
         assert_eq!(report.leftovers, []);
         report.vertices
     });
-    // At least five patches.
-    assert!(by_patches > 30_000, "{by_patches}");
+    assert!(by_patches > 22_000, "{by_patches} vertices: there is something to do in each of three patches");
     let ratio = f64::from(by_patches as u32) / f64::from(all_at_once as u32);
     assert!((0.99..1.01).contains(&ratio), "{by_patches} to {all_at_once}");
 }

@@ -32,6 +32,9 @@ impl OffCenter {
         let corners = view.cdt.corners(face);
         let [a, b, c] = corners;
         let center = Triangle::new(a, b, c).circumcenter().filter(|p| p.is_finite())?;
+        if self.reach == f64::INFINITY {
+            return Some(center);
+        }
         let (p, q) = shortest_edge(corners, view);
         let middle = Point::midpoint(p, q);
         let height_sq = view.ruler.length_sq(middle, center);
