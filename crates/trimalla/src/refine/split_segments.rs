@@ -86,7 +86,7 @@ impl Refinement {
             return self.split_as_it_is(ends);
         }
         let (here, deleted) = (self.log.checkpoint(), self.report.vertices_deleted);
-        self.delete_free_vertices(ends[0], ends[1]);
+        let looked_at = self.delete_free_vertices(ends[0], ends[1]);
         if self.split_as_it_is(ends) {
             return true;
         }
@@ -96,8 +96,17 @@ impl Refinement {
             self.report.vertices_deleted -= deleted;
             self.vertices += deleted as usize;
             self.note(|event| event.deleted.clear());
+            self.look_again(looked_at);
         }
         deleted > 0 && self.split_as_it_is(ends)
+    }
+
+    /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the queue.
+    fn look_again(&mut self, mut slots: Vec<FaceId>) {
+        slots.retain(|f| f.index() < self.cdt.face_slots() && self.cdt.is_real(*f));
+        self.put_in_order(&mut slots);
+        slots.dedup();
+        self.look_at_faces(&slots);
     }
 
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
@@ -201,25 +210,27 @@ impl Refinement {
     }
 
     /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first; those that
-    /// came with the mesh stay.
+    /// came with the mesh stay. Returns the faces that were looked at.
     ///
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
-    fn delete_free_vertices(&mut self, a: VertexId, b: VertexId) {
+    fn delete_free_vertices(&mut self, a: VertexId, b: VertexId) -> Vec<FaceId> {
+        let mut looked_at = Vec::new();
         for [from, to] in [[a, b], [b, a]] {
             // Each round deletes a vertex.
             for _ in 0..self.cdt.points().len() {
-                let Some(h) = self.cdt.half_edge_between(from, to) else { return };
+                let Some(h) = self.cdt.half_edge_between(from, to) else { return looked_at };
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
                     && self.cdt.is_deletable(apex)
                     && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
                         == CircleSide::Inside;
-                if !inside || !self.delete(apex) {
+                if !inside || !self.delete(apex, &mut looked_at) {
                     break;
                 }
             }
         }
+        looked_at
     }
 
     /// The faces inside a rim, given by the half-edges outside it.
@@ -237,8 +248,8 @@ impl Refinement {
         faces
     }
 
-    /// Deletes a free vertex; looks at the triangles and subsegments of the hole.
-    fn delete(&mut self, v: VertexId) -> bool {
+    /// Deletes a free vertex; looks at the triangles and subsegments of the hole, and adds those triangles to a list.
+    fn delete(&mut self, v: VertexId, looked_at: &mut Vec<FaceId>) -> bool {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let mut rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
@@ -258,6 +269,7 @@ impl Refinement {
         self.put_in_order(&mut faces);
         faces.dedup();
         self.look_at_faces(&faces);
+        looked_at.append(&mut faces);
         true
     }
 }
