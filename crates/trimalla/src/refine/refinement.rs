@@ -158,6 +158,7 @@ impl Refinement {
             prepare,
             select,
             point,
+            bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref()),
             insert,
             recover,
             region,
@@ -165,7 +166,6 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
-            bisection_floor_sq: 0.0,
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
@@ -189,9 +189,6 @@ impl Refinement {
             cdt,
             options,
         };
-        if refinement.insert.keeps_small_angles() {
-            refinement.bisection_floor_sq = shortest_edge_sq(&refinement.cdt, ruler) / (BISECTIONS * BISECTIONS);
-        }
         refinement.start();
         Ok(refinement)
     }
@@ -286,6 +283,7 @@ impl Refinement {
     /// The same with a step 4 of the caller's own.
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
+        self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert);
         self.insert = Arc::new(insert);
         self
     }
@@ -569,12 +567,16 @@ impl Refinement {
     }
 }
 
-fn shortest_edge_sq(cdt: &ConstrainedDelaunay, ruler: Ruler) -> f64 {
+/// The square of the length at which an insertion that keeps small angles stops; 0 for any other.
+fn bisection_floor_sq(cdt: &ConstrainedDelaunay, ruler: Ruler, insert: &dyn InsertStep) -> f64 {
+    if !insert.keeps_small_angles() {
+        return 0.0;
+    }
     let length = |h: HalfEdgeId| {
         let [a, b] = cdt.edge_points(h);
         ruler.length_sq(a, b)
     };
-    cdt.edges().map(length).fold(f64::INFINITY, f64::min)
+    cdt.edges().map(length).fold(f64::INFINITY, f64::min) / (BISECTIONS * BISECTIONS)
 }
 
 /// The ends of an edge, the lower one first.

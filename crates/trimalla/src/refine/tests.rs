@@ -1,10 +1,13 @@
 //! Refinement of small domains: bound reached, invariants kept, reasons given.
 
+use super::steps::InsertStep;
 use super::*;
-use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::constrained::{ConstrainedDelaunay, Crossings, Provenance, SplitError};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, Pslg, build};
 use crate::geometry::Point;
+use crate::locate::Locus;
+use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 
 fn polygon(corners: &[[f64; 2]]) -> Pslg {
     let n = corners.len() as u32;
@@ -201,6 +204,50 @@ fn paths_rise_to_their_terminal_edge() {
         assert!(cdt.is_marked(end) || mutual(), "the terminal edge is constrained or the longest of both");
         assert_eq!(path.terminal_edge, lepp::terminal_edge(&cdt, ruler, f, LeppRule::StopAtConstraints));
     }
+}
+
+/// Bisection, as a caller might write it.
+struct Halving;
+
+impl InsertStep for Halving {
+    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+        cdt.place_vertex_at(p, locus, log)
+    }
+
+    fn split(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+        log: &mut UndoLog,
+    ) -> Result<VertexId, SplitError> {
+        cdt.cut_subsegment(h, p, provenance, log)
+    }
+
+    fn keeps_small_angles(&self) -> bool {
+        true
+    }
+
+    fn keeps_delaunay(&self) -> bool {
+        false
+    }
+}
+
+/// Where bisection stops was told by the recipe's step 4 alone, so that one of the caller's own went on to its budget.
+#[test]
+fn bisection_from_outside_stops_where_ours_does() {
+    let wedge = polygon(&[[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
+    let ours = RefineOptions::of(Preset::LeppBisection).with_max_vertices(5000);
+    let theirs = RefineOptions { recipe: Recipe { insert: Insert::Flip, ..ours.recipe }, ..ours };
+    let start = |options| Refinement::new(carved(&wedge, AlgorithmKey::Incremental), options).unwrap();
+    let [(mesh, report), other] = [start(ours), start(theirs).with_insert(Halving)].map(|mut r| {
+        assert_eq!(r.run(&mut NoObserver), StopReason::Finished);
+        let (cdt, report) = r.finish();
+        (cdt.canonical(), report)
+    });
+    assert_eq!((&other.0, other.1.reasons()), (&mesh, report.reasons()));
+    assert!(!report.leftovers.is_empty() && report.leftovers.iter().all(|l| l.reason == Reason::StrategyCannotImprove));
 }
 
 /// A clock of one tick a reading: every reading ends a part, so the parts add up to all readings but the first.

@@ -212,7 +212,7 @@ impl Refinement {
     /// there is nothing to win.
     fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
         let shortest = || self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
-        self.bisection_floor_sq > 0.0 && self.insert.keeps_small_angles() && shortest() < self.bisection_floor_sq
+        self.bisection_floor_sq > 0.0 && shortest() < self.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
