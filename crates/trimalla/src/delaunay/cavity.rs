@@ -24,33 +24,37 @@ use crate::triangulation::Triangulation;
 pub(crate) struct Cavity {
     faces: Vec<FaceId>,
     rim: Vec<RimEdge>,
-    /// The ends of each rim edge.
-    ends: Vec<[Point; 2]>,
-    /// Inner half-edges still to be looked across, the next one last.
-    stack: Vec<Inner>,
+    /// Where each rim edge starts.
+    starts: Vec<Point>,
+    /// Sides still to be passed, the next one last.
+    stack: Vec<Side>,
 }
 
-/// A half-edge inside the cavity, and what lies across: looked at when it goes onto the stack, so that two edges, each of which
-/// may have to wait for memory, are tested side by side.
+/// A side of a face of the cavity, and what lies across: looked at when its face is taken in, so that two sides, each of which
+/// may have to wait for memory, are tested together.
 #[derive(Clone, Copy, Debug)]
-struct Inner {
-    half_edge: HalfEdgeId,
+struct Side {
+    from: VertexId,
+    start: Point,
+    end: Point,
+    /// The half-edge across.
     outer: HalfEdgeId,
-    from: Point,
-    to: Point,
     mark: u32,
-    /// The vertex across, where its face is to be taken in.
+    /// The vertex across, and whether its face is to be taken in.
+    apex: VertexId,
     conflict: Option<Point>,
 }
 
-impl Inner {
+impl Side {
+    /// The side `half_edge`, which starts at `from`.
     #[inline(always)]
-    fn new(t: &Triangulation, half_edge: HalfEdgeId, [from, to]: [Point; 2], p: Point) -> Self {
+    fn new(t: &Triangulation, half_edge: HalfEdgeId, from: VertexId, [start, end]: [Point; 2], p: Point) -> Self {
         let (outer, mark) = (t.twin(half_edge), t.mark(half_edge));
+        let apex = t.apex(outer);
         // The vertex at infinity has no coordinates.
-        let apex = t.points.get(t.apex(outer).index()).copied().filter(|_| mark == 0);
-        let conflict = apex.filter(|&apex| in_circle_perturbed(to, from, apex, p) == CircleSide::Inside);
-        Self { half_edge, outer, from, to, mark, conflict }
+        let across = t.points.get(apex.index()).copied().filter(|_| mark == 0);
+        let conflict = across.filter(|&q| in_circle_perturbed(end, start, q, p) == CircleSide::Inside);
+        Self { from, start, end, outer, mark, apex, conflict }
     }
 }
 
@@ -96,11 +100,9 @@ impl Cavity {
         for (face, sides) in [(h.face(), [h.next(), h.prev()]), (o.face(), [o.next(), o.prev()])] {
             self.faces.push(face);
             for h in sides {
-                let (from, to, outer, mark) = (t.origin(h), t.dest(h), t.twin(h), t.mark(h));
-                self.close(
-                    RimEdge { from, to, outer, mark, region: t.region(face), spoke: 0 },
-                    [from, to].map(|v| t.point(v)),
-                );
+                let (from, outer, mark) = (t.origin(h), t.twin(h), t.mark(h));
+                self.rim.push(RimEdge { from, outer, mark, region: t.region(face), spoke: 0 });
+                self.starts.push(t.point(from));
             }
         }
         self.is_seen_from(t, p)
@@ -117,9 +119,9 @@ impl Cavity {
         &self.rim
     }
 
-    /// The ends of each edge of the rim; of no meaning at infinity.
-    pub(crate) fn rim_ends(&self) -> &[[Point; 2]] {
-        &self.ends
+    /// Where each edge of the rim starts; of no meaning at infinity.
+    pub(crate) fn rim_starts(&self) -> &[Point] {
+        &self.starts
     }
 
     /// The faces of the cavity, or once it is filled those of the fan.
@@ -130,7 +132,7 @@ impl Cavity {
     fn clear(&mut self) {
         self.faces.clear();
         self.rim.clear();
-        self.ends.clear();
+        self.starts.clear();
     }
 
     /// Takes in `face` and what lies beyond `sides`, two or three of its edges in order; adds their rim.
@@ -140,36 +142,56 @@ impl Cavity {
         // The vertex at infinity has no coordinates; no circle is asked for beside it.
         let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
         self.stack.extend(sides.rev().map(|h| {
-            let inner = Inner::new(t, h, [point(t.origin(h)), point(t.dest(h))], p);
-            Inner { conflict: inner.conflict.filter(|_| is_real), ..inner }
+            let from = t.origin(h);
+            let side = Side::new(t, h, from, [from, t.dest(h)].map(point), p);
+            Side { conflict: side.conflict.filter(|_| is_real), ..side }
         }));
-        while let Some(Inner { half_edge, outer, from, to, mark, conflict }) = self.stack.pop() {
-            if let Some(apex) = conflict {
-                let (next, prev) = outer.next_and_prev();
-                self.faces.push(outer.face());
-                self.stack.push(Inner::new(t, prev, [apex, to], p));
-                self.stack.push(Inner::new(t, next, [from, apex], p));
-            } else {
-                let edge = RimEdge { from: t.origin(half_edge), to: t.dest(half_edge), outer, mark, region, spoke: 0 };
-                self.close(edge, [from, to]);
-            }
+        while let Some(side) = self.stack.pop() {
+            self.pass(t, side, region, p);
         }
     }
 
-    /// Adds an edge to the rim.
+    /// Goes around all that is to be taken in beyond a side, counter-clockwise as its rim is.
+    ///
+    /// ```text
+    ///           end                   The face beyond has two more sides. Where neither is passed, the way goes back to
+    ///          / │                    the side left waiting last; a side waits only where the one before it is passed.
+    ///     apex   │ side    p
+    ///          \ │
+    ///          start
+    /// ```
+    #[inline(always)] // Called once; the loop over the cavity.
+    fn pass(&mut self, t: &Triangulation, mut side: Side, region: u32, p: Point) {
+        while let Some(across) = side.conflict {
+            self.faces.push(side.outer.face());
+            let (next, prev) = side.outer.next_and_prev();
+            let second = Side::new(t, prev, side.apex, [across, side.end], p);
+            let first = Side::new(t, next, side.from, [side.start, across], p);
+            side = if first.conflict.is_some() {
+                self.stack.push(second);
+                first
+            } else {
+                self.close(first, region);
+                second
+            };
+        }
+        self.close(side, region);
+    }
+
+    /// Adds a side to the rim.
     #[inline(always)]
-    fn close(&mut self, edge: RimEdge, ends: [Point; 2]) {
-        self.rim.push(edge);
-        self.ends.push(ends);
+    fn close(&mut self, side: Side, region: u32) {
+        let Side { from, start, outer, mark, .. } = side;
+        self.rim.push(RimEdge { from, outer, mark, region, spoke: 0 });
+        self.starts.push(start);
     }
 
+    /// Whether every face of the fan would be counter-clockwise; ghosts are not proved.
     fn is_seen_from(&self, t: &Triangulation, p: Point) -> bool {
-        self.rim.iter().all(|e| is_seen(t, e, p))
+        let ends = self.rim.iter().cycle().skip(1);
+        self.rim.iter().zip(ends).all(|(edge, end)| {
+            let finite = edge.from.is_finite() && end.from.is_finite();
+            !finite || orient2d(t.point(edge.from), t.point(end.from), p) == Orientation::CounterClockwise
+        })
     }
-}
-
-/// Whether the face on a rim edge would be counter-clockwise; ghosts are not proved.
-fn is_seen(t: &Triangulation, e: &RimEdge, p: Point) -> bool {
-    let finite = e.from.is_finite() && e.to.is_finite();
-    !finite || orient2d(t.point(e.from), t.point(e.to), p) == Orientation::CounterClockwise
 }

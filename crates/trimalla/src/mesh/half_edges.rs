@@ -105,7 +105,8 @@ impl HalfEdgeMesh {
     #[must_use]
     #[inline]
     pub fn mark(&self, h: HalfEdgeId) -> u32 {
-        if self.mark.is_empty() { 0 } else { self.mark[h.index()] }
+        // Empty without constraints.
+        self.mark.get(h.index()).copied().unwrap_or(0)
     }
 
     /// Whether a half-edge carries a constraint mark.
@@ -119,7 +120,7 @@ impl HalfEdgeMesh {
     #[must_use]
     #[inline]
     pub fn region(&self, f: FaceId) -> u32 {
-        if self.region.is_empty() { 0 } else { self.region[f.index()] }
+        self.region.get(f.index()).copied().unwrap_or(0)
     }
 
     /// A half-edge that starts at `v`; `None` where the vertex has no edges.

@@ -49,7 +49,7 @@ impl Refinement {
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), sharpest: None, bluntest: None };
         let (mut least_sine, mut least_cosine) = (f64::INFINITY, f64::INFINITY);
         for f in self.cdt.real_faces() {
-            let corners = self.cdt.corners(f);
+            let corners = self.cdt.corners_from_newest(f);
             if self.is_bad(f, corners) {
                 let min_angle_deg = triangle(corners).min_angle().degrees();
                 survey.leftovers.push(Leftover {

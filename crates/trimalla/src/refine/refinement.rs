@@ -20,7 +20,7 @@ use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::delaunay::along_curve;
 use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
-use crate::triangulation::from_lowest;
+use crate::triangulation::from_newest;
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
@@ -41,6 +41,8 @@ pub struct Refinement {
     pub(super) options: RefineOptions,
     pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
     select: Arc<dyn SelectStep + Send + Sync>,
+    /// Whether the caller picks.
+    is_manual: bool,
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
     pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
     pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
@@ -156,6 +158,7 @@ impl Refinement {
         let recipe = options.recipe;
         let mut refinement = Self {
             prepare,
+            is_manual: select.is_manual(),
             select,
             point,
             bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref()),
@@ -267,6 +270,7 @@ impl Refinement {
     /// The same with a step 2 of the caller's own.
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
+        self.is_manual = select.is_manual();
         self.select = Arc::new(select);
         self.queue = self.empty_queue();
         self.look_at_everything();
@@ -411,7 +415,7 @@ impl Refinement {
         if let Some(claim) = self.current.take().filter(|&claim| self.queue.is_valid(&self.cdt, claim)) {
             return Some(claim.face);
         }
-        if !self.select.is_manual() {
+        if !self.is_manual {
             return self.queue.pop(&self.cdt, self.select.takes_oldest());
         }
         let there =
@@ -469,16 +473,19 @@ impl Refinement {
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
         let before = self.stopwatch.enter(Part::Select);
         let cavity = std::mem::take(&mut self.cdt.cavity);
-        let (faces, rim, ends) = (cavity.faces(), cavity.rim(), cavity.rim_ends());
-        let first = (0..rim.len()).min_by_key(|&i| rim[i].from).unwrap_or(0);
+        let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
+        let count = rim.len();
+        let lowest = (0..count).min_by_key(|&i| rim[i].from).unwrap_or(0);
         let mut subsegments = Vec::new();
-        for range in [first..rim.len(), 0..first] {
-            for ((&face, edge), &[from, to]) in faces[range.clone()].iter().zip(&rim[range.clone()]).zip(&ends[range]) {
-                self.look_at(face, from_lowest([edge.from, edge.to, v], [from, to, p]));
-                if edge.mark != 0 {
-                    subsegments.push(face.half_edge(0));
-                }
+        let mut i = lowest;
+        for _ in 0..count {
+            let next = if i + 1 < count { i + 1 } else { 0 };
+            let (from, to) = (rim[i].from, rim[next].from);
+            self.look_at(faces[i], from_newest([v, from, to], [p, starts[i], starts[next]]));
+            if rim[i].mark != 0 {
+                subsegments.push(faces[i].half_edge(0));
             }
+            i = next;
         }
         self.cdt.cavity = cavity;
         if !subsegments.is_empty() {
@@ -523,38 +530,38 @@ impl Refinement {
 
     /// What is wrong with a face.
     pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
-        self.test.badness(self.cdt.corners(f), self.cdt.region_rule(f))
+        self.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
     }
 
     /// Queues a face if it is bad.
     pub(super) fn look_at_bad(&mut self, f: FaceId) {
-        self.look_at(f, self.cdt.corners(f));
+        self.look_at(f, self.cdt.corners_from_newest(f));
     }
 
-    /// Queues a face with these corners, the lowest first, if it is bad.
+    /// Queues a face with these corners, the newest first, if it is bad.
     #[inline(always)] // In the loop over the triangles around a new vertex.
     fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
         if self.is_bad(f, corners) {
-            self.queue_bad(f, corners[0]);
+            self.queue_bad(f, corners);
         } else {
             self.queue.pass(f);
         }
     }
 
-    /// Whether a face with these corners, the lowest first, is bad.
-    #[inline]
+    /// Whether a face with these corners, the newest first, is bad.
+    #[inline(always)] // As above.
     pub(super) fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
         self.test.badness(corners, self.cdt.region_rule(f)).is_some()
     }
 
-    /// Queues a bad face at a place, unless the caller picks.
-    fn queue_bad(&mut self, f: FaceId, place: Point) {
-        if self.select.is_manual() {
+    /// Queues a bad face with these corners, unless the caller picks.
+    fn queue_bad(&mut self, f: FaceId, corners: [Point; 3]) {
+        if self.is_manual {
             return self.queue.pass(f);
         }
-        let patience = self.select.patience(self.view(), f, self.joined);
+        let patience = self.select.patience_of_corners(self.view(), f, corners, self.joined);
         self.joined += 1;
-        self.queue.push(&self.cdt, f, place, patience);
+        self.queue.push(&self.cdt, f, corners[0], patience);
     }
 
     /// Whether the point strategy keeps clear of segments.

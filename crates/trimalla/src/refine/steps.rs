@@ -102,6 +102,12 @@ pub trait SelectStep {
     /// `joined` counts the triangles that were bad before it.
     fn patience(&self, view: View<'_>, face: FaceId, joined: u64) -> f64;
 
+    /// [`patience`](Self::patience) where the corners of the triangle are at hand, in some order: the same number.
+    fn patience_of_corners(&self, view: View<'_>, face: FaceId, corners: [Point; 3], joined: u64) -> f64 {
+        let _ = corners;
+        self.patience(view, face, joined)
+    }
+
     /// Whether of equally patient triangles that which came first is treated first.
     fn takes_oldest(&self) -> bool {
         false

@@ -117,7 +117,7 @@ impl Refinement {
             return Err(Reason::PrecisionFloor);
         }
         let (cavity, ruler) = (&self.cdt.cavity, self.ruler);
-        if cavity.rim_ends().iter().any(|&[q, _]| ruler.length_sq(point, q) < self.floor_sq) {
+        if cavity.rim_starts().iter().any(|&q| ruler.length_sq(point, q) < self.floor_sq) {
             return Err(self.floor_reason);
         }
         self.insertions += 1;

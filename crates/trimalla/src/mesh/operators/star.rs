@@ -2,13 +2,11 @@
 
 use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
-/// An edge of a cavity's rim, as it was before: what the face on it needs to know.
+/// An edge of a cavity's rim, as it was before: what the face on it needs to know. It ends where the next one starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RimEdge {
     /// Where it starts, the cavity on its left.
     pub(crate) from: VertexId,
-    /// Where it ends.
-    pub(crate) to: VertexId,
     /// The half-edge on its other side, outside the cavity.
     pub(crate) outer: HalfEdgeId,
     /// Its mark.
@@ -45,26 +43,29 @@ impl HalfEdgeMesh {
             let f = self.take_face(j);
             faces.push(f);
         }
-        let slots = &faces[..rim.len()];
-        let mut before = slots[slots.len() - 1];
-        for (i, (&f, e)) in slots.iter().zip(rim).enumerate() {
-            let next = if i + 1 < slots.len() { i + 1 } else { 0 };
+        let (first, last) = ((rim[0], faces[0]), faces[rim.len() - 1]);
+        let mut before = last;
+        for (i, (&f, e)) in faces.iter().zip(rim).enumerate() {
+            let (next, face_after) = match (rim.get(i + 1), faces.get(i + 1)) {
+                (Some(&edge), Some(&face)) => (edge, face),
+                _ => first,
+            };
             let [base, to_v, from_v] = f.half_edges();
-            let twins = [e.outer, slots[next].half_edge(2), before.half_edge(1)];
-            self.set_vertices_and_twins(f, [e.from, e.to, v], twins, j);
+            let twins = [e.outer, face_after.half_edge(2), before.half_edge(1)];
+            self.set_vertices_and_twins(f, [e.from, next.from, v], twins, j);
             self.set_twin(e.outer, base, j);
             before = f;
             if !self.mark.is_empty() {
                 self.set_mark_one_side(base, e.mark, j);
+                self.set_mark_one_side(to_v, next.spoke, j);
                 self.set_mark_one_side(from_v, e.spoke, j);
-                self.set_mark_one_side(to_v, rim[next].spoke, j);
             }
             self.set_region(f, e.region, j);
             // Whatever half-edge it kept may have gone with the cavity.
             self.set_outgoing(e.from, base, j);
         }
-        let first = slots[0].half_edge(2);
-        self.set_outgoing(v, first, j);
-        first
+        let spoke = first.1.half_edge(2);
+        self.set_outgoing(v, spoke, j);
+        spoke
     }
 }

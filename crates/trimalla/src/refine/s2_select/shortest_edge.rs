@@ -4,7 +4,8 @@
 //! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at 30
 //! degrees.
 
-use super::shortest_sq;
+use super::{shortest_sq, shortest_sq_of};
+use crate::geometry::Point;
 use crate::mesh::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
@@ -12,12 +13,18 @@ use crate::refine::steps::{SelectStep, View};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortestEdge;
 
-/// The bits of a number down to eighths of an octave.
-const EIGHTHS: u64 = !0 << (52 - 3);
+/// A positive number cut down to eighths of an octave.
+fn to_eighths(length_sq: f64) -> f64 {
+    f64::from_bits(length_sq.to_bits() & (!0 << (52 - 3)))
+}
 
 impl SelectStep for ShortestEdge {
     fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
-        f64::from_bits(shortest_sq(view, face).to_bits() & EIGHTHS)
+        to_eighths(shortest_sq(view, face))
+    }
+
+    fn patience_of_corners(&self, view: View<'_>, _: FaceId, corners: [Point; 3], _: u64) -> f64 {
+        to_eighths(shortest_sq_of(view.ruler, corners))
     }
 
     fn works_by_patches(&self) -> bool {
