@@ -23,8 +23,9 @@ use crate::triangulation::Triangulation;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cavity {
     faces: Vec<FaceId>,
+    /// In order, the first one once more at the end.
     rim: Vec<RimEdge>,
-    /// Where each rim edge starts.
+    /// Where each of them starts.
     starts: Vec<Point>,
     /// Sides still to be passed, the next one last.
     stack: Vec<Side>,
@@ -70,18 +71,20 @@ impl Cavity {
         self.clear();
         match locus {
             Locus::Face(f) => {
-                self.dig(t, f, f.half_edges().into_iter(), p);
+                self.dig(t, f, f.half_edges(), p);
+                self.close_rim();
                 debug_assert!(self.is_seen_from(t, p), "a point in a face sees the rim of its cavity");
                 true
             }
             Locus::Edge(h) if t.is_marked(h) || t.is_real(h.face()) && t.is_real(t.twin(h).face()) => {
                 let (o, mark) = (t.twin(h), t.mark(h));
-                self.dig(t, h.face(), [h.next(), h.prev()].into_iter(), p);
+                self.dig(t, h.face(), [h.next(), h.prev()], p);
                 let middle = self.rim.len();
-                self.dig(t, o.face(), [o.next(), o.prev()].into_iter(), p);
+                self.dig(t, o.face(), [o.next(), o.prev()], p);
                 // The rim runs from dest(h) round to origin(h) and back: both spokes carry half of the parted edge.
                 self.rim[0].spoke = mark;
                 self.rim[middle].spoke = mark;
+                self.close_rim();
                 self.is_seen_from(t, p)
             }
             _ => false,
@@ -105,6 +108,7 @@ impl Cavity {
                 self.starts.push(t.point(from));
             }
         }
+        self.close_rim();
         self.is_seen_from(t, p)
     }
 
@@ -114,12 +118,12 @@ impl Cavity {
         t.mesh.fill_star(&mut self.faces, &self.rim, v, j);
     }
 
-    /// The edges around the cavity, counter-clockwise.
+    /// The edges around the cavity, counter-clockwise, the first one once more at the end.
     pub(crate) fn rim(&self) -> &[RimEdge] {
         &self.rim
     }
 
-    /// Where each edge of the rim starts; of no meaning at infinity.
+    /// Where each of them starts; of no meaning at infinity.
     pub(crate) fn rim_starts(&self) -> &[Point] {
         &self.starts
     }
@@ -136,18 +140,23 @@ impl Cavity {
     }
 
     /// Takes in `face` and what lies beyond `sides`, two or three of its edges in order; adds their rim.
-    fn dig(&mut self, t: &Triangulation, face: FaceId, sides: impl DoubleEndedIterator<Item = HalfEdgeId>, p: Point) {
+    #[inline(always)] // For each number of sides, once.
+    fn dig<const N: usize>(&mut self, t: &Triangulation, face: FaceId, sides: [HalfEdgeId; N], p: Point) {
         let (region, is_real) = (t.region(face), t.is_real(face));
         self.faces.push(face);
         // The vertex at infinity has no coordinates; no circle is asked for beside it.
         let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
-        self.stack.extend(sides.rev().map(|h| {
+        let sides = sides.map(|h| {
             let from = t.origin(h);
             let side = Side::new(t, h, from, [from, t.dest(h)].map(point), p);
             Side { conflict: side.conflict.filter(|_| is_real), ..side }
-        }));
-        while let Some(side) = self.stack.pop() {
-            self.pass(t, side, region, p);
+        });
+        for side in sides {
+            let mut waiting = Some(side);
+            while let Some(side) = waiting {
+                self.pass(t, side, region, p);
+                waiting = self.stack.pop();
+            }
         }
     }
 
@@ -186,12 +195,18 @@ impl Cavity {
         self.starts.push(start);
     }
 
+    /// Adds the first edge of the rim once more.
+    fn close_rim(&mut self) {
+        self.rim.extend_from_within(..1);
+        self.starts.extend_from_within(..1);
+    }
+
     /// Whether every face of the fan would be counter-clockwise; ghosts are not proved.
     fn is_seen_from(&self, t: &Triangulation, p: Point) -> bool {
-        let ends = self.rim.iter().cycle().skip(1);
-        self.rim.iter().zip(ends).all(|(edge, end)| {
-            let finite = edge.from.is_finite() && end.from.is_finite();
-            !finite || orient2d(t.point(edge.from), t.point(end.from), p) == Orientation::CounterClockwise
+        self.rim.windows(2).all(|edge| {
+            let [from, to] = [edge[0].from, edge[1].from];
+            !(from.is_finite() && to.is_finite())
+                || orient2d(t.point(from), t.point(to), p) == Orientation::CounterClockwise
         })
     }
 }

@@ -362,6 +362,19 @@ impl HalfEdgeMesh {
         }
     }
 
+    /// Sets the constraint marks of a face's half-edges, where marks are kept; the caller sets those of the twins.
+    #[inline(always)]
+    pub(super) fn set_marks_one_side<J: Journal>(&mut self, f: FaceId, marks: [u32; 3], j: &mut J) {
+        let k = f.index() * 3;
+        let Some(stored) = self.mark.get_mut(k..k + 3) else { return };
+        for (h, (slot, new)) in f.half_edges().into_iter().zip(stored.iter_mut().zip(marks)) {
+            if J::ACTIVE && *slot != new {
+                j.note(Column::Mark, h.0, u64::from(*slot));
+            }
+            *slot = new;
+        }
+    }
+
     /// Sets the constraint mark of an edge, both sides.
     pub(crate) fn set_mark<J: Journal>(&mut self, h: HalfEdgeId, m: u32, j: &mut J) {
         if self.mark.is_empty() {

@@ -37,7 +37,7 @@ pub type UserTest = dyn Fn(Triangle, f64) -> bool + Send + Sync;
 pub(super) struct Test {
     /// Squared cosine of the angle bound; `None` where no bound is asked for.
     cos_sq: Option<f64>,
-    /// Twice the area bound.
+    /// Twice the area bound, infinite where there is none.
     doubled_area: f64,
     max_aspect_ratio: f64,
     asked: Option<Arc<UserTest>>,
@@ -63,9 +63,8 @@ impl Test {
     #[inline(always)] // In the loop over the triangles around a new vertex.
     pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let [a, b, c] = corners;
-        let in_region = region.and_then(|r| r.max_area).map_or(f64::INFINITY, |area| 2.0 * area);
-        let bound = if in_region < self.doubled_area { in_region } else { self.doubled_area };
-        if bound < f64::INFINITY && (b - a).cross(c - a) > bound {
+        let bound = region.map_or(self.doubled_area, |region| self.doubled_area_in(region));
+        if (b - a).cross(c - a) > bound {
             return Some(Badness::Area);
         }
         if self.asked.is_some() && self.is_refused(corners, region) {
@@ -76,6 +75,12 @@ impl Test {
             _ if self.max_aspect_ratio < f64::INFINITY => self.aspect_badness(corners),
             _ => None,
         }
+    }
+
+    /// Twice the area bound in a region.
+    #[inline(never)]
+    fn doubled_area_in(&self, region: RegionRule) -> f64 {
+        region.max_area.map_or(self.doubled_area, |area| self.doubled_area.min(2.0 * area))
     }
 
     /// Whether the caller's own test refuses a triangle of a region.

@@ -33,6 +33,7 @@ mod event;
 mod forecast;
 mod history;
 mod leftovers;
+mod look;
 pub mod lepp;
 mod options;
 mod outlook;

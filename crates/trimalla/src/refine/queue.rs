@@ -9,8 +9,6 @@
 //!
 //! Work that stays in one patch finds what it needs in the cache.
 
-use std::collections::VecDeque;
-
 use crate::constrained::ConstrainedDelaunay;
 use crate::delaunay::CurveCells;
 use crate::geometry::Point;
@@ -47,6 +45,33 @@ pub(super) struct Claim {
     look: u32,
 }
 
+/// Triangles of one step of patience, the newest last.
+#[derive(Clone, Debug, Default)]
+struct Step {
+    claims: Vec<Claim>,
+    /// How many at the front have been taken.
+    taken: usize,
+}
+
+impl Step {
+    /// Takes the newest.
+    #[inline]
+    fn take_newest(&mut self) -> Option<Claim> {
+        if self.claims.len() > self.taken { self.claims.pop() } else { None }
+    }
+
+    /// Takes the oldest. Room at the front is given back when half of the list is gone.
+    fn take_oldest(&mut self) -> Option<Claim> {
+        let claim = self.claims.get(self.taken).copied()?;
+        self.taken += 1;
+        if 2 * self.taken > self.claims.len() {
+            self.claims.drain(..self.taken);
+            self.taken = 0;
+        }
+        Some(claim)
+    }
+}
+
 /// Bad triangles by patience. Triangles that are gone stay until they come up.
 ///
 /// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
@@ -63,7 +88,7 @@ pub(super) struct Queue {
     present: usize,
     /// Triangles of other patches, with their patience.
     elsewhere: Vec<Vec<(Claim, f64)>>,
-    steps: Vec<VecDeque<Claim>>,
+    steps: Vec<Step>,
     /// One bit a step: whether anything waits there.
     occupied: Vec<u64>,
     /// No word of `occupied` below this one has a bit.
@@ -86,6 +111,7 @@ impl Queue {
     }
 
     /// Adds a triangle at a place, whose patience is not negative.
+    #[inline]
     pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, place: Point, patience: f64) {
         let claim = self.claim(cdt, face);
         self.len += 1;
@@ -97,17 +123,24 @@ impl Queue {
         }
     }
 
+    #[inline]
     fn put_into_step(&mut self, claim: Claim, patience: f64) {
         // Positive numbers are ordered as their bits.
-        let step = (patience.max(0.0).to_bits() >> Self::SHIFT).saturating_sub(Self::LEAST);
-        let step = usize::try_from(step).unwrap_or(usize::MAX);
+        let bits = if patience > 0.0 { patience.to_bits() } else { 0 };
+        let step = (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as usize;
         if step >= self.steps.len() {
-            self.steps.resize_with(step + 1, VecDeque::new);
-            self.occupied.resize(step / 64 + 1, 0);
+            self.add_steps(step);
         }
-        self.steps[step].push_back(claim);
+        self.steps[step].claims.push(claim);
         self.occupied[step / 64] |= 1 << (step % 64);
         self.lowest = self.lowest.min(step / 64);
+    }
+
+    /// Makes room for a step.
+    #[cold]
+    fn add_steps(&mut self, step: usize) {
+        self.steps.resize_with(step + 1, Step::default);
+        self.occupied.resize(step / 64 + 1, 0);
     }
 
     /// Goes on to the next patch in which anything waits; says whether there is one.
@@ -129,13 +162,19 @@ impl Queue {
     }
 
     /// Looks at a slot: earlier claims to it are void.
+    #[inline]
     pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
-            self.looks.resize(cdt.face_slots(), 0);
+            self.add_looks(cdt.face_slots());
         }
         self.last_look = self.last_look.wrapping_add(1).max(1);
         self.looks[face.index()] = self.last_look;
         Claim { face, look: self.last_look }
+    }
+
+    #[cold]
+    fn add_looks(&mut self, slots: usize) {
+        self.looks.resize(slots, 0);
     }
 
     /// Whether a triangle is still the one that was claimed.
@@ -172,7 +211,7 @@ impl Queue {
             let step = self.lowest * 64 + word.trailing_zeros() as usize;
             loop {
                 let list = &mut self.steps[step];
-                let Some(claim) = (if oldest_first { list.pop_front() } else { list.pop_back() }) else { break };
+                let Some(claim) = (if oldest_first { list.take_oldest() } else { list.take_newest() }) else { break };
                 self.len -= 1;
                 if self.is_valid(cdt, claim) {
                     return Some(claim.face);

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Badness, Test, sorted};
+use super::bad_triangles::{Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
 use super::history::History;
@@ -18,9 +18,8 @@ use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, Se
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::delaunay::along_curve;
-use crate::geometry::{Point, Triangle};
+use crate::geometry::Triangle;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
-use crate::triangulation::from_newest;
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
@@ -40,9 +39,9 @@ pub struct Refinement {
     pub(super) cdt: ConstrainedDelaunay,
     pub(super) options: RefineOptions,
     pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
-    select: Arc<dyn SelectStep + Send + Sync>,
+    pub(super) select: Arc<dyn SelectStep + Send + Sync>,
     /// Whether the caller picks.
-    is_manual: bool,
+    pub(super) is_manual: bool,
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
     pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
     pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
@@ -55,7 +54,7 @@ pub struct Refinement {
     pub(super) floor_reason: Reason,
     /// Bisection stops at triangles with an edge shorter than this, squared.
     pub(super) bisection_floor_sq: f64,
-    queue: Queue,
+    pub(super) queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
     /// Subsegments whose split failed although it had seemed possible.
     pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
@@ -67,9 +66,9 @@ pub struct Refinement {
     pub(super) places: Vec<Proposal>,
     pub(super) log: UndoLog,
     /// The star of the vertex at work.
-    spokes: Vec<HalfEdgeId>,
+    pub(super) spokes: Vec<HalfEdgeId>,
     /// How many triangles joined the queue.
-    joined: u64,
+    pub(super) joined: u64,
     /// The triangle to be treated until it is gone.
     current: Option<Claim>,
     /// Triangles that the caller picked.
@@ -444,124 +443,6 @@ impl Refinement {
     fn is_exhausted(&self) -> bool {
         let most = self.options.limits.max_vertices;
         self.vertices >= most || self.insertions >= 16 * most as u64 + 1024
-    }
-
-    /// A new vertex is in to stay: looks at the faces and subsegments around it.
-    pub(super) fn look_around(&mut self, v: VertexId) {
-        let before = self.stopwatch.enter(Part::Select);
-        let mut spokes = std::mem::take(&mut self.spokes);
-        spokes.clear();
-        spokes.extend(self.cdt.star(v));
-        // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
-        let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
-        spokes.rotate_left(first);
-        let mut subsegments = Vec::new();
-        for &spoke in &spokes {
-            let is_real = self.cdt.is_real(spoke.face());
-            if is_real {
-                self.look_at_bad(spoke.face());
-            }
-            subsegments.extend(self.cdt.is_marked(spoke).then_some(spoke));
-            subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
-        }
-        self.spokes = spokes;
-        self.queue_encroached_of(subsegments);
-        self.stopwatch.enter(before);
-    }
-
-    /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
-    pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
-        let before = self.stopwatch.enter(Part::Select);
-        let cavity = std::mem::take(&mut self.cdt.cavity);
-        let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
-        let count = rim.len();
-        let lowest = (0..count).min_by_key(|&i| rim[i].from).unwrap_or(0);
-        let mut subsegments = Vec::new();
-        let mut i = lowest;
-        for _ in 0..count {
-            let next = if i + 1 < count { i + 1 } else { 0 };
-            let (from, to) = (rim[i].from, rim[next].from);
-            self.look_at(faces[i], from_newest([v, from, to], [p, starts[i], starts[next]]));
-            if rim[i].mark != 0 {
-                subsegments.push(faces[i].half_edge(0));
-            }
-            i = next;
-        }
-        self.cdt.cavity = cavity;
-        if !subsegments.is_empty() {
-            self.queue_encroached_of(subsegments);
-        }
-        self.stopwatch.enter(before);
-    }
-
-    /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
-    pub(super) fn put_in_order(&self, faces: &mut [FaceId]) {
-        faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
-    }
-
-    /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
-    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
-        let before = self.stopwatch.enter(Part::Select);
-        let mut subsegments: Vec<HalfEdgeId> = Vec::new();
-        for &f in faces {
-            self.look_at_bad(f);
-            subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
-        }
-        self.queue_encroached_of(subsegments);
-        self.stopwatch.enter(before);
-    }
-
-    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
-    fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
-        if subsegments.is_empty() || !self.prepare.is_lasting() {
-            return;
-        }
-        let before = self.stopwatch.enter(Part::Prepare);
-        subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
-        subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
-        for h in subsegments {
-            if self.prepare.needs_split(self.view(), h) {
-                // One that cannot be split stays encroached; triangles beside it get that as their reason.
-                let _ = self.queue_subsegment(h, false);
-            }
-        }
-        self.stopwatch.enter(before);
-    }
-
-    /// What is wrong with a face.
-    pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
-        self.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
-    }
-
-    /// Queues a face if it is bad.
-    pub(super) fn look_at_bad(&mut self, f: FaceId) {
-        self.look_at(f, self.cdt.corners_from_newest(f));
-    }
-
-    /// Queues a face with these corners, the newest first, if it is bad.
-    #[inline(always)] // In the loop over the triangles around a new vertex.
-    fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
-        if self.is_bad(f, corners) {
-            self.queue_bad(f, corners);
-        } else {
-            self.queue.pass(f);
-        }
-    }
-
-    /// Whether a face with these corners, the newest first, is bad.
-    #[inline(always)] // As above.
-    pub(super) fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
-        self.test.badness(corners, self.cdt.region_rule(f)).is_some()
-    }
-
-    /// Queues a bad face with these corners, unless the caller picks.
-    fn queue_bad(&mut self, f: FaceId, corners: [Point; 3]) {
-        if self.is_manual {
-            return self.queue.pass(f);
-        }
-        let patience = self.select.patience_of_corners(self.view(), f, corners, self.joined);
-        self.joined += 1;
-        self.queue.push(&self.cdt, f, corners[0], patience);
     }
 
     /// Whether the point strategy keeps clear of segments.

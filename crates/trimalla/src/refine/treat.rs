@@ -124,6 +124,8 @@ impl Refinement {
         if self.minds_encroachment() {
             let encroached: Vec<HalfEdgeId> = cavity
                 .rim()
+                .split_last()
+                .map_or(&[][..], |(_, once)| once)
                 .iter()
                 .filter(|e| e.mark != 0)
                 .map(|e| self.cdt.twin(e.outer))

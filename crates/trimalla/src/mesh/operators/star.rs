@@ -30,7 +30,7 @@ impl HalfEdgeMesh {
     ///       ── b ────                  ── b ───            and slots taken for the rest are added to it
     /// ```
     ///
-    /// The rim is closed and in order. Returns the half-edge from `v` to `rim[0].from`.
+    /// The rim is in order, its first edge once more at the end. Returns the half-edge from `v` to `rim[0].from`.
     pub(crate) fn fill_star<J: Journal>(
         &mut self,
         faces: &mut Vec<FaceId>,
@@ -38,34 +38,39 @@ impl HalfEdgeMesh {
         v: VertexId,
         j: &mut J,
     ) -> HalfEdgeId {
-        debug_assert_eq!(faces.len() + 2, rim.len(), "a cavity without vertices inside");
-        while faces.len() < rim.len() {
+        debug_assert_eq!(faces.len() + 3, rim.len(), "a cavity without vertices inside");
+        while faces.len() + 1 < rim.len() {
             let f = self.take_face(j);
             faces.push(f);
         }
-        let (first, last) = ((rim[0], faces[0]), faces[rim.len() - 1]);
-        let mut before = last;
-        for (i, (&f, e)) in faces.iter().zip(rim).enumerate() {
-            let (next, face_after) = match (rim.get(i + 1), faces.get(i + 1)) {
-                (Some(&edge), Some(&face)) => (edge, face),
-                _ => first,
-            };
-            let [base, to_v, from_v] = f.half_edges();
-            let twins = [e.outer, face_after.half_edge(2), before.half_edge(1)];
-            self.set_vertices_and_twins(f, [e.from, next.from, v], twins, j);
-            self.set_twin(e.outer, base, j);
+        let (first, mut before) = (faces[0], faces[faces.len() - 1]);
+        for (i, (&f, edge)) in faces.iter().zip(rim.windows(2)).enumerate() {
+            let after = faces.get(i + 1).map_or(first, |&after| after);
+            self.set_fan_face(f, [edge[0], edge[1]], v, [before, after], j);
             before = f;
-            if !self.mark.is_empty() {
-                self.set_mark_one_side(base, e.mark, j);
-                self.set_mark_one_side(to_v, next.spoke, j);
-                self.set_mark_one_side(from_v, e.spoke, j);
-            }
-            self.set_region(f, e.region, j);
-            // Whatever half-edge it kept may have gone with the cavity.
-            self.set_outgoing(e.from, base, j);
         }
-        let spoke = first.1.half_edge(2);
+        let spoke = first.half_edge(2);
         self.set_outgoing(v, spoke, j);
         spoke
+    }
+
+    /// Makes `f` the face on an edge of the rim and `v`, between the faces before and after it.
+    #[inline(always)] // In the loop around the rim.
+    fn set_fan_face<J: Journal>(
+        &mut self,
+        f: FaceId,
+        [edge, next]: [RimEdge; 2],
+        v: VertexId,
+        [before, after]: [FaceId; 2],
+        j: &mut J,
+    ) {
+        let base = f.half_edge(0);
+        let twins = [edge.outer, after.half_edge(2), before.half_edge(1)];
+        self.set_vertices_and_twins(f, [edge.from, next.from, v], twins, j);
+        self.set_twin(edge.outer, base, j);
+        self.set_marks_one_side(f, [edge.mark, next.spoke, edge.spoke], j);
+        self.set_region(f, edge.region, j);
+        // Whatever half-edge it kept may have gone with the cavity.
+        self.set_outgoing(edge.from, base, j);
     }
 }

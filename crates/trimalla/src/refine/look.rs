@@ -1,0 +1,167 @@
+//! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
+
+use super::bad_triangles::{Badness, Test, sorted};
+use super::queue::Queue;
+use super::refinement::{Refinement, ends_of};
+use super::steps::{SelectStep, View};
+use super::stopwatch::Part;
+use crate::geometry::Point;
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::triangulation::from_newest;
+
+/// Looks at one triangle after the other.
+struct Looker<'a> {
+    view: View<'a>,
+    test: &'a Test,
+    select: &'a (dyn SelectStep + Send + Sync),
+    /// Whether the caller picks.
+    is_manual: bool,
+    queue: &'a mut Queue,
+    joined: &'a mut u64,
+}
+
+impl Looker<'_> {
+    /// Queues a face with these corners, the newest first, if it is bad.
+    #[inline(always)] // In the loop over the triangles around a new vertex.
+    fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
+        if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
+            self.queue.pass(f);
+        } else {
+            let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
+            *self.joined += 1;
+            self.queue.push(self.view.cdt, f, corners[0], patience);
+        }
+    }
+
+    /// [`look_at`](Self::look_at) where there is no haste.
+    #[inline(never)]
+    fn look_at_old(&mut self, f: FaceId, corners: [Point; 3]) {
+        self.look_at(f, corners);
+    }
+
+    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: in an order that depends on no slot, from the
+    /// lowest vertex of the rim on. Says which edges of the rim are subsegments.
+    #[inline(never)]
+    fn look_at_fan(&mut self, v: VertexId, p: Point) -> Vec<HalfEdgeId> {
+        let cavity = &self.view.cdt.cavity;
+        let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
+        let (mut i, mut lowest, mut newest) = (0, VertexId::INFINITE, v);
+        for (k, edge) in rim.iter().enumerate() {
+            (i, lowest) = if edge.from < lowest { (k, edge.from) } else { (i, lowest) };
+            newest = newest.max(edge.from);
+        }
+        let mut subsegments = Vec::new();
+        for _ in faces {
+            let (face, edge, next) = (faces[i], rim[i], rim[i + 1]);
+            let corners = [p, starts[i], starts[i + 1]];
+            // A new vertex is the newest unless it got the slot of one that went.
+            if v == newest {
+                self.look_at(face, corners);
+            } else {
+                self.look_at_old(face, from_newest([v, edge.from, next.from], corners));
+            }
+            if edge.mark != 0 {
+                subsegments.push(face.half_edge(0));
+            }
+            i = if i + 1 < faces.len() { i + 1 } else { 0 };
+        }
+        subsegments
+    }
+}
+
+impl Refinement {
+    fn looker(&mut self) -> Looker<'_> {
+        Looker {
+            view: View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler },
+            test: &self.test,
+            select: self.select.as_ref(),
+            is_manual: self.is_manual,
+            queue: &mut self.queue,
+            joined: &mut self.joined,
+        }
+    }
+
+    /// A new vertex is in to stay: looks at the faces and subsegments around it.
+    pub(super) fn look_around(&mut self, v: VertexId) {
+        let before = self.stopwatch.enter(Part::Select);
+        let mut spokes = std::mem::take(&mut self.spokes);
+        spokes.clear();
+        spokes.extend(self.cdt.star(v));
+        // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
+        let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
+        spokes.rotate_left(first);
+        let mut subsegments = Vec::new();
+        for &spoke in &spokes {
+            let is_real = self.cdt.is_real(spoke.face());
+            if is_real {
+                self.look_at_bad(spoke.face());
+            }
+            subsegments.extend(self.cdt.is_marked(spoke).then_some(spoke));
+            subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
+        }
+        self.spokes = spokes;
+        self.queue_encroached_of(subsegments);
+        self.stopwatch.enter(before);
+    }
+
+    /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
+    pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
+        let before = self.stopwatch.enter(Part::Select);
+        let subsegments = self.looker().look_at_fan(v, p);
+        if !subsegments.is_empty() {
+            self.queue_encroached_of(subsegments);
+        }
+        self.stopwatch.enter(before);
+    }
+
+    /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
+    pub(super) fn put_in_order(&self, faces: &mut [FaceId]) {
+        faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
+    }
+
+    /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
+    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
+        let before = self.stopwatch.enter(Part::Select);
+        let mut subsegments: Vec<HalfEdgeId> = Vec::new();
+        for &f in faces {
+            self.look_at_bad(f);
+            subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
+        }
+        self.queue_encroached_of(subsegments);
+        self.stopwatch.enter(before);
+    }
+
+    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
+    fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
+        if subsegments.is_empty() || !self.prepare.is_lasting() {
+            return;
+        }
+        let before = self.stopwatch.enter(Part::Prepare);
+        subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
+        subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
+        for h in subsegments {
+            if self.prepare.needs_split(self.view(), h) {
+                // One that cannot be split stays encroached; triangles beside it get that as their reason.
+                let _ = self.queue_subsegment(h, false);
+            }
+        }
+        self.stopwatch.enter(before);
+    }
+
+    /// What is wrong with a face.
+    pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
+        self.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
+    }
+
+    /// Queues a face if it is bad.
+    pub(super) fn look_at_bad(&mut self, f: FaceId) {
+        let corners = self.cdt.corners_from_newest(f);
+        self.looker().look_at_old(f, corners);
+    }
+
+    /// Whether a face with these corners, the newest first, is bad.
+    #[inline]
+    pub(super) fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
+        self.test.badness(corners, self.cdt.region_rule(f)).is_some()
+    }
+}
