@@ -197,8 +197,8 @@ impl Cavity {
 
     /// Adds the first edge of the rim once more.
     fn close_rim(&mut self) {
-        self.rim.extend_from_within(..1);
-        self.starts.extend_from_within(..1);
+        self.rim.push(self.rim[0]);
+        self.starts.push(self.starts[0]);
     }
 
     /// Whether every face of the fan would be counter-clockwise; ghosts are not proved.

@@ -33,6 +33,18 @@ pub(super) struct Frame {
 }
 
 impl Frame {
+    /// Whether coordinates near a point need not be shrunk.
+    #[inline]
+    pub(super) fn is_plain_at(p: Point) -> bool {
+        p.x.abs() < SHRINK * LARGE && p.y.abs() < SHRINK * LARGE
+    }
+
+    /// The frame that neither shrinks nor scales: what [`new`](Self::new) gives for ordinary figures.
+    #[inline]
+    pub(super) fn plain(origin: Point) -> Self {
+        Self { origin: Vector::new(origin.x, origin.y), shrink: 1.0, scale: 1.0, unscale: 1.0 }
+    }
+
     /// The frame with the given origin in which the given points have coordinates whose squares are ordinary numbers.
     #[inline]
     pub(super) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {

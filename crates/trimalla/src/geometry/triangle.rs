@@ -178,6 +178,17 @@ impl Triangle {
         [Vector::new(c.x - b.x, c.y - b.y), c, b].map(Vector::length_sq)
     }
 
+    /// The same where the plain differences are good enough, as nearly always: then no other frame than a plain one is needed at
+    /// any corner.
+    #[inline]
+    fn plain_lengths_sq(&self) -> Option<[f64; 3]> {
+        let [a, b, c] = self.corners;
+        let (u, v) = (b - a, c - a);
+        let (u_sq, v_sq) = (u.length_sq(), v.length_sq());
+        let is_plain = Frame::is_plain_at(a) && PLAIN_SQ.contains(&u_sq) && PLAIN_SQ.contains(&v_sq);
+        is_plain.then(|| [Vector::new(v.x - u.x, v.y - u.y).length_sq(), v_sq, u_sq])
+    }
+
     /// The vector in the frame from its origin to the circumcenter.
     fn center_in(&self, view: &View) -> Option<Vector> {
         if self.orientation() == Orientation::Collinear {
@@ -197,6 +208,10 @@ fn angle_at(apex: Point, u: Point, v: Point) -> Angle {
     Angle::from_radians(atan2(u.cross(v).abs(), u.dot(v)))
 }
 
+/// Squares of two edge lengths for which a plain frame does at every corner: the longest edge is neither below them nor much above.
+const PLAIN_SQ: core::ops::RangeInclusive<f64> =
+    f64::from_bits((1023 - 380) << 52)..=f64::from_bits((1023 + 380) << 52); // 2^-380, 2^380
+
 /// A triangle in a frame at one of its corners, seen as the two edges that leave it.
 ///
 /// The corner is the one opposite the longest edge, where the cross product loses least; of equal ones the
@@ -209,14 +224,18 @@ struct View {
 
 impl View {
     fn of(triangle: &Triangle) -> Self {
-        let lengths = triangle.local_lengths_sq();
+        let plain = triangle.plain_lengths_sq();
+        let lengths = plain.unwrap_or_else(|| triangle.local_lengths_sq());
         let corners = triangle.corners;
         let better = |i: usize, j: usize| {
             lengths[i] > lengths[j] || (lengths[i] == lengths[j] && lexicographically_less(corners[i], corners[j]))
         };
         let origin = (1..3).fold(0, |best, i| if better(i, best) { i } else { best });
         let Segment { start, end } = triangle.edge(origin);
-        let frame = Frame::new(corners[origin], [start, end]);
+        let frame = match plain {
+            Some(_) => Frame::plain(corners[origin]),
+            None => Frame::new(corners[origin], [start, end]),
+        };
         Self { u: frame.local(start), v: frame.local(end), frame }
     }
 

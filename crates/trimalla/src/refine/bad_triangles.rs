@@ -63,8 +63,7 @@ impl Test {
     #[inline(always)] // In the loop over the triangles around a new vertex.
     pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let [a, b, c] = corners;
-        let bound = region.map_or(self.doubled_area, |region| self.doubled_area_in(region));
-        if (b - a).cross(c - a) > bound {
+        if (b - a).cross(c - a) > self.doubled_area_bound(region) {
             return Some(Badness::Area);
         }
         if self.asked.is_some() && self.is_refused(corners, region) {
@@ -77,7 +76,12 @@ impl Test {
         }
     }
 
-    /// Twice the area bound in a region.
+    /// Twice the area bound of triangles of a region, infinite where there is none.
+    #[inline(always)]
+    pub(super) fn doubled_area_bound(&self, region: Option<RegionRule>) -> f64 {
+        region.map_or(self.doubled_area, |region| self.doubled_area_in(region))
+    }
+
     #[inline(never)]
     fn doubled_area_in(&self, region: RegionRule) -> f64 {
         region.max_area.map_or(self.doubled_area, |area| self.doubled_area.min(2.0 * area))

@@ -21,22 +21,23 @@ struct Looker<'a> {
 }
 
 impl Looker<'_> {
-    /// Queues a face with these corners, the newest first, if it is bad.
+    /// Queues a face with these corners, the newest first, if it is bad; the patch is that of the newest.
     #[inline(always)] // In the loop over the triangles around a new vertex.
-    fn look_at(&mut self, f: FaceId, corners: [Point; 3]) {
+    fn look_at(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
         if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
             self.queue.pass(f);
         } else {
             let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
             *self.joined += 1;
-            self.queue.push(self.view.cdt, f, corners[0], patience);
+            self.queue.push(self.view.cdt, f, patch, patience);
         }
     }
 
     /// [`look_at`](Self::look_at) where there is no haste.
     #[inline(never)]
     fn look_at_old(&mut self, f: FaceId, corners: [Point; 3]) {
-        self.look_at(f, corners);
+        let patch = self.queue.patch_at(corners[0]);
+        self.look_at(f, corners, patch);
     }
 
     /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: in an order that depends on no slot, from the
@@ -50,13 +51,14 @@ impl Looker<'_> {
             (i, lowest) = if edge.from < lowest { (k, edge.from) } else { (i, lowest) };
             newest = newest.max(edge.from);
         }
+        let patch = self.queue.patch_at(p);
         let mut subsegments = Vec::new();
         for _ in faces {
             let (face, edge, next) = (faces[i], rim[i], rim[i + 1]);
             let corners = [p, starts[i], starts[i + 1]];
             // A new vertex is the newest unless it got the slot of one that went.
             if v == newest {
-                self.look_at(face, corners);
+                self.look_at(face, corners, patch);
             } else {
                 self.look_at_old(face, from_newest([v, edge.from, next.from], corners));
             }

@@ -22,13 +22,17 @@ pub(super) struct Patches {
 }
 
 impl Patches {
-    /// Vertices in a patch to begin with: many enough that the edges of patches, where the order does not hold, hardly
+    /// Vertices in a patch to begin with, those included that an area bound asks for: many enough that the edges of patches, where the order does not hold, hardly
     /// matter, and few enough for the cache.
     const VERTICES: usize = 6000;
 
+    /// No more than so many, however fine the mesh is to be.
+    const MOST: usize = 1 << 14;
+
     /// Patches for so many vertices within the box of a triangulation.
     pub(super) fn new(cdt: &ConstrainedDelaunay, vertices: usize) -> Self {
-        Self { cells: CurveCells::around(cdt.bounding_box()), count: (vertices / Self::VERTICES).max(1) as u32 }
+        let count = (vertices / Self::VERTICES).clamp(1, Self::MOST);
+        Self { cells: CurveCells::around(cdt.bounding_box()), count: count as u32 }
     }
 
     #[inline]
@@ -110,12 +114,17 @@ impl Queue {
         Self { elsewhere: vec![Vec::new(); patches.count as usize], patches: Some(patches), ..Self::default() }
     }
 
-    /// Adds a triangle at a place, whose patience is not negative.
+    /// The patch in which a place lies.
     #[inline]
-    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, place: Point, patience: f64) {
+    pub(super) fn patch_at(&self, place: Point) -> usize {
+        self.patches.as_ref().map_or(0, |patches| patches.of(place))
+    }
+
+    /// Adds a triangle of a patch, whose patience is not negative.
+    #[inline]
+    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, patch: usize, patience: f64) {
         let claim = self.claim(cdt, face);
         self.len += 1;
-        let patch = self.patches.as_ref().map_or(0, |patches| patches.of(place));
         if patch == self.present {
             self.put_into_step(claim, patience);
         } else {

@@ -222,7 +222,20 @@ impl Refinement {
         if !self.select.works_by_patches() {
             return Queue::default();
         }
-        Queue::by_patches(Patches::new(&self.cdt, self.vertices))
+        let expected = self.vertices + self.vertices_for_area();
+        Queue::by_patches(Patches::new(&self.cdt, expected.min(self.options.limits.max_vertices)))
+    }
+
+    /// How many vertices area bounds ask for at least: half as many as triangles.
+    fn vertices_for_area(&self) -> usize {
+        let parts = |f: FaceId| {
+            let [a, b, c] = self.cdt.corners_from_newest(f);
+            (b - a).cross(c - a) / self.test.doubled_area_bound(self.cdt.region_rule(f))
+        };
+        // The cast saturates.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of vertices, not negative")]
+        let vertices = (self.cdt.real_faces().map(parts).sum::<f64>() / 2.0) as usize;
+        vertices
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
