@@ -140,18 +140,15 @@ impl Cavity {
     }
 
     /// Takes in `face` and what lies beyond `sides`, two or three of its edges in order; adds their rim.
-    #[inline(always)] // For each number of sides, once.
     fn dig<const N: usize>(&mut self, t: &Triangulation, face: FaceId, sides: [HalfEdgeId; N], p: Point) {
         let (region, is_real) = (t.region(face), t.is_real(face));
         self.faces.push(face);
         // The vertex at infinity has no coordinates; no circle is asked for beside it.
         let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
-        let sides = sides.map(|h| {
+        for h in sides {
             let from = t.origin(h);
-            let side = Side::new(t, h, from, [from, t.dest(h)].map(point), p);
-            Side { conflict: side.conflict.filter(|_| is_real), ..side }
-        });
-        for side in sides {
+            let mut side = Side::new(t, h, from, [from, t.dest(h)].map(point), p);
+            side.conflict = side.conflict.filter(|_| is_real);
             let mut waiting = Some(side);
             while let Some(side) = waiting {
                 self.pass(t, side, region, p);
@@ -169,7 +166,7 @@ impl Cavity {
     ///          \ │
     ///          start
     /// ```
-    #[inline(always)] // Called once; the loop over the cavity.
+    #[inline(always)] // Called once.
     fn pass(&mut self, t: &Triangulation, mut side: Side, region: u32, p: Point) {
         while let Some(across) = side.conflict {
             self.faces.push(side.outer.face());

@@ -233,7 +233,11 @@ impl Refinement {
             (b - a).cross(c - a) / self.test.doubled_area_bound(self.cdt.region_rule(f))
         };
         // The cast saturates.
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of vertices, not negative")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a number of vertices, not negative"
+        )]
         let vertices = (self.cdt.real_faces().map(parts).sum::<f64>() / 2.0) as usize;
         vertices
     }
