@@ -7,7 +7,6 @@ use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
 use crate::geometry::Point;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
-use crate::triangulation::from_newest;
 
 /// Looks at one triangle after the other.
 struct Looker<'a> {
@@ -23,21 +22,31 @@ struct Looker<'a> {
 impl Looker<'_> {
     /// Queues a face with these corners, the newest first, if it is bad; the patch is that of the newest.
     #[inline(always)] // In the loop over the triangles around a new vertex.
-    fn look_at(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
+    fn look_at_corners(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
         if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
             self.queue.pass(f);
         } else {
-            let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
-            *self.joined += 1;
-            self.queue.push(self.view.cdt, f, patch, patience);
+            self.queue_bad(f, corners, patch);
         }
     }
 
-    /// [`look_at`](Self::look_at) where there is no haste.
+    /// Queues a face if it is bad.
     #[inline(never)]
-    fn look_at_old(&mut self, f: FaceId, corners: [Point; 3]) {
-        let patch = self.queue.patch_at(corners[0]);
-        self.look_at(f, corners, patch);
+    fn look_at(&mut self, f: FaceId) {
+        let corners = self.view.cdt.corners_from_newest(f);
+        if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
+            self.queue.pass(f);
+        } else {
+            self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
+        }
+    }
+
+    /// Queues a bad face.
+    #[inline(always)] // As above.
+    fn queue_bad(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
+        let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
+        *self.joined += 1;
+        self.queue.push(self.view.cdt, f, patch, patience);
     }
 
     /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: in an order that depends on no slot, from the
@@ -54,13 +63,12 @@ impl Looker<'_> {
         let patch = self.queue.patch_at(p);
         let mut subsegments = Vec::new();
         for _ in faces {
-            let (face, edge, next) = (faces[i], rim[i], rim[i + 1]);
-            let corners = [p, starts[i], starts[i + 1]];
+            let (face, edge) = (faces[i], rim[i]);
             // A new vertex is the newest unless it got the slot of one that went.
             if v == newest {
-                self.look_at(face, corners, patch);
+                self.look_at_corners(face, [p, starts[i], starts[i + 1]], patch);
             } else {
-                self.look_at_old(face, from_newest([v, edge.from, next.from], corners));
+                self.look_at(face);
             }
             if edge.mark != 0 {
                 subsegments.push(face.half_edge(0));
@@ -157,8 +165,7 @@ impl Refinement {
 
     /// Queues a face if it is bad.
     pub(super) fn look_at_bad(&mut self, f: FaceId) {
-        let corners = self.cdt.corners_from_newest(f);
-        self.looker().look_at_old(f, corners);
+        self.looker().look_at(f);
     }
 
     /// Whether a face with these corners, the newest first, is bad.

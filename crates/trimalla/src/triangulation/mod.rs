@@ -22,5 +22,4 @@ pub use check_indexed::{MeshFault, MeshVertex, check_mesh, check_mesh_delaunay};
 pub(crate) use check_indexed::{Side, Sides, is_sound, vertex as mesh_vertex};
 pub use compact::CompactMap;
 pub use indexed::IndexedMesh;
-pub(crate) use triangulation::from_newest;
 pub use triangulation::{Closure, Triangulation};

@@ -44,22 +44,10 @@ impl Deref for Triangulation {
 
 /// What belongs to the three vertices of a face, that of the lowest first.
 #[inline]
-pub(crate) fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
+fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
     let first = if c < a.min(b) { 2 } else { usize::from(b < a) };
     let around = [of_a, of_b, of_c, of_a, of_b];
     [around[first], around[first + 1], around[first + 2]]
-}
-
-/// What belongs to the three vertices of a face, that of the highest first: at a new vertex mostly as it is.
-#[inline(always)]
-pub(crate) fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
-    if a > b.max(c) {
-        [of_a, of_b, of_c]
-    } else if b > c {
-        [of_b, of_c, of_a]
-    } else {
-        [of_c, of_a, of_b]
-    }
 }
 
 impl Triangulation {
@@ -113,8 +101,13 @@ impl Triangulation {
     /// Coordinates of the three vertices of a real face, the highest vertex first: depends on no slot either.
     #[inline]
     pub(crate) fn corners_from_newest(&self, f: FaceId) -> [Point; 3] {
-        let v = self.face_vertices(f);
-        from_newest(v, v).map(|v| self.point(v))
+        let [a, b, c] = self.face_vertices(f);
+        let from_newest = match () {
+            () if a > b.max(c) => [a, b, c],
+            () if b > c => [b, c, a],
+            () => [c, a, b],
+        };
+        from_newest.map(|v| self.point(v))
     }
 
     /// Coordinates of the ends of a finite half-edge.
