@@ -43,9 +43,16 @@ impl ConstrainedDelaunay {
         }
         let v = self.fill_cavity(p, provenance, j);
         if !straight {
-            self.legalise_star(v, j);
+            self.legalise_spokes(v, j);
         }
         Ok(v)
+    }
+
+    /// Legalises the spokes of a vertex that has filled its cavity off the edge it parted, by its rounding: where it lies
+    /// beyond the circle of a face beside that edge, the face should have stayed. The rim has passed the same test.
+    fn legalise_spokes<J: Journal>(&mut self, v: VertexId, j: &mut J) {
+        self.t.star(v).for_each(|spoke| self.lawson.push(spoke));
+        self.lawson.legalise_all(&mut self.t, j);
     }
 
     /// Parts the two faces at unconstrained edge `h` into four by a vertex at `p`, and no flips; `None`, and nothing

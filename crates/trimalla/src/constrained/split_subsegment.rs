@@ -111,7 +111,7 @@ impl ConstrainedDelaunay {
 
     /// Legalises the spokes and the rim of a vertex that parted an edge: off the edge by its rounding, it may spoil also the
     /// spokes to the apexes, which were legal beside the straight edge.
-    pub(super) fn legalise_star<J: Journal>(&mut self, v: VertexId, j: &mut J) {
+    fn legalise_star<J: Journal>(&mut self, v: VertexId, j: &mut J) {
         for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
             self.lawson.push(e);
         }

@@ -16,6 +16,9 @@ use crate::geometry::{Point, strictly_between};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
+/// Room for as many spokes as hardly any vertex has more of, so that lists of them do not grow.
+const USUAL_SPOKES: usize = 8;
+
 /// Why a vertex cannot be removed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -53,7 +56,8 @@ pub(crate) fn remove_vertex<J: Journal>(
         0 => t.set_state(-1, t.closure, None, j),
         1 => remove_from_chain(t, v, j),
         _ => {
-            let rim: Vec<HalfEdgeId> = t.star(v).map(|h| h.next()).map(|h| t.twin(h)).collect();
+            let mut rim = Vec::with_capacity(USUAL_SPOKES);
+            rim.extend(t.star(v).map(|h| t.twin(h.next())));
             let neighbour = t.neighbours(v).next();
             let flipped = flip_spokes_away(t, v, j);
             take_out(t, v, j);
@@ -64,12 +68,12 @@ pub(crate) fn remove_vertex<J: Journal>(
     Ok(())
 }
 
-/// Looks at every edge of the hole: those beside its rim, kept as half-edges outside it, which flips and unsplits leave
-/// where they are, and those that flips made.
+/// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away from the
+/// vertex, which flips and unsplits leave where they are.
 pub(crate) fn legalise_hole<J: Journal>(
     t: &mut Triangulation,
     rim: &[HalfEdgeId],
-    flipped: &[[VertexId; 2]],
+    flipped: &[HalfEdgeId],
     lawson: &mut Lawson,
     j: &mut J,
 ) {
@@ -81,10 +85,8 @@ pub(crate) fn legalise_hole<J: Journal>(
             lawson.push(h);
         }
     }
-    for &[a, c] in flipped {
-        if let Some(h) = t.half_edge_between(a, c) {
-            lawson.push(h);
-        }
+    for &h in flipped {
+        lawson.push(t.twin(h));
     }
     lawson.legalise_all(t, j);
 }
@@ -116,18 +118,18 @@ fn remove_from_chain<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) 
     }
 }
 
-/// Flips spokes of `v` away as long as one is an ear; returns the ends of the edges made.
-pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) -> Vec<[VertexId; 2]> {
-    let mut spokes: Vec<HalfEdgeId> = t.star(v).collect();
-    let mut made = Vec::new();
+/// Flips spokes of `v` away as long as one is an ear; returns the edges made, as half-edges with the ear on their left.
+pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) -> Vec<HalfEdgeId> {
+    let mut spokes = Vec::with_capacity(2 * USUAL_SPOKES);
+    spokes.extend(t.star(v));
+    let mut made = Vec::with_capacity(USUAL_SPOKES);
     while let Some(h) = spokes.pop() {
         // A spoke that was flipped away no longer starts at v.
         if t.origin(h) != v || !is_ear(t, h) {
             continue;
         }
         let (a, c) = (t.dest(t.cw(h)), t.dest(t.ccw(h)));
-        t.mesh.flip(h, j);
-        made.push([a, c]);
+        made.push(t.mesh.flip(h, j));
         // The neighbours' ears changed; find their spokes again, their slots may have moved.
         spokes.extend(t.star(v).filter(|&s| t.dest(s) == a || t.dest(s) == c));
     }
@@ -155,14 +157,13 @@ fn is_ear(t: &Triangulation, h: HalfEdgeId) -> bool {
 
 /// What is left when no ear is: step 2 of the prose above.
 fn take_out<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
-    let spokes: Vec<HalfEdgeId> = t.star(v).collect();
-    let on_hull = spokes.iter().any(|&h| !t.dest(h).is_finite());
-    match spokes.len() {
-        3 if !on_hull => {
-            t.mesh.unsplit_face(spokes[0], j);
+    let on_hull = t.star(v).any(|h| !t.dest(h).is_finite());
+    match (t.star(v).count(), t.outgoing(v)) {
+        (3, Some(h)) if !on_hull => {
+            t.mesh.unsplit_face(h, j);
         }
-        4 => {
-            let straight = spokes.iter().copied().find(|&h| {
+        (4, _) => {
+            let straight = t.star(v).find(|&h| {
                 let opposite = t.dest(t.ccw(t.ccw(h)));
                 let ends = t.dest(h).is_finite() && opposite.is_finite();
                 ends && strictly_between(t.point(t.dest(h)), t.point(opposite), t.point(v))

@@ -33,7 +33,7 @@ impl Refinement {
         if self.unsplittable.contains(&ends) {
             return Err(self.floor_reason);
         }
-        self.cut_of(self.in_order(h))?;
+        self.may_cut(self.in_order(h))?;
         self.encroached.push_back(Encroached { ends, forced });
         Ok(())
     }
@@ -112,7 +112,8 @@ impl Refinement {
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
     fn split_as_it_is(&mut self, [a, b]: [VertexId; 2]) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
-        let Ok(cut) = self.cut_of(h) else { return false };
+        // Whether there is room the split itself asks.
+        let Ok(cut) = self.cut_at(h) else { return false };
         let here = self.log.checkpoint();
         let insert = Arc::clone(&self.insert);
         let split = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log);
@@ -130,8 +131,16 @@ impl Refinement {
         true
     }
 
-    /// Where `h` would be split, or why it cannot be.
-    fn cut_of(&self, h: HalfEdgeId) -> Result<Cut, Reason> {
+    /// Whether `h` can be split, or why not.
+    fn may_cut(&self, h: HalfEdgeId) -> Result<(), Reason> {
+        match self.cdt.can_split(h, self.cut_at(h)?.point) {
+            Ok(()) => Ok(()),
+            Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
+        }
+    }
+
+    /// Where `h` is split if there is room, or why it must not be.
+    fn cut_at(&self, h: HalfEdgeId) -> Result<Cut, Reason> {
         let on_border = self.cdt.is_boundary(h) || self.cdt.is_boundary(self.cdt.twin(h));
         let protected = match self.options.protect {
             Protect::None => false,
@@ -154,10 +163,7 @@ impl Refinement {
                 provenance = Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
             }
         }
-        match self.cdt.can_split(h, point) {
-            Ok(()) => Ok(Cut { point, provenance }),
-            Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
-        }
+        Ok(Cut { point, provenance })
     }
 
     /// The parameter of the cut: the middle, or a circle around the one end where another segment joins.
@@ -234,16 +240,20 @@ impl Refinement {
     }
 
     /// The faces inside a rim, given by the half-edges outside it.
-    fn hole_faces(&self, rim: &mut [HalfEdgeId]) -> Vec<FaceId> {
-        rim.sort_unstable();
+    ///
+    /// A hole of `n` edges has `n - 2` faces; those without an edge on the rim lie across edges of others.
+    fn hole_faces(&self, rim: &[HalfEdgeId]) -> Vec<FaceId> {
         let mut faces: Vec<FaceId> = Vec::with_capacity(rim.len());
-        let mut stack: Vec<HalfEdgeId> = rim.to_vec();
-        while let Some(outer) = stack.pop() {
-            let f = self.cdt.twin(outer).face();
-            if !faces.contains(&f) {
-                faces.push(f);
-                stack.extend(f.half_edges().into_iter().filter(|&h| rim.binary_search(&self.cdt.twin(h)).is_err()));
+        for &outer in rim {
+            add_once(&mut faces, self.cdt.twin(outer).face());
+        }
+        let mut at = 0;
+        while faces.len() + 2 < rim.len() {
+            let Some(f) = faces.get(at) else { break };
+            for inner in f.half_edges().map(|h| self.cdt.twin(h)).into_iter().filter(|h| !rim.contains(h)) {
+                add_once(&mut faces, inner.face());
             }
+            at += 1;
         }
         faces
     }
@@ -252,16 +262,17 @@ impl Refinement {
     fn delete(&mut self, v: VertexId, looked_at: &mut Vec<FaceId>) -> bool {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
-        let mut rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
-        let link: Vec<VertexId> = self.cdt.neighbours(v).collect();
+        let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
+        let keeps_delaunay = self.insert.keeps_delaunay();
+        let link: Vec<VertexId> = if keeps_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
         if self.cdt.remove_with(v, &mut self.log).is_err() {
             return false;
         }
         self.note(|event| event.deleted.push((v, at)));
         self.vertices -= 1;
         self.report.vertices_deleted += 1;
-        let mut faces: Vec<FaceId> = if self.insert.keeps_delaunay() {
-            self.hole_faces(&mut rim)
+        let mut faces: Vec<FaceId> = if keeps_delaunay {
+            self.hole_faces(&rim)
         } else {
             // Flips may have gone on beyond the rim.
             link.iter().flat_map(|&w| self.cdt.faces_around(w)).collect()
@@ -271,6 +282,12 @@ impl Refinement {
         self.look_at_faces(&faces);
         looked_at.append(&mut faces);
         true
+    }
+}
+
+fn add_once(faces: &mut Vec<FaceId>, f: FaceId) {
+    if !faces.contains(&f) {
+        faces.push(f);
     }
 }
 
