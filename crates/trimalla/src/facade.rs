@@ -106,7 +106,7 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     observer.begins(&mut refinement);
     refinement.run(observer);
     let (cdt, report) = refinement.finish();
-    Ok(Meshed { mesh: cdt.to_indexed(pslg), report, warnings, outlook })
+    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook })
 }
 
 /// The outlook, shown to an observer that wants it.
@@ -210,5 +210,5 @@ pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<(I
 /// [`DomainError`].
 pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
     let (cdt, warnings) = domain::build(pslg, options.rule, options.crossings, options.algorithm)?;
-    Ok((cdt.to_indexed(pslg), warnings))
+    Ok((cdt.into_indexed(pslg), warnings))
 }

@@ -76,7 +76,10 @@ impl Provenances {
             self.bound.resize(self.words.len().div_ceil(64), 0);
         }
         let (old, new) = (self.words[i], new.to_words());
-        if J::ACTIVE && old != new {
+        if old == new {
+            return;
+        }
+        if J::ACTIVE {
             j.note(Column::ProvenanceKind, i as u32, old[0]);
             j.note(Column::ProvenancePlace, i as u32, old[1]);
         }

@@ -28,11 +28,11 @@ impl<'a> Attributes<'a> {
     }
 
     /// The attributes of vertices, row after row.
-    pub(super) fn of(&self, kept: &[VertexId]) -> Vec<f64> {
+    pub(super) fn of(&self, kept: impl ExactSizeIterator<Item = VertexId>) -> Vec<f64> {
         let n = self.pslg.attributes_per_point;
         let mut rows = vec![0.0; if n == 0 { 0 } else { kept.len().saturating_mul(n) }];
         let mut near = FaceId(0);
-        for (row, &v) in rows.chunks_mut(n.max(1)).zip(kept) {
+        for (row, v) in rows.chunks_mut(n.max(1)).zip(kept) {
             match (&self.base, self.along_segment(self.mesh, v)) {
                 (_, Some(stretch)) => self.write(row, &stretch),
                 (Some(base), None) => self.write(row, &self.inside(base, &mut near, self.mesh.point(v))),

@@ -20,24 +20,36 @@ impl ConstrainedDelaunay {
     /// Linear.
     #[must_use]
     pub fn to_indexed(&self, pslg: &Pslg) -> IndexedMesh {
-        let ids = self.output_ids();
-        let kept: Vec<VertexId> =
-            (0..self.points().len()).map(VertexId::from_index).filter(|v| ids[v.index()] != u32::MAX).collect();
-        let id = |v: VertexId| ids[v.index()];
+        let kept = Kept::of(self);
+        let points = kept.vertices().map(|v| self.point(v)).collect();
+        IndexedMesh { points, ..self.indexed_but_points(pslg, &kept) }
+    }
+
+    /// [`to_indexed`](Self::to_indexed), which takes the points over where all are kept.
+    #[must_use]
+    pub fn into_indexed(mut self, pslg: &Pslg) -> IndexedMesh {
+        let kept = Kept::of(&self);
+        if matches!(kept, Kept::Some { .. }) {
+            return self.to_indexed(pslg);
+        }
+        let mesh = self.indexed_but_points(pslg, &kept);
+        IndexedMesh { points: std::mem::take(&mut self.t.points), ..mesh }
+    }
+
+    fn indexed_but_points(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
         let segments: Vec<HalfEdgeId> = self.marked_edges().collect();
         let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
         let mut mesh = IndexedMesh {
-            points: kept.iter().map(|&v| self.point(v)).collect(),
-            triangles: self.real_faces().map(|f| self.face_vertices(f).map(id)).collect(),
-            segments: segments.iter().map(|&h| [id(self.origin(h)), id(self.dest(h))]).collect(),
+            triangles: self.triangles(kept),
+            segments: segments.iter().map(|&h| [self.origin(h), self.dest(h)].map(|v| kept.id(v))).collect(),
             segment_markers: segment_markers.clone(),
             attributes_per_point: pslg.attributes_per_point,
             holes: pslg.holes.clone(),
             input_points: self.input_points,
             ..IndexedMesh::default()
         };
-        mesh.point_markers = self.point_markers(&kept, &segments, &segment_markers, pslg);
-        mesh.point_attributes = Attributes::new(self, pslg).of(&kept);
+        mesh.point_markers = self.point_markers(kept, &segments, &segment_markers, pslg);
+        mesh.point_attributes = Attributes::new(self, pslg).of(kept.vertices());
         if !self.regions.is_empty() {
             let attribute = |f: FaceId| self.region_rule(f).map_or(0.0, |rule| rule.attribute);
             mesh.attributes_per_triangle = 1;
@@ -46,19 +58,15 @@ impl ConstrainedDelaunay {
         mesh
     }
 
-    /// The output id of each vertex slot, `u32::MAX` for unused Steiner slots.
-    fn output_ids(&self) -> Vec<u32> {
-        let mut next = 0;
-        (0..self.points().len())
-            .map(VertexId::from_index)
-            .map(|v| {
-                if v.index() >= self.given_points && !self.is_used(v) {
-                    return u32::MAX;
-                }
-                next += 1;
-                next - 1
-            })
-            .collect()
+    fn triangles(&self, kept: &Kept) -> Vec<[u32; 3]> {
+        let mut triangles = Vec::with_capacity(self.live_faces());
+        match kept {
+            Kept::All { .. } => triangles.extend(self.real_faces().map(|f| self.face_vertices(f).map(|v| v.0))),
+            Kept::Some { ids, .. } => {
+                triangles.extend(self.real_faces().map(|f| self.face_vertices(f).map(|v| ids[v.index()])));
+            }
+        }
+        triangles
     }
 
     /// The marker of a subsegment: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
@@ -70,7 +78,7 @@ impl ConstrainedDelaunay {
     }
 
     /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
-    fn point_markers(&self, kept: &[VertexId], segments: &[HalfEdgeId], markers: &[i32], pslg: &Pslg) -> Vec<i32> {
+    fn point_markers(&self, kept: &Kept, segments: &[HalfEdgeId], markers: &[i32], pslg: &Pslg) -> Vec<i32> {
         let mut at = vec![0; self.points().len()];
         for on_border in [false, true] {
             for (&h, &m) in segments.iter().zip(markers) {
@@ -80,11 +88,58 @@ impl ConstrainedDelaunay {
                 }
             }
         }
-        kept.iter()
-            .map(|&v| match pslg.point_markers.get(v.index()) {
-                Some(&m) if m != 0 => m,
-                _ => at[v.index()],
-            })
-            .collect()
+        for (marker, &given) in at.iter_mut().zip(&pslg.point_markers) {
+            *marker = if given != 0 { given } else { *marker };
+        }
+        match kept {
+            Kept::All { .. } => at,
+            Kept::Some { vertices, .. } => vertices.iter().map(|v| at[v.index()]).collect(),
+        }
+    }
+}
+
+/// The vertices that a mesh as plain arrays has: all but unused Steiner slots.
+enum Kept {
+    All {
+        count: usize,
+    },
+    /// Those kept, and the output id of each slot.
+    Some {
+        vertices: Vec<VertexId>,
+        ids: Vec<u32>,
+    },
+}
+
+impl Kept {
+    fn of(cdt: &ConstrainedDelaunay) -> Self {
+        let count = cdt.points().len();
+        let is_kept = |v: &VertexId| v.index() < cdt.given_points || cdt.is_used(*v);
+        let slots = || (0..count).map(VertexId::from_index);
+        if slots().all(|v| is_kept(&v)) {
+            return Self::All { count };
+        }
+        let vertices: Vec<VertexId> = slots().filter(is_kept).collect();
+        let mut ids = vec![u32::MAX; count];
+        for (id, v) in (0..).zip(&vertices) {
+            ids[v.index()] = id;
+        }
+        Self::Some { vertices, ids }
+    }
+
+    /// The output id of a vertex.
+    fn id(&self, v: VertexId) -> u32 {
+        match self {
+            Self::All { .. } => v.0,
+            Self::Some { ids, .. } => ids[v.index()],
+        }
+    }
+
+    /// The vertices, by output id.
+    fn vertices(&self) -> impl ExactSizeIterator<Item = VertexId> + '_ {
+        let (count, some) = match self {
+            Self::All { count } => (*count, None),
+            Self::Some { vertices, .. } => (vertices.len(), Some(vertices)),
+        };
+        (0..count).map(move |i| some.map_or(VertexId::from_index(i), |vertices| vertices[i]))
     }
 }

@@ -54,6 +54,11 @@ impl Test {
         }
     }
 
+    /// Whether a triangle can be bad for its shape.
+    pub(super) fn minds_shape(&self) -> bool {
+        self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
+    }
+
     /// The same with a test of the caller's own.
     pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
         Self { asked: Some(asked), ..self }

@@ -6,7 +6,7 @@ use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
-use crate::geometry::{Point, Triangle};
+use crate::geometry::{Point, Triangle, Vector};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// What one look at every triangle tells.
@@ -58,12 +58,12 @@ impl Refinement {
                     reason: self.reason_of(f),
                 });
             }
-            let (sine, cosine) = self.extreme_angles_of(corners);
-            if sine < least_sine {
-                (least_sine, survey.sharpest) = (sine, Some(f));
+            let angles = self.extreme_angles_of(corners);
+            if angles.is_sharper_than(least_sine) {
+                (least_sine, survey.sharpest) = (angles.sine_sq(), Some(f));
             }
-            if cosine < least_cosine {
-                (least_cosine, survey.bluntest) = (cosine, Some(f));
+            if angles.is_blunter_than(least_cosine) {
+                (least_cosine, survey.bluntest) = (angles.cosine_sq(), Some(f));
             }
             survey.triangles += 1;
         }
@@ -164,22 +164,62 @@ impl Refinement {
         (least, most)
     }
 
-    /// The squared sine of a triangle's smallest angle, and the squared cosine of its largest with the cosine's sign: both tell
-    /// which of two triangles has the more extreme one. Rounded.
     #[inline]
-    fn extreme_angles_of(&self, corners: [Point; 3]) -> (f64, f64) {
+    fn extreme_angles_of(&self, corners: [Point; 3]) -> Extremes {
         let scale = self.ruler.scale();
         let [a, b, c] = corners.map(|p| Point::new(p.x * scale, p.y * scale));
-        let [u, v, w] = [b - a, c - b, a - c];
-        let [p, q, r] = [u, v, w].map(|side| side.length_sq());
+        Extremes::of([b - a, c - b, a - c])
+    }
+}
+
+/// What decides which of two triangles has the smaller least angle, and which the greater largest one. Rounded.
+struct Extremes {
+    doubled_area: f64,
+    /// Squares of the sides.
+    short: f64,
+    middle: f64,
+    long: f64,
+}
+
+impl Extremes {
+    /// More than any quotient of products is off by rounding.
+    const SLACK: f64 = 1e-12;
+
+    #[inline]
+    fn of([u, v, w]: [Vector; 3]) -> Self {
+        let [p, q, r] = [u, v, w].map(Vector::length_sq);
         let (lesser, greater) =
             (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
         let (low, high) = (lesser(p, q), greater(p, q));
         let (short, middle, long) = (lesser(low, r), greater(low, lesser(high, r)), greater(high, r));
-        let doubled_area = u.cross(v);
-        // The smallest angle lies between the two longer sides, the largest one between the two shorter.
-        let excess = short + middle - long;
-        ((doubled_area / long) * (doubled_area / middle), excess * excess.abs() / (short * middle))
+        Self { doubled_area: u.cross(v), short, middle, long }
+    }
+
+    /// The squared sine of the smallest angle, which lies between the two longer sides.
+    fn sine_sq(&self) -> f64 {
+        (self.doubled_area / self.long) * (self.doubled_area / self.middle)
+    }
+
+    /// The squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's sign.
+    fn cosine_sq(&self) -> f64 {
+        let excess = self.short + self.middle - self.long;
+        excess * excess.abs() / (self.short * self.middle)
+    }
+
+    /// Whether the smallest angle is less than that of this squared sine: mostly told without dividing.
+    #[inline]
+    fn is_sharper_than(&self, sine_sq: f64) -> bool {
+        let clearly_not =
+            self.doubled_area * self.doubled_area > sine_sq * (self.long * self.middle) * (1.0 + Self::SLACK);
+        !clearly_not && self.sine_sq() < sine_sq
+    }
+
+    /// Whether the largest angle is more than that of this squared cosine, with the cosine's sign.
+    #[inline]
+    fn is_blunter_than(&self, cosine_sq: f64) -> bool {
+        let (excess, product) = (self.short + self.middle - self.long, self.short * self.middle);
+        let clearly_not = excess * excess.abs() > (cosine_sq + Self::SLACK) * product;
+        !clearly_not && self.cosine_sq() < cosine_sq
     }
 }
 

@@ -42,6 +42,9 @@ impl Refinement {
 
     /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape is.
     fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
+        if !self.test.minds_shape() {
+            return None;
+        }
         let reason = if self.is_across_small_input_angle(face) {
             Reason::AcrossSmallInputAngle
         } else if self.is_beyond_help(self.cdt.corners(face)) {
