@@ -50,7 +50,7 @@ impl Looker<'_> {
     }
 
     /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: in an order that depends on no slot, from the
-    /// lowest vertex of the rim on. Says which edges of the rim are subsegments.
+    /// lowest vertex of the rim on. Says which edges of the rim and which spokes are subsegments.
     #[inline(never)]
     fn look_at_fan(&mut self, v: VertexId, p: Point) -> Vec<HalfEdgeId> {
         let cavity = &self.view.cdt.cavity;
@@ -64,14 +64,17 @@ impl Looker<'_> {
         let mut subsegments = Vec::new();
         for _ in faces {
             let (face, edge) = (faces[i], rim[i]);
-            // A new vertex is the newest unless it got the slot of one that went.
+            // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
             if v == newest {
                 self.look_at_corners(face, [p, starts[i], starts[i + 1]], patch);
-            } else {
+            } else if self.view.cdt.is_real(face) {
                 self.look_at(face);
             }
             if edge.mark != 0 {
                 subsegments.push(face.half_edge(0));
+            }
+            if edge.spoke != 0 {
+                subsegments.push(face.half_edge(2));
             }
             i = if i + 1 < faces.len() { i + 1 } else { 0 };
         }
@@ -93,6 +96,9 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
+        if self.cdt.cavity.is_fan_of(&self.cdt, v) {
+            return self.look_around_cavity(v, self.cdt.point(v));
+        }
         let before = self.stopwatch.enter(Part::Select);
         let mut spokes = std::mem::take(&mut self.spokes);
         spokes.clear();
