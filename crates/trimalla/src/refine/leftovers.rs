@@ -184,6 +184,8 @@ struct Extremes {
 impl Extremes {
     /// More than any quotient of products is off by rounding.
     const SLACK: f64 = 1e-12;
+    /// Products from here on have lost nothing to underflow.
+    const ORDINARY: f64 = 1e-280;
 
     #[inline]
     fn of([u, v, w]: [Vector; 3]) -> Self {
@@ -209,8 +211,8 @@ impl Extremes {
     /// Whether the smallest angle is less than that of this squared sine: mostly told without dividing.
     #[inline]
     fn is_sharper_than(&self, sine_sq: f64) -> bool {
-        let clearly_not =
-            self.doubled_area * self.doubled_area > sine_sq * (self.long * self.middle) * (1.0 + Self::SLACK);
+        let (area_sq, product) = (self.doubled_area * self.doubled_area, self.long * self.middle);
+        let clearly_not = area_sq > Self::ORDINARY && area_sq > sine_sq * product * (1.0 + Self::SLACK);
         !clearly_not && self.sine_sq() < sine_sq
     }
 
@@ -218,7 +220,7 @@ impl Extremes {
     #[inline]
     fn is_blunter_than(&self, cosine_sq: f64) -> bool {
         let (excess, product) = (self.short + self.middle - self.long, self.short * self.middle);
-        let clearly_not = excess * excess.abs() > (cosine_sq + Self::SLACK) * product;
+        let clearly_not = product > Self::ORDINARY && excess * excess.abs() > (cosine_sq + Self::SLACK) * product;
         !clearly_not && self.cosine_sq() < cosine_sq
     }
 }

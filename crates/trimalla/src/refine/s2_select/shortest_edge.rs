@@ -1,6 +1,6 @@
 //! `shortest-edge`: the triangle with the shortest edge first, to within an eighth of an octave of its square.
 //!
-//! Of those the newest comes first, and large drawings are taken patch by patch, so that the work stays in one place: the
+//! Of those the newest comes first, and large meshes are made patch by patch, so that the work stays in one place: the
 //! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at 30
 //! degrees.
 
