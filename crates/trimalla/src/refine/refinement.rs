@@ -222,7 +222,7 @@ impl Refinement {
         if !self.select.works_by_patches() {
             return Queue::default();
         }
-        let expected = self.vertices + self.vertices_for_area();
+        let expected = self.vertices.saturating_add(self.vertices_for_area());
         Queue::by_patches(Patches::new(&self.cdt, expected.min(self.options.limits.max_vertices)))
     }
 
