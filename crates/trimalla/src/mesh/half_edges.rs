@@ -224,6 +224,13 @@ impl HalfEdgeMesh {
         faces.filter(|(_, v)| are_ordinary(v)).map(|(f, _)| FaceId::from_index(f))
     }
 
+    /// The [`real_faces`](Self::real_faces) with their vertices.
+    pub(crate) fn real_triangles(&self) -> impl Iterator<Item = (FaceId, [VertexId; 3])> + '_ {
+        let faces = self.half_edges.chunks_exact(3).enumerate();
+        let real = faces.filter(|(_, stored)| are_ordinary(stored));
+        real.map(|(f, stored)| (FaceId::from_index(f), [stored[0].origin, stored[1].origin, stored[2].origin]))
+    }
+
     /// The ghost faces, oldest slot first.
     pub fn ghost_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
         (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_alive(f) && self.is_ghost(f))

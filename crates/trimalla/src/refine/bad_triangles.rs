@@ -28,6 +28,15 @@ impl Badness {
     }
 }
 
+/// Bounds within which no triangle is bad, whatever its region.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SureBounds {
+    /// The squared sine of the smallest angle is above this.
+    pub(super) sine_sq: f64,
+    /// Twice the area is no more than this.
+    pub(super) doubled_area: f64,
+}
+
 /// A test of the caller's own: whether a triangle, counter-clockwise, with the attribute of its region (0 without), must
 /// be refined.
 pub type UserTest = dyn Fn(Triangle, f64) -> bool + Send + Sync;
@@ -78,6 +87,16 @@ impl Test {
             Some(cos_sq) if !triangle_angles_at_least(a, b, c, cos_sq) => Some(Badness::Angle),
             _ if self.max_aspect_ratio < f64::INFINITY => self.aspect_badness(corners),
             _ => None,
+        }
+    }
+
+    /// Bounds that imply the test, where there are such regions.
+    pub(super) fn sure_bounds(&self, regions: &[RegionRule]) -> SureBounds {
+        let is_sure = self.asked.is_none() && self.max_aspect_ratio == f64::INFINITY;
+        let areas = regions.iter().map(|&region| self.doubled_area_bound(Some(region)));
+        SureBounds {
+            sine_sq: self.cos_sq.map_or(0.0, |cos_sq| 1.0 - cos_sq),
+            doubled_area: if is_sure { areas.fold(self.doubled_area, f64::min) } else { f64::NEG_INFINITY },
         }
     }
 

@@ -1,21 +1,20 @@
 //! What stayed bad, and why.
 
 use super::bad_triangles::sorted;
+use super::extremes::Extremes;
 use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
-use crate::geometry::{Point, Triangle, Vector};
+use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// What one look at every triangle tells.
 struct Survey {
     triangles: usize,
     leftovers: Vec<Leftover>,
-    /// The triangles of the smallest and of the largest angle.
-    sharpest: Option<FaceId>,
-    bluntest: Option<FaceId>,
+    extremes: Extremes,
 }
 
 /// Squared distances this close, relatively, are on one shell.
@@ -46,28 +45,29 @@ impl Refinement {
 
     /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
-        let mut survey = Survey { triangles: 0, leftovers: Vec::new(), sharpest: None, bluntest: None };
-        let (mut least_sine, mut least_cosine) = (f64::INFINITY, f64::INFINITY);
-        for f in self.cdt.real_faces() {
-            let corners = self.cdt.corners_from_newest(f);
-            if self.is_bad(f, corners) {
-                let min_angle_deg = triangle(corners).min_angle().degrees();
-                survey.leftovers.push(Leftover {
-                    triangle: survey.triangles,
-                    min_angle_deg,
-                    reason: self.reason_of(f),
-                });
-            }
-            let angles = self.extreme_angles_of(corners);
-            if angles.is_sharper_than(least_sine) {
-                (least_sine, survey.sharpest) = (angles.sine_sq(), Some(f));
-            }
-            if angles.is_blunter_than(least_cosine) {
-                (least_cosine, survey.bluntest) = (angles.cosine_sq(), Some(f));
+        let extremes = Extremes::new(self.ruler, self.test.sure_bounds(&self.cdt.regions));
+        let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
+        for (f, vertices) in self.cdt.real_triangles() {
+            if !survey.extremes.is_plain(vertices.map(|v| self.cdt.point(v))) {
+                self.look_closely(f, &mut survey);
+            } else {
+                debug_assert!(self.badness(f).is_none(), "a plain triangle is good");
             }
             survey.triangles += 1;
         }
         survey
+    }
+
+    /// Looks at a triangle that a glance left open.
+    #[cold]
+    #[inline(never)]
+    fn look_closely(&self, f: FaceId, survey: &mut Survey) {
+        let corners = self.cdt.corners_from_newest(f);
+        if self.badness(f).is_some() {
+            let min_angle_deg = triangle(corners).min_angle().degrees();
+            survey.leftovers.push(Leftover { triangle: survey.triangles, min_angle_deg, reason: self.reason_of(f) });
+        }
+        survey.extremes.see(f, corners);
     }
 
     /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
@@ -159,69 +159,9 @@ impl Refinement {
     /// The smallest and the largest angle in degrees, measured in the two triangles alone.
     fn extreme_angles(&self, survey: &Survey) -> (f64, f64) {
         let corners = |f: FaceId| triangle(self.cdt.corners(f));
-        let least = survey.sharpest.map_or(180.0, |f| corners(f).min_angle().degrees());
-        let most = survey.bluntest.map_or(0.0, |f| corners(f).max_angle().degrees());
+        let least = survey.extremes.sharpest.map_or(180.0, |f| corners(f).min_angle().degrees());
+        let most = survey.extremes.bluntest.map_or(0.0, |f| corners(f).max_angle().degrees());
         (least, most)
-    }
-
-    #[inline]
-    fn extreme_angles_of(&self, corners: [Point; 3]) -> Extremes {
-        let scale = self.ruler.scale();
-        let [a, b, c] = corners.map(|p| Point::new(p.x * scale, p.y * scale));
-        Extremes::of([b - a, c - b, a - c])
-    }
-}
-
-/// What decides which of two triangles has the smaller least angle, and which the greater largest one. Rounded.
-struct Extremes {
-    doubled_area: f64,
-    /// Squares of the sides.
-    short: f64,
-    middle: f64,
-    long: f64,
-}
-
-impl Extremes {
-    /// More than any quotient of products is off by rounding.
-    const SLACK: f64 = 1e-12;
-    /// Products from here on have lost nothing to underflow.
-    const ORDINARY: f64 = 1e-280;
-
-    #[inline]
-    fn of([u, v, w]: [Vector; 3]) -> Self {
-        let [p, q, r] = [u, v, w].map(Vector::length_sq);
-        let (lesser, greater) =
-            (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
-        let (low, high) = (lesser(p, q), greater(p, q));
-        let (short, middle, long) = (lesser(low, r), greater(low, lesser(high, r)), greater(high, r));
-        Self { doubled_area: u.cross(v), short, middle, long }
-    }
-
-    /// The squared sine of the smallest angle, which lies between the two longer sides.
-    fn sine_sq(&self) -> f64 {
-        (self.doubled_area / self.long) * (self.doubled_area / self.middle)
-    }
-
-    /// The squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's sign.
-    fn cosine_sq(&self) -> f64 {
-        let excess = self.short + self.middle - self.long;
-        excess * excess.abs() / (self.short * self.middle)
-    }
-
-    /// Whether the smallest angle is less than that of this squared sine: mostly told without dividing.
-    #[inline]
-    fn is_sharper_than(&self, sine_sq: f64) -> bool {
-        let (area_sq, product) = (self.doubled_area * self.doubled_area, self.long * self.middle);
-        let clearly_not = area_sq > Self::ORDINARY && area_sq > sine_sq * product * (1.0 + Self::SLACK);
-        !clearly_not && self.sine_sq() < sine_sq
-    }
-
-    /// Whether the largest angle is more than that of this squared cosine, with the cosine's sign.
-    #[inline]
-    fn is_blunter_than(&self, cosine_sq: f64) -> bool {
-        let (excess, product) = (self.short + self.middle - self.long, self.short * self.middle);
-        let clearly_not = product > Self::ORDINARY && excess * excess.abs() > (cosine_sq + Self::SLACK) * product;
-        !clearly_not && self.cosine_sq() < cosine_sq
     }
 }
 

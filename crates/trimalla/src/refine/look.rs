@@ -173,10 +173,4 @@ impl Refinement {
     pub(super) fn look_at_bad(&mut self, f: FaceId) {
         self.looker().look_at(f);
     }
-
-    /// Whether a face with these corners, the newest first, is bad.
-    #[inline]
-    pub(super) fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
-        self.test.badness(corners, self.cdt.region_rule(f)).is_some()
-    }
 }

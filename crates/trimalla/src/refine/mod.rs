@@ -30,6 +30,7 @@ mod bad_triangles;
 pub mod conformance;
 mod encroachment;
 mod event;
+mod extremes;
 mod forecast;
 mod history;
 mod leftovers;
