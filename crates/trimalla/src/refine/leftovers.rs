@@ -48,10 +48,10 @@ impl Refinement {
         let extremes = Extremes::new(self.ruler, self.test.sure_bounds(&self.cdt.regions));
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
         for (f, vertices) in self.cdt.real_triangles() {
-            if !survey.extremes.is_plain(vertices.map(|v| self.cdt.point(v))) {
-                self.look_closely(f, &mut survey);
-            } else {
+            if survey.extremes.is_plain(vertices.map(|v| self.cdt.point(v))) {
                 debug_assert!(self.badness(f).is_none(), "a plain triangle is good");
+            } else {
+                self.look_closely(f, &mut survey);
             }
             survey.triangles += 1;
         }

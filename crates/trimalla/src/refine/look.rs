@@ -1,6 +1,7 @@
 //! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
 
 use super::bad_triangles::{Badness, Test, sorted};
+use super::chains::Chains;
 use super::queue::Queue;
 use super::refinement::{Refinement, ends_of};
 use super::steps::{SelectStep, View};
@@ -38,6 +39,18 @@ impl Looker<'_> {
             self.queue.pass(f);
         } else {
             self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
+        }
+    }
+
+    /// Looks at all triangles, neighbours soon after each other, in an order that depends on no slot.
+    fn look_at_all(&mut self) {
+        let chains = Chains::of(self.view.cdt);
+        let mut faces = Vec::new();
+        for rank in 0..chains.len() {
+            chains.take(rank, self.view.cdt, &mut faces);
+            for &(_, f) in &faces {
+                self.look_at(f);
+            }
         }
     }
 
@@ -92,6 +105,15 @@ impl Refinement {
             queue: &mut self.queue,
             joined: &mut self.joined,
         }
+    }
+
+    /// Queues every subsegment that needs a split, and every bad triangle.
+    pub(super) fn look_at_everything(&mut self) {
+        let before = self.stopwatch.enter(Part::Prepare);
+        self.queue_all_encroached();
+        self.stopwatch.enter(Part::Select);
+        self.looker().look_at_all();
+        self.stopwatch.enter(before);
     }
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.

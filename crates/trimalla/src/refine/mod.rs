@@ -27,6 +27,7 @@
 //! The five steps: `[MeshSuite]`. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
 
 mod bad_triangles;
+mod chains;
 pub mod conformance;
 mod encroachment;
 mod event;

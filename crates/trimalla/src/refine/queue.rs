@@ -11,7 +11,7 @@
 
 use crate::constrained::ConstrainedDelaunay;
 use crate::delaunay::CurveCells;
-use crate::geometry::Point;
+use crate::geometry::{BoundingBox, Point};
 use crate::mesh::FaceId;
 
 /// Parts of the drawing's box: pieces of equal length of a Hilbert curve over a grid.
@@ -29,10 +29,10 @@ impl Patches {
     /// No more than so many, however fine the mesh is to be.
     const MOST: usize = 1 << 14;
 
-    /// Patches for so many vertices within the box of a triangulation.
-    pub(super) fn new(cdt: &ConstrainedDelaunay, vertices: usize) -> Self {
+    /// Patches for so many vertices within a box.
+    pub(super) fn new(bounds: Option<BoundingBox>, vertices: usize) -> Self {
         let count = (vertices / Self::VERTICES).clamp(1, Self::MOST);
-        Self { cells: CurveCells::around(cdt.bounding_box()), count: count as u32 }
+        Self { cells: CurveCells::around(bounds), count: count as u32 }
     }
 
     #[inline]

@@ -17,8 +17,7 @@ use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
-use crate::delaunay::along_curve;
-use crate::geometry::Triangle;
+use crate::geometry::{BoundingBox, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
@@ -150,8 +149,9 @@ impl Refinement {
     ) -> Result<Self, OptionError> {
         let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
-        let ruler = Ruler::for_box(cdt.bounding_box());
-        let (floor, floor_reason) = length_floor(&cdt, &options, ruler);
+        let bounds = cdt.bounding_box();
+        let ruler = Ruler::for_box(bounds);
+        let (floor, floor_reason) = length_floor(bounds, &options, ruler);
         let region = Region::new(options.recipe.encroachment, &options.criteria);
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let recipe = options.recipe;
@@ -191,13 +191,13 @@ impl Refinement {
             cdt,
             options,
         };
-        refinement.start();
+        refinement.start(bounds);
         Ok(refinement)
     }
 
     /// The initial triangulation made what the recipe asks; segments that are not locked let go; step 1 for the input; every
     /// bad triangle into the queue.
-    fn start(&mut self) {
+    fn start(&mut self, bounds: Option<BoundingBox>) {
         self.stopwatch.enter(Part::Rest);
         let initial = self.options.recipe.initial;
         if self.cdt.as_given && self.insert.keeps_delaunay() && initial != Initial::Given {
@@ -212,22 +212,25 @@ impl Refinement {
                 self.released = self.cdt.release_inner_segments();
             }
         }
-        self.queue = self.empty_queue();
+        self.queue = self.empty_queue(bounds);
         self.look_at_everything();
         self.stopwatch.enter(Part::Outside);
     }
 
-    /// An empty queue in the order of step 2: by patches, if it allows.
-    fn empty_queue(&self) -> Queue {
+    /// An empty queue in the order of step 2: by patches of the drawing's box, if it allows.
+    fn empty_queue(&self, bounds: Option<BoundingBox>) -> Queue {
         if !self.select.works_by_patches() {
             return Queue::default();
         }
         let expected = self.vertices.saturating_add(self.vertices_for_area());
-        Queue::by_patches(Patches::new(&self.cdt, expected.min(self.options.limits.max_vertices)))
+        Queue::by_patches(Patches::new(bounds, expected.min(self.options.limits.max_vertices)))
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
     fn vertices_for_area(&self) -> usize {
+        if self.test.sure_bounds(&self.cdt.regions).doubled_area == f64::INFINITY {
+            return 0;
+        }
         let parts = |f: FaceId| {
             let [a, b, c] = self.cdt.corners_from_newest(f);
             (b - a).cross(c - a) / self.test.doubled_area_bound(self.cdt.region_rule(f))
@@ -242,53 +245,12 @@ impl Refinement {
         vertices
     }
 
-    /// Queues every subsegment that needs a split, and every bad triangle.
-    pub(super) fn look_at_everything(&mut self) {
-        let before = self.stopwatch.enter(Part::Prepare);
-        self.queue_all_encroached();
-        self.stopwatch.enter(Part::Select);
-        for f in self.faces_along_curve() {
-            self.look_at_bad(f);
-        }
-        self.stopwatch.enter(before);
-    }
-
-    /// Every face, neighbours near each other, in an order that depends on no slot: by that of its vertices which comes first
-    /// along a space-filling curve, and faces of one vertex by their names.
-    fn faces_along_curve(&self) -> Vec<FaceId> {
-        let vertices = along_curve(self.cdt.points());
-        let mut rank = vec![0; vertices.len()];
-        for (i, &v) in vertices.iter().enumerate() {
-            rank[v as usize] = i;
-        }
-        let first =
-            |f: FaceId| self.cdt.face_vertices(f).map(|v| rank[v.index()]).into_iter().fold(usize::MAX, usize::min);
-        let mut ends = vec![0; vertices.len()];
-        self.cdt.real_faces().for_each(|f| ends[first(f)] += 1);
-        let mut sum = 0;
-        for end in &mut ends {
-            sum += std::mem::replace(end, sum);
-        }
-        let mut faces = vec![FaceId(0); sum];
-        for f in self.cdt.real_faces() {
-            let end = &mut ends[first(f)];
-            faces[*end] = f;
-            *end += 1;
-        }
-        let mut start = 0;
-        for end in ends {
-            self.put_in_order(&mut faces[start..end]);
-            start = end;
-        }
-        faces
-    }
-
     /// The same with a step 2 of the caller's own.
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.is_manual = select.is_manual();
         self.select = Arc::new(select);
-        self.queue = self.empty_queue();
+        self.queue = self.empty_queue(self.cdt.bounding_box());
         self.look_at_everything();
         self
     }
@@ -491,9 +453,8 @@ pub(super) fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2]
 }
 
 /// The length floor in the ruler's units, and the reason it is given as.
-pub(super) fn length_floor(cdt: &ConstrainedDelaunay, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let largest =
-        cdt.bounding_box().map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
+pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
+    let largest = bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
     let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;
     match options.limits.length_floor {
         Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),

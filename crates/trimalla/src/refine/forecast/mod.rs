@@ -132,7 +132,7 @@ impl fmt::Display for Feature {
 #[must_use]
 pub fn forecast(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Forecast {
     let footed = Footed::of(cdt);
-    let (floor, _) = length_floor(cdt, options, footed.ruler);
+    let (floor, _) = length_floor(cdt.bounding_box(), options, footed.ruler);
     let sizes = Sizes::of(&footed, GRADING, floor);
     let mut tally = Tally::new(&footed, &sizes, &options.criteria);
     tally.add_sides();

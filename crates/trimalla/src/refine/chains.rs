@@ -1,0 +1,66 @@
+//! All triangles in an order that depends on no slot, neighbours near each other.
+//!
+//! Vertices have ranks along a space-filling curve, and each triangle hangs in the chain of its vertex of lowest rank:
+//!
+//! ```text
+//!        2 ──── 5          rank 0: (0 1 2)
+//!       ╱ ╲    ╱ ╲         rank 1: (1 3 4), (1 4 2)
+//!      ╱   ╲  ╱   ╲        rank 2: (2 4 5)
+//!     0 ──── 1 ... 4
+//! ```
+
+use super::bad_triangles::sorted;
+use crate::constrained::ConstrainedDelaunay;
+use crate::delaunay::along_curve;
+use crate::mesh::{FaceId, VertexId};
+
+/// Triangles by the rank of a vertex.
+pub(super) struct Chains {
+    /// By rank: the triangle hung up last.
+    last: Vec<FaceId>,
+    /// By slot: the one hung up before it.
+    before: Vec<FaceId>,
+}
+
+impl Chains {
+    /// The end of a chain.
+    const NONE: FaceId = FaceId(u32::MAX);
+
+    /// # Complexity
+    /// Linear.
+    pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
+        let ranks = ranks(cdt);
+        let mut chains = Self { last: vec![Self::NONE; ranks.len()], before: vec![Self::NONE; cdt.face_slots()] };
+        for (f, [a, b, c]) in cdt.real_triangles() {
+            let rank = ranks[a.index()].min(ranks[b.index()]).min(ranks[c.index()]);
+            chains.before[f.index()] = std::mem::replace(&mut chains.last[rank as usize], f);
+        }
+        chains
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.last.len()
+    }
+
+    /// Puts the triangles of one chain in the place of others, in the order of their vertices.
+    pub(super) fn take(&self, rank: usize, cdt: &ConstrainedDelaunay, named: &mut Vec<([VertexId; 3], FaceId)>) {
+        named.clear();
+        let mut f = self.last[rank];
+        while f != Self::NONE {
+            named.push((sorted(cdt.face_vertices(f)), f));
+            f = self.before[f.index()];
+        }
+        named.sort_unstable();
+    }
+}
+
+/// By vertex: its rank along the curve.
+fn ranks(cdt: &ConstrainedDelaunay) -> Vec<u32> {
+    let order = along_curve(cdt.points());
+    let mut ranks = vec![0; order.len()];
+    for (rank, v) in (0..).zip(order) {
+        ranks[v as usize] = rank;
+    }
+    ranks
+}
