@@ -14,7 +14,7 @@ use super::plan::SegmentPlan;
 use super::provenance::{Provenance, Provenances};
 use super::pseudo_polygon::Filling;
 use crate::delaunay::{
-    AlgorithmKey, BuildError, Cavity, Delaunay, Inserted, Lawson, RemoveError, insert_at, remove_vertex,
+    AlgorithmKey, BuildError, Cavity, Delaunay, Inserted, Lawson, RemoveError, along_curve, insert_at, remove_vertex,
 };
 use crate::geometry::Point;
 use crate::locate::Locus;
@@ -78,6 +78,8 @@ pub struct ConstrainedDelaunay {
     pub(crate) as_given: bool,
     pub(crate) last: FaceId,
     pub(crate) filling: Filling,
+    /// The vertices of the input along a space-filling curve, where the triangulation left their order behind.
+    along_curve: Option<Vec<VertexId>>,
 }
 
 /// Everything that can be read of a triangulation can be read of a constrained one.
@@ -123,8 +125,8 @@ impl ConstrainedDelaunay {
         crossings: Crossings,
         algorithm: AlgorithmKey,
     ) -> Result<Self, ConstraintError> {
-        let t = algorithm.triangulate(points, None)?;
-        let mut cdt = Self::from_triangulation(t);
+        let (t, along_curve) = algorithm.triangulate_all(points)?;
+        let mut cdt = Self { along_curve, ..Self::from_triangulation(t) };
         cdt.insert_segments_with(segments, crossings, &mut NoJournal)?;
         Ok(cdt)
     }
@@ -155,6 +157,7 @@ impl ConstrainedDelaunay {
             as_given: false,
             last: FaceId(0),
             filling: Filling::default(),
+            along_curve: None,
         }
     }
 
@@ -285,6 +288,14 @@ impl ConstrainedDelaunay {
         let illegal: Vec<HalfEdgeId> = self.t.edges().filter(|&h| !self.t.is_locally_delaunay(h)).collect();
         illegal.into_iter().rev().for_each(|h| self.lawson.push(h));
         self.lawson.legalise_all(&mut self.t, &mut NoJournal)
+    }
+
+    /// The vertices [`along_curve`]: the order that the triangulation left behind, if it is still that of all vertices. It
+    /// is given away.
+    pub(crate) fn take_order_along_curve(&mut self) -> Vec<VertexId> {
+        let known = self.along_curve.take().filter(|order| order.len() == self.t.points.len());
+        debug_assert!(known.as_ref().is_none_or(|order| *order == along_curve(&self.t.points)), "no vertex moves");
+        known.unwrap_or_else(|| along_curve(&self.t.points))
     }
 
     /// Number of used vertices that are not input.

@@ -42,7 +42,7 @@ impl Algorithm for Incremental {
 
     fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
         let subset = validate(points, subset)?;
-        Ok(incremental::build(points, subset.as_deref()))
+        Ok(incremental::build(points, subset.as_deref()).0)
     }
 }
 
@@ -96,6 +96,21 @@ impl AlgorithmKey {
             Self::Incremental => Incremental::triangulate(points, subset),
             Self::DivideAndConquer => DivideAndConquer::triangulate(points, subset),
         }
+    }
+
+    /// Runs it on all points; hands on their order [`along_curve`](super::along_curve) where it knows it afterwards.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub(crate) fn triangulate_all(
+        self,
+        points: &[Point],
+    ) -> Result<(Triangulation, Option<Vec<VertexId>>), BuildError> {
+        if self == Self::Incremental {
+            validate(points, None)?;
+            return Ok(incremental::build(points, None));
+        }
+        Ok((self.triangulate(points, None)?, None))
     }
 }
 

@@ -24,7 +24,9 @@ use crate::mesh::{FaceId, Named, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.
-pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> Triangulation {
+///
+/// Hands on the order of the vertices [`along_curve`](order::along_curve) too, where each is used: it costs nothing.
+pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> (Triangulation, Option<Vec<VertexId>>) {
     let chosen: Option<Vec<Point>> = subset.map(|s| s.iter().map(|v| points[v.index()]).collect());
     let (curve, spare) = order::keyed_along_curve(chosen.as_deref().unwrap_or(points));
     let caller = |i: u32| subset.map_or(VertexId(i), |s| s[i as usize]);
@@ -33,8 +35,9 @@ pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> Triangulat
     let mut t = Triangulation::in_bulk(names.iter().map(|v| points[v.name.index()]).collect());
     t.mesh.reserve_faces(2 * t.points.len(), spare);
     let same = insert_all(&mut t);
-    name_vertices(&mut t, points, names, &same);
-    t
+    let along_curve = name_vertices(&mut t, points, names, &same);
+    let is_whole = subset.is_none() && same.is_empty();
+    (t, is_whole.then_some(along_curve))
 }
 
 /// Inserts every vertex; returns pairs of vertices at the same place, the used one second.
@@ -109,8 +112,13 @@ fn chain(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
     same
 }
 
-/// From storage order back to the caller's ids; equal points become the one of lowest id.
-fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<Named>, same: &[(VertexId, VertexId)]) {
+/// From storage order back to the caller's ids, which are returned; equal points become the one of lowest id.
+fn name_vertices(
+    t: &mut Triangulation,
+    points: &[Point],
+    mut names: Vec<Named>,
+    same: &[(VertexId, VertexId)],
+) -> Vec<VertexId> {
     for &(v, w) in same {
         // Whichever was inserted, the lowest id is used.
         if names[v.index()].name < names[w.index()].name {
@@ -123,5 +131,5 @@ fn name_vertices(t: &mut Triangulation, points: &[Point], mut names: Vec<Named>,
     t.duplicates.sort_unstable();
     t.points.clear();
     t.points.extend_from_slice(points);
-    t.mesh.name_vertices(names, points.len());
+    t.mesh.name_vertices(names, points.len())
 }

@@ -13,6 +13,7 @@
 //! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
 
 use crate::geometry::{BoundingBox, Point, hilbert_key_16};
+use crate::mesh::VertexId;
 
 /// A cell with more points than this is sorted again by its own finer curve.
 const CROWDED: usize = 16;
@@ -28,12 +29,12 @@ pub(super) struct Keyed {
     pub(super) position: u32,
 }
 
-/// Positions 0..n in the order of a Hilbert curve.
+/// Points in the order of a Hilbert curve, named by their positions.
 ///
 /// # Complexity
 /// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement.
-pub(crate) fn along_curve(points: &[Point]) -> Vec<u32> {
-    keyed_along_curve(points).0.into_iter().map(|k| k.position).collect()
+pub(crate) fn along_curve(points: &[Point]) -> Vec<VertexId> {
+    keyed_along_curve(points).0.into_iter().map(|k| VertexId(k.position)).collect()
 }
 
 /// [`along_curve`] with the keys, and memory that the sort has no more use for.

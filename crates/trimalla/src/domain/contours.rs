@@ -100,7 +100,7 @@ impl Contours {
         let t = AlgorithmKey::Incremental.triangulate(points, Some(&on_contour)).map_err(ConstraintError::from)?;
         let mut cdt = ConstrainedDelaunay::from_triangulation(t);
         cdt.insert_segments(&segments, Crossings::Refuse)?;
-        for v in along_curve(points).into_iter().map(VertexId) {
+        for v in along_curve(points) {
             if on_contour.binary_search(&v).is_err() {
                 cdt.use_vertex(v);
             }

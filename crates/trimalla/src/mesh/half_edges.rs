@@ -554,11 +554,11 @@ impl HalfEdgeMesh {
         true
     }
 
-    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own.
+    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own; returns the names.
     ///
     /// # Complexity
     /// Linear; one look-up a half-edge.
-    pub(crate) fn name_vertices(&mut self, mut named: Vec<Named>, vertices: usize) {
+    pub(crate) fn name_vertices(&mut self, mut named: Vec<Named>, vertices: usize) -> Vec<VertexId> {
         for (i, h) in self.half_edges.iter_mut().enumerate() {
             if let Some(vertex) = named.get_mut(h.origin.index()) {
                 vertex.half_edge = HalfEdgeId::from_index(i);
@@ -566,8 +566,9 @@ impl HalfEdgeMesh {
             }
         }
         self.outgoing = vec![HalfEdgeId::NONE; vertices];
-        for vertex in named {
+        for vertex in &named {
             self.outgoing[vertex.name.index()] = vertex.half_edge;
         }
+        named.into_iter().map(|vertex| vertex.name).collect()
     }
 }

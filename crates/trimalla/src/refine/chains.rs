@@ -3,15 +3,14 @@
 //! Vertices have ranks along a space-filling curve, and each triangle hangs in the chain of its vertex of lowest rank:
 //!
 //! ```text
-//!        2 ──── 5          rank 0: (0 1 2)
-//!       ╱ ╲    ╱ ╲         rank 1: (1 3 4), (1 4 2)
-//!      ╱   ╲  ╱   ╲        rank 2: (2 4 5)
-//!     0 ──── 1 ... 4
+//!     1 ──── 2 ──── 5
+//!      ╲    ╱ ╲    ╱       rank 0: (0 2 1), (0 3 2)
+//!       ╲  ╱   ╲  ╱        rank 2: (2 3 5)
+//!         0 ──── 3
 //! ```
 
 use super::bad_triangles::sorted;
 use crate::constrained::ConstrainedDelaunay;
-use crate::delaunay::along_curve;
 use crate::mesh::{FaceId, VertexId};
 
 /// Triangles by the rank of a vertex.
@@ -26,10 +25,12 @@ impl Chains {
     /// The end of a chain.
     const NONE: FaceId = FaceId(u32::MAX);
 
+    /// Hangs the triangles up by the ranks of vertices in that order.
+    ///
     /// # Complexity
     /// Linear.
-    pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
-        let ranks = ranks(cdt);
+    pub(super) fn of(cdt: &ConstrainedDelaunay, order: Vec<VertexId>) -> Self {
+        let ranks = ranks_in(order);
         let mut chains = Self { last: vec![Self::NONE; ranks.len()], before: vec![Self::NONE; cdt.face_slots()] };
         for (f, [a, b, c]) in cdt.real_triangles() {
             let rank = ranks[a.index()].min(ranks[b.index()]).min(ranks[c.index()]);
@@ -55,12 +56,11 @@ impl Chains {
     }
 }
 
-/// By vertex: its rank along the curve.
-fn ranks(cdt: &ConstrainedDelaunay) -> Vec<u32> {
-    let order = along_curve(cdt.points());
+/// The rank of each vertex in an order of all.
+fn ranks_in(order: Vec<VertexId>) -> Vec<u32> {
     let mut ranks = vec![0; order.len()];
     for (rank, v) in (0..).zip(order) {
-        ranks[v as usize] = rank;
+        ranks[v.index()] = rank;
     }
     ranks
 }

@@ -42,9 +42,9 @@ impl Looker<'_> {
         }
     }
 
-    /// Looks at all triangles, neighbours soon after each other, in an order that depends on no slot.
-    fn look_at_all(&mut self) {
-        let chains = Chains::of(self.view.cdt);
+    /// Looks at all triangles, by the ranks of their vertices in that order.
+    fn look_at_all(&mut self, order: Vec<VertexId>) {
+        let chains = Chains::of(self.view.cdt, order);
         let mut faces = Vec::new();
         for rank in 0..chains.len() {
             chains.take(rank, self.view.cdt, &mut faces);
@@ -112,7 +112,8 @@ impl Refinement {
         let before = self.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
         self.stopwatch.enter(Part::Select);
-        self.looker().look_at_all();
+        let order = self.cdt.take_order_along_curve();
+        self.looker().look_at_all(order);
         self.stopwatch.enter(before);
     }
 
