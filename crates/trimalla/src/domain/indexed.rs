@@ -61,9 +61,9 @@ impl ConstrainedDelaunay {
     fn triangles(&self, kept: &Kept) -> Vec<[u32; 3]> {
         let mut triangles = Vec::with_capacity(self.live_faces());
         match kept {
-            Kept::All { .. } => triangles.extend(self.real_faces().map(|f| self.face_vertices(f).map(|v| v.0))),
+            Kept::All { .. } => triangles.extend(self.real_triangles().map(|(_, corners)| corners.map(|v| v.0))),
             Kept::Some { ids, .. } => {
-                triangles.extend(self.real_faces().map(|f| self.face_vertices(f).map(|v| ids[v.index()])));
+                triangles.extend(self.real_triangles().map(|(_, corners)| corners.map(|v| ids[v.index()])));
             }
         }
         triangles

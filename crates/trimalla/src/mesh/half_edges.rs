@@ -233,7 +233,9 @@ impl HalfEdgeMesh {
 
     /// The ghost faces, oldest slot first.
     pub fn ghost_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
-        (0..self.face_slots()).map(FaceId::from_index).filter(|&f| self.is_alive(f) && self.is_ghost(f))
+        let faces = self.half_edges.chunks_exact(3).enumerate();
+        let ghosts = faces.filter(|(_, stored)| stored.iter().any(|h| !h.origin.is_finite()));
+        ghosts.map(|(f, _)| FaceId::from_index(f))
     }
 
     /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
@@ -243,8 +245,8 @@ impl HalfEdgeMesh {
 
     /// Of the [`edges`](Self::edges) those that carry a constraint mark.
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        let marked = (0..self.mark.len()).filter(|&h| self.mark[h] != 0);
-        marked.map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
+        let marked = self.mark.iter().enumerate().filter(|(_, mark)| **mark != 0);
+        marked.map(|(h, _)| HalfEdgeId::from_index(h)).filter(|&h| self.stands_for_edge(h))
     }
 
     /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
