@@ -91,16 +91,18 @@ pub struct Program {
     pub title: &'static str,
     /// The driver's file name.
     driver: &'static str,
-    /// The tasks it is given: p, c, o, r for points, constrained, polygon, refine; `R` for `w6b:30` only.
+    /// The tasks it is given: p, c, o, r for points, constrained, polygon, refine; `R` for `w6b:30` only, `a` for
+    /// bounds on areas only.
     tasks: &'static str,
     /// Whether its counts decide what is right.
     pub exact: bool,
 }
 
 /// Every program.
-pub const PROGRAMS: [Program; 12] = [
+pub const PROGRAMS: [Program; 13] = [
     program("trimalla", "trimalla", "ours", "pcor", true),
     program("trimalla-divide-and-conquer", "trimalla, divide and conquer", "ours", "p", true),
+    program("trimalla-unfilled", "trimalla, no lattice", "ours", "a", true),
     program("trimalla-circumcenter", "trimalla, circumcenters", "ours", "R", true),
     program("trimalla-lepp-centroid", "trimalla, LEPP centroids", "ours", "R", true),
     program("triangle", "Triangle 1.6", "triangle", "pcor", true),
@@ -140,8 +142,9 @@ impl Program {
             Task::Points => self.tasks.contains('p'),
             Task::Constrained => self.tasks.contains('c'),
             Task::Polygon => self.tasks.contains('o'),
-            Task::Refine(..) => {
+            Task::Refine(_, area, _) => {
                 self.tasks.contains('r')
+                    || (self.tasks.contains('a') && area > 0.0)
                     || (self.tasks.contains('R') && job.input.starts_with("w6b") && job.name.ends_with(":30"))
             }
         }

@@ -1,15 +1,18 @@
 //! Times one call of trimalla: `PROGRAM TASK FILE ANGLE AREA SIZE`.
 //!
-//! `PROGRAM` is `trimalla`, `trimalla-` and the key of a preset, or `trimalla-` and the key of an algorithm.
+//! `PROGRAM` is `trimalla`, `trimalla-` and the key of a preset, `trimalla-unfilled`, or `trimalla-` and the key of an algorithm.
 
 use std::path::Path;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{self, DomainRule, Pslg};
-use trimalla::refine::{Preset, RefineOptions};
+use trimalla::refine::{Fill, Preset, RefineOptions};
 use trimalla::{MeshOptions, mesh};
 use trimalla_bench::{Measured, Outcome, drawing, measure};
+
+/// Off-centers without a lattice under an area bound.
+const UNFILLED: &str = "unfilled";
 
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -57,6 +60,9 @@ fn timed_polygon(drawing: &Pslg, algorithm: AlgorithmKey) -> Outcome<Measured> {
 fn timed_refine(drawing: &Pslg, key: &str, angle: f64, area: f64) -> Outcome<Measured> {
     let preset = Preset::ALL.iter().copied().find(|p| p.key() == key).unwrap_or_default();
     let mut refine = RefineOptions::of(preset).with_min_angle_deg(angle).with_max_vertices(50_000_000);
+    if key == UNFILLED {
+        refine.recipe.fill = Fill::None;
+    }
     if area > 0.0 {
         refine = refine.with_max_area(area);
     }

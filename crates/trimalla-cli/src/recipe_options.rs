@@ -2,8 +2,8 @@
 
 use clap::{ArgAction, Args};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset,
-    Recipe, Recover, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
+    Preset, Recipe, Recover, Select, Terminal,
 };
 
 use crate::args::one_of;
@@ -21,6 +21,11 @@ pub(crate) struct RecipeOptions {
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
           value_parser = one_of(Initial::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
     initial: Option<Initial>,
+
+    /// What wide parts are filled with first, under an area bound [default: the preset's]
+    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
+          value_parser = one_of(Fill::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
+    fill: Option<Fill>,
 
     /// Step 1: what is done to segments first [default: the preset's]
     #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
@@ -92,6 +97,7 @@ impl RecipeOptions {
     /// Changes the steps that were asked for.
     pub(crate) fn change(&self, recipe: &mut Recipe) {
         recipe.initial = self.initial.unwrap_or(recipe.initial);
+        recipe.fill = self.fill.unwrap_or(recipe.fill);
         recipe.prepare = self.prepare.unwrap_or(recipe.prepare);
         recipe.prepare_when = self.prepare_when.unwrap_or(recipe.prepare_when);
         recipe.encroachment = self.encroachment.unwrap_or(recipe.encroachment);

@@ -121,6 +121,7 @@ fn line(event: &Event) -> String {
 pub(crate) fn outcome_key(outcome: StepOutcome) -> &'static str {
     match outcome {
         StepOutcome::Subsegment => "subsegment",
+        StepOutcome::Filled => "filled",
         StepOutcome::Triangle => "triangle",
         StepOutcome::Recovered => "recovered",
         StepOutcome::Retried => "retried",

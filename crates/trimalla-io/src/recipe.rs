@@ -81,10 +81,11 @@ impl RecipeFile {
 }
 
 /// The keys of the file itself.
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 19] = [
     "name",
     "preset",
     "initial",
+    "fill",
     "prepare",
     "prepare-when",
     "encroachment",

@@ -22,9 +22,10 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
 }
 
 /// What each choice of a recipe is about, in the order of the registry.
-const OPTIONS: [(&str, &str); 14] = [
+const OPTIONS: [(&str, &str); 15] = [
     ("preset", "algorithms: recipes by name (mesh --algorithm, compare --algorithms)"),
     ("initial", "initial triangulation (mesh --initial)"),
+    ("fill", "filling: what wide parts are filled with first, under an area bound (mesh --fill)"),
     ("prepare", "step 1, prepare: what is done to segments first (mesh --prepare)"),
     ("prepare-when", "step 1, when (mesh --prepare-when)"),
     ("encroachment", "step 1, encroachment: the region kept free around segments (mesh --encroachment)"),

@@ -64,7 +64,7 @@ fn list_explains_every_key_of_a_recipe() {
     let recipe = scratch.run("mesh square -q --save-recipe -").expect(0).stdout;
     let steps = recipe.lines().take_while(|line| !line.starts_with('[')).filter_map(|line| line.split_once(" = "));
     let options: Vec<(&str, &str)> = steps.map(|(key, value)| (key, value.trim_matches('"'))).collect();
-    assert_eq!(options.len(), 15, "{recipe}");
+    assert_eq!(options.len(), 16, "{recipe}");
     for (option, value) in options {
         let named = if option == "preset" { "algorithm" } else { option };
         let section =
@@ -82,7 +82,7 @@ fn list_explains_every_key_of_a_recipe() {
         }
     }
     let sections: usize = registry().iter().map(|row| row.option).collect::<std::collections::BTreeSet<_>>().len();
-    assert_eq!(sections, 14);
+    assert_eq!(sections, 15);
 }
 
 #[test]

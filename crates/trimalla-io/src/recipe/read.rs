@@ -9,8 +9,8 @@ use std::str;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset,
-    Protect, Recover, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
+    Preset, Protect, Recover, Select, Terminal,
 };
 
 use super::{CRITERIA, KEYS, LIMITS, RecipeFile};
@@ -100,6 +100,7 @@ impl Source<'_> {
         match *key {
             "name" => file.name = Some(self.string(value, "a name between quotes")?.to_owned()),
             "initial" => recipe.initial = self.choice(value, Initial::ALL, |c| c.key())?,
+            "fill" => recipe.fill = self.choice(value, Fill::ALL, |c| c.key())?,
             "prepare" => recipe.prepare = self.choice(value, Prepare::ALL, |c| c.key())?,
             "prepare-when" => recipe.prepare_when = self.choice(value, PrepareWhen::ALL, |c| c.key())?,
             "encroachment" => recipe.encroachment = self.choice(value, Encroachment::ALL, |c| c.key())?,

@@ -1,8 +1,8 @@
 //! Recipes written and read again, and faults by place.
 
 use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen, Preset,
-    Protect, Recipe, Recover, Select, Terminal,
+    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
+    Preset, Protect, Recipe, Recover, Select, Terminal,
 };
 
 use super::{CRITERIA, KEYS, LIMITS, RecipeFile, read, write};
@@ -41,6 +41,7 @@ fn every_choice_comes_back() {
     let mut recipes: Vec<Recipe> = Vec::new();
     let base = Recipe::default();
     recipes.extend(Initial::ALL.iter().map(|&initial| Recipe { initial, ..base }));
+    recipes.extend(Fill::ALL.iter().map(|&fill| Recipe { fill, ..base }));
     recipes.extend(Prepare::ALL.iter().map(|&prepare| Recipe { prepare, ..base }));
     recipes.extend(PrepareWhen::ALL.iter().map(|&prepare_when| Recipe { prepare_when, ..base }));
     recipes.extend(Encroachment::ALL.iter().map(|&encroachment| Recipe { encroachment, ..base }));

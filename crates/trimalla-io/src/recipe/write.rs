@@ -20,6 +20,7 @@ fn text(file: &RecipeFile) -> String {
     text.pair("name", file.name.as_deref().map(Quoted));
     text.pair("preset", file.preset.map(|p| Quoted(p.key())));
     text.pair("initial", Some(Quoted(recipe.initial.key())));
+    text.pair("fill", Some(Quoted(recipe.fill.key())));
     text.pair("prepare", Some(Quoted(recipe.prepare.key())));
     text.pair("prepare-when", Some(Quoted(recipe.prepare_when.key())));
     text.pair("encroachment", Some(Quoted(recipe.encroachment.key())));

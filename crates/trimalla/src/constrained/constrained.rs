@@ -355,6 +355,12 @@ impl ConstrainedDelaunay {
         }
     }
 
+    /// Makes room for so many more vertices.
+    pub(crate) fn reserve(&mut self, vertices: usize) {
+        self.t.points.reserve(vertices);
+        self.t.mesh.reserve_vertices(vertices);
+    }
+
     /// Adds an unused vertex of that provenance.
     pub(crate) fn add_vertex<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
         let v = self.t.add_vertex(p, j);

@@ -43,7 +43,7 @@ impl Provenance {
     }
 }
 
-/// Provenances of the vertices after the input, two words each.
+/// Provenances of the vertices after the input, two words each; those after the last word are free.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Provenances {
     words: Vec<[u64; 2]>,
@@ -66,6 +66,10 @@ impl Provenances {
     /// Sets it, through the journal.
     #[inline]
     pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
+        let new = new.to_words();
+        if new == FREE && i >= self.words.len() {
+            return;
+        }
         while self.words.len() <= i {
             if J::ACTIVE {
                 j.note(Column::ProvenanceAppended, self.words.len() as u32, 0);
@@ -75,7 +79,7 @@ impl Provenances {
         if self.bound.len() * 64 < self.words.len() {
             self.bound.resize(self.words.len().div_ceil(64), 0);
         }
-        let (old, new) = (self.words[i], new.to_words());
+        let old = self.words[i];
         if old == new {
             return;
         }

@@ -133,6 +133,12 @@ impl Cavity {
         &self.faces
     }
 
+    /// The face beside the edge of the rim whose start is the lowest: it depends on no slot.
+    pub(crate) fn lowest_face(&self) -> FaceId {
+        let lowest = (0..self.faces.len()).min_by_key(|&i| self.rim[i].from);
+        lowest.map_or(FaceId(0), |i| self.faces[i])
+    }
+
     /// Whether the cavity found last has been filled by a fan from `v`, and nothing has happened to it.
     pub(crate) fn is_fan_of(&self, t: &Triangulation, v: VertexId) -> bool {
         let mut fan = self.faces.iter().zip(self.rim.windows(2));

@@ -30,6 +30,6 @@ pub(crate) use cavity::Cavity;
 pub use delaunay::{BuildError, Delaunay, Inserted};
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
-pub(crate) use order::{CurveCells, along_curve};
+pub(crate) use order::{CurveCells, along_curve, insertion_order};
 pub use remove::RemoveError;
 pub(crate) use remove::{flip_spokes_away, legalise_hole, remove_vertex};

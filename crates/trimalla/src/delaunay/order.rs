@@ -44,6 +44,15 @@ pub(super) fn keyed_along_curve(points: &[Point]) -> (Vec<Keyed>, Vec<Keyed>) {
     (keyed, spare)
 }
 
+/// Positions 0..n in the order in which a triangulation takes them.
+///
+/// # Complexity
+/// That of [`along_curve`].
+pub(crate) fn insertion_order(points: &[Point]) -> impl Iterator<Item = u32> {
+    let along = along_curve(points);
+    rounds(points.len()).map(move |i| along[i as usize].0)
+}
+
 /// The positions of `0..n` in insertion order: round after round, each along the storage, every other one backwards, so that
 /// the last point of one is near the first of the next.
 pub(super) fn rounds(n: usize) -> impl Iterator<Item = u32> {

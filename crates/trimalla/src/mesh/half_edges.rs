@@ -528,6 +528,19 @@ impl HalfEdgeMesh {
         self.half_edges.reserve(3 * faces);
     }
 
+    /// Makes room for so many more vertices with the faces that each brings.
+    pub(crate) fn reserve_vertices(&mut self, vertices: usize) {
+        let half_edges = 3 * 2 * vertices;
+        self.outgoing.reserve(vertices);
+        self.half_edges.reserve(half_edges);
+        if !self.mark.is_empty() {
+            self.mark.reserve(half_edges);
+        }
+        if !self.region.is_empty() {
+            self.region.reserve(2 * vertices);
+        }
+    }
+
     /// Puts back one overwritten entry; says whether the column is one of the mesh's.
     pub(crate) fn undo(&mut self, entry: Entry) -> bool {
         let i = entry.index as usize;

@@ -16,6 +16,9 @@
 //! 4. *Insert*: the point goes in; triangles around it that are bad join the queue.
 //! 5. *Recover*: segments stay edges throughout (`whole-edge`).
 //!
+//! Under an area bound, wide parts are filled with a lattice of equilateral triangles first ([`Fill`]), if the recipe says so, as
+//! the default does up to 30 degrees: that takes less time than the loop, and fewer triangles.
+//!
 //! Before the loop, an [`Outlook`] says how large the mesh will be and which angles are out of reach.
 //!
 //! # Guarantees
@@ -32,8 +35,10 @@ pub mod conformance;
 mod encroachment;
 mod event;
 mod extremes;
+mod fill;
 mod forecast;
 mod history;
+mod lattice;
 mod leftovers;
 pub mod lepp;
 mod look;
@@ -63,8 +68,8 @@ pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
 pub use outlook::Outlook;
 pub use recipe::{
-    ConstrainedSecond, Encroachment, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover, Row,
-    Select, Terminal, UnknownKey, registry,
+    ConstrainedSecond, Encroachment, Fill, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover,
+    Row, Select, Terminal, UnknownKey, registry,
 };
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};

@@ -91,6 +91,14 @@ step! {
 }
 
 step! {
+    /// What wide parts are filled with before the loop, where an area bound asks for many triangles.
+    Fill, 0, "fill", Lattice, {
+        None = "none", "nothing: the loop splits large triangles one after the other", "";
+        Lattice = "lattice", "a lattice of equilateral triangles just below the area bound, clear of segments; up to 30 degrees", "FejesToth53";
+    }
+}
+
+step! {
     /// Step 1: what is done to segments before points go in.
     Prepare, 1, "prepare", SplitEncroached, {
         None = "none", "segments are left as they are", "MeshSuite";
@@ -181,6 +189,8 @@ step! {
 pub struct Recipe {
     /// What to start from.
     pub initial: Initial,
+    /// What wide parts are filled with before the loop.
+    pub fill: Fill,
     /// Step 1.
     pub prepare: Prepare,
     /// Step 1: when.
@@ -227,6 +237,7 @@ impl Preset {
     #[must_use]
     pub fn recipe(self) -> Recipe {
         let lepp = Recipe {
+            fill: Fill::None,
             prepare: Prepare::None,
             select: Select::First,
             until_destroyed: true,
@@ -236,7 +247,7 @@ impl Preset {
         let lepp_center = Recipe { prepare: Prepare::SplitEncroached, select: Select::SmallestAngle, ..lepp };
         match self {
             Self::OffCenter => Recipe::default(),
-            Self::Circumcenter => Recipe { point: PlacePoint::Circumcenter, ..Recipe::default() },
+            Self::Circumcenter => Recipe { fill: Fill::None, point: PlacePoint::Circumcenter, ..Recipe::default() },
             Self::LeppBisection => Recipe {
                 point: PlacePoint::LeppMidpoint,
                 insert: Insert::Partition,
@@ -292,6 +303,7 @@ const UNTIL_DESTROYED: [Row; 2] = [
 pub fn registry() -> Vec<Row> {
     let mut rows: Vec<Row> = Preset::ALL.iter().map(|c| c.row()).collect();
     rows.extend(Initial::ALL.iter().map(|c| c.row()));
+    rows.extend(Fill::ALL.iter().map(|c| c.row()));
     rows.extend(Prepare::ALL.iter().map(|c| c.row()));
     rows.extend(PrepareWhen::ALL.iter().map(|c| c.row()));
     rows.extend(Encroachment::ALL.iter().map(|c| c.row()));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::bad_triangles::{Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
+use super::fill::Filling;
 use super::history::History;
 use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
@@ -53,6 +54,7 @@ pub struct Refinement {
     pub(super) floor_reason: Reason,
     /// Bisection stops at triangles with an edge shorter than this, squared.
     pub(super) bisection_floor_sq: f64,
+    pub(super) filling: Filling,
     pub(super) queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
     /// Subsegments whose split failed although it had seemed possible.
@@ -104,6 +106,8 @@ impl fmt::Debug for Refinement {
 pub enum StepOutcome {
     /// A subsegment was looked at and split if it still needed it.
     Subsegment,
+    /// A node of the lattice was looked at, and went in if there was room.
+    Filled,
     /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
     Triangle,
     /// Segments that had been let go were brought back.
@@ -168,6 +172,7 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
+            filling: Filling::Done,
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
@@ -212,18 +217,29 @@ impl Refinement {
                 self.released = self.cdt.release_inner_segments();
             }
         }
-        self.queue = self.empty_queue(bounds);
-        self.look_at_everything();
+        self.begin(bounds);
         self.stopwatch.enter(Part::Outside);
     }
 
-    /// An empty queue in the order of step 2: by patches of the drawing's box, if it allows.
-    fn empty_queue(&self, bounds: Option<BoundingBox>) -> Queue {
-        if !self.select.works_by_patches() {
-            return Queue::default();
-        }
+    /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked at.
+    fn begin(&mut self, bounds: Option<BoundingBox>) {
         let expected = self.vertices.saturating_add(self.vertices_for_area());
-        Queue::by_patches(Patches::new(bounds, expected.min(self.options.limits.max_vertices)))
+        self.queue = self.empty_queue(bounds, expected);
+        self.filling = self.fill_from_start(bounds);
+        if self.is_filling() {
+            drop(self.cdt.take_order_along_curve());
+        } else {
+            self.look_at_everything();
+        }
+    }
+
+    /// An empty queue in the order of step 2 for so many vertices: by patches of the drawing's box, if it allows.
+    pub(super) fn empty_queue(&self, bounds: Option<BoundingBox>, vertices: usize) -> Queue {
+        if self.select.works_by_patches() {
+            Queue::by_patches(Patches::new(bounds, vertices.min(self.options.limits.max_vertices)))
+        } else {
+            Queue::default()
+        }
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
@@ -250,8 +266,7 @@ impl Refinement {
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.is_manual = select.is_manual();
         self.select = Arc::new(select);
-        self.queue = self.empty_queue(self.cdt.bounding_box());
-        self.look_at_everything();
+        self.begin(self.cdt.bounding_box());
         self
     }
 
@@ -292,7 +307,9 @@ impl Refinement {
     #[must_use]
     pub fn with_test(mut self, test: impl Fn(Triangle, f64) -> bool + Send + Sync + 'static) -> Self {
         self.test = self.test.clone().with_asked(Arc::new(test));
-        self.look_at_everything();
+        if !self.is_filling() {
+            self.look_at_everything();
+        }
         self
     }
 
@@ -321,7 +338,11 @@ impl Refinement {
             match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
-                StepOutcome::Subsegment | StepOutcome::Triangle | StepOutcome::Recovered | StepOutcome::Retried => {}
+                StepOutcome::Subsegment
+                | StepOutcome::Filled
+                | StepOutcome::Triangle
+                | StepOutcome::Recovered
+                | StepOutcome::Retried => {}
             }
         };
         self.report.stop = stop;
@@ -329,7 +350,11 @@ impl Refinement {
     }
 
     pub(super) fn progress(&self) -> Progress {
-        Progress { vertices: self.vertices, waiting: self.queue.len(), max_vertices: self.options.limits.max_vertices }
+        Progress {
+            vertices: self.vertices,
+            waiting: self.queue.len() + self.nodes_left(),
+            max_vertices: self.options.limits.max_vertices,
+        }
     }
 
     /// One step: a waiting subsegment first, then the most urgent bad triangle.
@@ -345,11 +370,14 @@ impl Refinement {
 
     fn take_step(&mut self) -> StepOutcome {
         if self.is_exhausted() {
-            let waits = !self.encroached.is_empty() || self.queue.len() > 0;
+            let waits = !self.encroached.is_empty() || self.queue.len() > 0 || self.is_filling();
             return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
         }
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;
+        }
+        if self.fill_on() {
+            return StepOutcome::Filled;
         }
         self.stopwatch.enter(Part::Select);
         let Some(face) = self.next_face() else {

@@ -142,7 +142,13 @@ impl Refinement {
                 return self.split_instead(&encroached);
             }
         }
-        // Nobody takes it back; an event is told by what the log holds.
+        let v = self.fill_cavity(point);
+        self.look_around_cavity(v, point);
+        Ok(())
+    }
+
+    /// Puts a free vertex into the cavity found last. Nobody takes it back; an event is told by what the log holds.
+    pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
         let v = if self.event.is_some() {
             self.cdt.fill_cavity(point, Provenance::Free, &mut self.log)
         } else {
@@ -151,8 +157,7 @@ impl Refinement {
         self.vertices += 1;
         self.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::Free);
-        self.look_around_cavity(v, point);
-        Ok(())
+        v
     }
 
     /// Inserts a free point; takes it back if it encroaches upon subsegments.

@@ -40,8 +40,9 @@ const TRIANGLES: f64 = 4.1;
 const AROUND_VERTICES: f64 = 0.5;
 /// Subsegments per size along the border, at 30 degrees.
 const SUBSEGMENTS: f64 = 0.66;
-/// The area of a mean triangle over the area bound.
+/// The area of a mean triangle over the area bound: as the loop leaves them, and where a lattice fills wide parts.
 const MEAN_OVER_MAX: f64 = 0.6;
+const MEAN_OVER_MAX_FILLED: f64 = 0.85;
 
 /// What a refinement will come to.
 ///
@@ -134,7 +135,7 @@ pub fn forecast(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Forecast 
     let footed = Footed::of(cdt);
     let (floor, _) = length_floor(cdt.bounding_box(), options, footed.ruler);
     let sizes = Sizes::of(&footed, GRADING, floor);
-    let mut tally = Tally::new(&footed, &sizes, &options.criteria);
+    let mut tally = Tally::new(&footed, &sizes, options);
     tally.add_sides();
     tally.add_vertices();
     tally.forecast(cdt)
@@ -157,19 +158,26 @@ struct Tally<'a> {
 struct Constants {
     triangles: f64,
     subsegments: f64,
+    /// Of areas.
+    mean_over_max: f64,
 }
 
 impl Constants {
-    fn at(criteria: &Criteria) -> Self {
-        let strength = criteria.min_angle.tan() / Angle::from_degrees(30.0).tan();
-        Self { triangles: TRIANGLES * strength * strength.sqrt(), subsegments: SUBSEGMENTS * strength }
+    fn at(options: &RefineOptions) -> Self {
+        let strength = options.criteria.min_angle.tan() / Angle::from_degrees(30.0).tan();
+        Self {
+            triangles: TRIANGLES * strength * strength.sqrt(),
+            subsegments: SUBSEGMENTS * strength,
+            mean_over_max: if options.asks_for_lattice() { MEAN_OVER_MAX_FILLED } else { MEAN_OVER_MAX },
+        }
     }
 }
 
 impl<'a> Tally<'a> {
-    fn new(footed: &'a Footed, sizes: &'a Sizes, criteria: &'a Criteria) -> Self {
+    fn new(footed: &'a Footed, sizes: &'a Sizes, options: &'a RefineOptions) -> Self {
         let by_source = vec![0.0; footed.cdt.points().len()];
-        Self { footed, sizes, criteria, constants: Constants::at(criteria), by_source, on_border: 0.0 }
+        let criteria = &options.criteria;
+        Self { footed, sizes, criteria, constants: Constants::at(options), by_source, on_border: 0.0 }
     }
 
     /// Adds the layers along every side of a subsegment that the domain lies on.
@@ -241,7 +249,7 @@ impl<'a> Tally<'a> {
     /// The size at which the area bound asks for as many triangles as features do.
     fn largest_size(&self, f: FaceId) -> f64 {
         let bound = self.area_bound(f);
-        bound.map_or(f64::INFINITY, |area| (self.constants.triangles * MEAN_OVER_MAX * area).sqrt())
+        bound.map_or(f64::INFINITY, |area| (self.constants.triangles * self.constants.mean_over_max * area).sqrt())
     }
 
     /// The vertex whose feature sets the size along a subsegment.
@@ -254,7 +262,8 @@ impl<'a> Tally<'a> {
         let faces = cdt.face_count() as f64;
         let border = cdt.ghost_faces().count() as f64;
         let of_features = self.constants.triangles * self.by_source.iter().sum::<f64>();
-        let by_area = |f: FaceId| self.area_bound(f).map_or(0.0, |bound| self.area_of(f) / (MEAN_OVER_MAX * bound));
+        let mean = self.constants.mean_over_max;
+        let by_area = |f: FaceId| self.area_bound(f).map_or(0.0, |bound| self.area_of(f) / (mean * bound));
         let of_area = self.footed.cdt.real_faces().map(by_area).sum::<f64>();
         let triangles = faces.max((of_features + of_area).round());
         // Euler's formula: 2 V = T + B + 2, holes aside.
