@@ -95,7 +95,7 @@ impl Refinement {
     /// Where the filling begins.
     pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> Filling {
         let is_delaunay = self.insert.keeps_delaunay() && self.options.recipe.initial != Initial::Given;
-        let is_asked = self.options.asks_for_lattice() && is_delaunay && !self.is_manual;
+        let is_asked = self.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.is_manual;
         let bounds = bounds.filter(|_| is_asked);
         let is_wanted = |bounds: &BoundingBox| self.cdt.real_faces().any(|f| self.lattice_for(f, *bounds).is_some());
         bounds.filter(is_wanted).map_or(Filling::Done, Filling::Segments)

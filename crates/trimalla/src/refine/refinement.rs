@@ -242,9 +242,14 @@ impl Refinement {
         }
     }
 
+    /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's own.
+    pub(super) fn has_area_bound(&self) -> bool {
+        self.test.sure_bounds(&self.cdt.regions).doubled_area < f64::INFINITY
+    }
+
     /// How many vertices area bounds ask for at least: half as many as triangles.
     fn vertices_for_area(&self) -> usize {
-        if self.test.sure_bounds(&self.cdt.regions).doubled_area == f64::INFINITY {
+        if !self.has_area_bound() {
             return 0;
         }
         let parts = |f: FaceId| {
