@@ -12,11 +12,12 @@
 //!
 //! Nodes go in in the order in which a point set is triangulated, with no look at what is around them: only when all are in
 //! the bad triangles are looked for. That is faster than the loop, and the mesh is smaller: a lattice of triangles just below
-//! the bound has about six for every ten that the loop makes.
+//! the bound has about two for every three that the loop makes.
 //!
 //! # Guarantees
-//! Those of the loop, which has the last word. A node has no vertex and no subsegment nearer than [`CLEARANCE`] spacings and
-//! encroaches upon none: it is no finer a feature than what the area bound asks for anyhow.
+//! Those of the loop, which has the last word. When a node goes in, no vertex that it sees and no subsegment around its cavity
+//! is nearer than [`CLEARANCE`] spacings, and it encroaches upon none of these: it is no finer a feature than what the area
+//! bound asks for anyhow.
 //!
 //! # Source
 //! Ours. The lattice is the densest packing, `[FejesToth53]`.
