@@ -10,7 +10,7 @@
 //!    drawings together it is smaller by a tenth, on none twice as large (where a gap is 1e-16 wide, where its sides are cut
 //!    matters). Above 30 degrees nothing is filled.
 //! 4. Each region has the lattice of its own bound.
-//! 5. Protected segments stay whole, and a lattice beyond the vertex budget is not begun.
+//! 5. Protected segments stay whole, the length floor holds, and a lattice beyond the vertex budget is not begun.
 //! 6. Every step can be taken back.
 
 #![allow(clippy::print_stdout, reason = "sizes with and without, for whoever asks with --nocapture")]
@@ -228,6 +228,19 @@ fn a_lattice_beyond_the_budget_is_not_begun() {
         let (_, report) = mesh(&drawing, &MeshOptions { refine: options, ..MeshOptions::default() }).expect("meshed");
         assert_eq!(report.stop, StopReason::Budget, "{area}");
         assert!(report.vertices <= 300 && report.leftovers.len() > 10, "{area}: {}", report.vertices);
+    }
+}
+
+#[test]
+fn the_length_floor_holds() {
+    for floor in [0.03, 0.06, 0.1, 0.5] {
+        let mut options = bounded(0.0, 1e-3);
+        options.limits.length_floor = Some(floor);
+        let (mesh, _) = meshed(&square(1.0), options);
+        let length = |p: u32, q: u32| (mesh.points[p as usize] - mesh.points[q as usize]).length_sq().sqrt();
+        let edges = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let shortest = edges.map(|[p, q]| length(p, q)).fold(f64::INFINITY, f64::min);
+        assert!(shortest >= floor, "{shortest} where the floor is {floor}");
     }
 }
 

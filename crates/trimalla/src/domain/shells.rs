@@ -28,8 +28,7 @@ pub(super) fn recover(cdt: &mut ConstrainedDelaunay, first: usize, free: Provena
 
 /// The scale of the ruler of the refinement: a power of two.
 fn scale_of(bounds: Option<BoundingBox>) -> f64 {
-    let largest = |b: BoundingBox| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs());
-    math::power_of_two_scale(bounds.map_or(1.0, largest))
+    math::power_of_two_scale(bounds.map_or(1.0, BoundingBox::largest_coordinate))
 }
 
 fn provenance_of(cdt: &ConstrainedDelaunay, v: VertexId, scale: f64) -> Option<Provenance> {

@@ -82,6 +82,12 @@ impl BoundingBox {
         self.max.y / 2.0 - self.min.y / 2.0
     }
 
+    /// The largest absolute value of a coordinate of its points.
+    #[must_use]
+    pub const fn largest_coordinate(self) -> f64 {
+        self.min.x.abs().max(self.min.y.abs()).max(self.max.x.abs()).max(self.max.y.abs())
+    }
+
     /// The point in the middle, rounded.
     #[must_use]
     #[inline]

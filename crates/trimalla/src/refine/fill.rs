@@ -30,7 +30,7 @@ use super::recipe::Initial;
 use super::refinement::{Refinement, ends_of};
 use super::stopwatch::Part;
 use crate::delaunay::insertion_order;
-use crate::geometry::{BoundingBox, Orientation, Point, orient2d};
+use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
@@ -98,7 +98,10 @@ impl Refinement {
         let is_delaunay = self.insert.keeps_delaunay() && self.options.recipe.initial != Initial::Given;
         let is_asked = self.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.is_manual;
         let bounds = bounds.filter(|_| is_asked);
-        let is_wanted = |bounds: &BoundingBox| self.cdt.real_faces().any(|f| self.lattice_for(f, *bounds).is_some());
+        let is_wanted = |bounds: &BoundingBox| {
+            let faces = self.large_faces(*bounds);
+            !faces.is_empty() && self.has_room_for(&faces)
+        };
         bounds.filter(is_wanted).map_or(Filling::Done, Filling::Segments)
     }
 
@@ -140,10 +143,14 @@ impl Refinement {
         (b - a).cross(c - a)
     }
 
-    /// The lattice for a face, if it is too large.
+    /// The lattice for a face, if it is too large, and nodes that keep clear keep the length floor.
     fn lattice_for(&self, f: FaceId, bounds: BoundingBox) -> Option<Lattice> {
         let bound = self.test.doubled_area_bound(self.cdt.region_rule(f));
-        if self.doubled_area(f) > bound { Lattice::for_area(bounds, 0.5 * bound) } else { None }
+        if self.doubled_area(f) <= bound {
+            return None;
+        }
+        let least = |lattice: &Lattice| CLEARANCE * lattice.spacing() * self.ruler.scale();
+        Lattice::for_area(bounds, 0.5 * bound).filter(|lattice| least(lattice).powi(2) >= self.floor_sq)
     }
 
     /// Queues the subsegments that are too long; says whether there is any that can be split.
@@ -279,7 +286,7 @@ impl Refinement {
     fn subsegments_are_clear(&self, p: Point, clearance_sq: f64) -> bool {
         let (rim, starts) = (self.cdt.cavity.rim(), self.cdt.cavity.rim_starts());
         let is_clear = |a: Point, b: Point| {
-            (nearest_on(a, b, p) - p).length_sq() >= clearance_sq && !self.region.holds(a, b, p, self.ruler)
+            Segment::new(a, b).distance(p).powi(2) >= clearance_sq && !self.region.holds(a, b, p, self.ruler)
         };
         rim.iter().zip(starts.windows(2)).all(|(edge, ends)| edge.mark == 0 || is_clear(ends[0], ends[1]))
     }
@@ -289,11 +296,4 @@ impl Refinement {
 fn least_of(vertices: [VertexId; 3], degrees: &[u32]) -> VertexId {
     let [first, ..] = vertices;
     vertices.into_iter().min_by_key(|v| (degrees[v.index()], *v)).unwrap_or(first)
-}
-
-/// The point of an edge nearest to `p`, rounded.
-fn nearest_on(a: Point, b: Point, p: Point) -> Point {
-    let along = b - a;
-    let t = ((p - a).dot(along) / along.length_sq()).clamp(0.0, 1.0);
-    Point::new(a.x + t * along.x, a.y + t * along.y)
 }

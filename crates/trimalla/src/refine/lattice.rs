@@ -15,7 +15,7 @@ use crate::geometry::{BoundingBox, Point};
 
 /// How far a node is shaken, in spacings, along each axis at most.
 const SHAKE: f64 = 1e-4;
-/// The largest triangle of a lattice over its smallest when nodes are shaken; areas are held below their bound by it.
+/// The bound over the area of a triangle that is not shaken: more than shaking its corners can add.
 const SLACK: f64 = 1.0 + 10.0 * SHAKE;
 /// Rows and columns are counted in no more bits than these.
 const MOST_ROWS: f64 = (1u32 << 30) as f64;
@@ -35,8 +35,8 @@ impl Lattice {
         // An equilateral triangle of side s has area √3/4 s².
         let spacing = (max_area / SLACK * (4.0 / 3f64.sqrt())).sqrt();
         let extent = 2.0 * bounds.half_width().max(bounds.half_height());
-        let largest = [bounds.min, bounds.max].into_iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-        let is_sound = extent.max(largest) < GREATEST && extent.max(largest) / spacing < MOST_ROWS;
+        let largest = extent.max(bounds.largest_coordinate());
+        let is_sound = largest < GREATEST && largest / spacing < MOST_ROWS;
         (is_sound && spacing > 1.0 / GREATEST).then_some(Self { origin: bounds.min, spacing })
     }
 

@@ -487,7 +487,7 @@ pub(super) fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2]
 
 /// The length floor in the ruler's units, and the reason it is given as.
 pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let largest = bounds.map_or(0.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
+    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
     let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;
     match options.limits.length_floor {
         Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),

@@ -14,7 +14,7 @@ impl Ruler {
     /// A ruler for points in a box.
     #[must_use]
     pub fn for_box(bounds: Option<BoundingBox>) -> Self {
-        let largest = bounds.map_or(1.0, |b| b.min.x.abs().max(b.min.y.abs()).max(b.max.x.abs()).max(b.max.y.abs()));
+        let largest = bounds.map_or(1.0, BoundingBox::largest_coordinate);
         Self { scale: math::power_of_two_scale(largest) }
     }
 
