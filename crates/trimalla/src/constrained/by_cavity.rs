@@ -5,7 +5,15 @@ use super::provenance::Provenance;
 use super::split_subsegment::SplitError;
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, Journal, VertexId};
+
+/// The cavity of a split, which is the cavity found last.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SplitCavity {
+    /// Whether the faces beside the edge have the point in their circles, as all others of the cavity have: it may lie off the
+    /// edge by its rounding.
+    is_proved: bool,
+}
 
 impl ConstrainedDelaunay {
     /// Inserts a point whose place is known, by cavity; `None`, and nothing changed, where rounding leaves no room.
@@ -36,16 +44,43 @@ impl ConstrainedDelaunay {
         provenance: Provenance,
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
+        let found = self.find_split(h, p)?;
+        Ok(self.fill_split(found, p, provenance, j))
+    }
+
+    /// Finds the cavity of a split, to be filled by [`fill_split`](Self::fill_split).
+    ///
+    /// # Errors
+    /// [`SplitError`].
+    pub(crate) fn find_split(&mut self, h: HalfEdgeId, p: Point) -> Result<SplitCavity, SplitError> {
         self.can_split(h, p)?;
-        let straight = self.t.side_of(h, p) == Orientation::Collinear;
         if !self.cavity.find(&self.t, p, Locus::Edge(h)) {
             return Err(SplitError::Crowded);
         }
+        let holds = |h: HalfEdgeId| !self.t.is_real(h.face()) || self.circle_holds(h.face(), p);
+        let is_proved = self.t.side_of(h, p) == Orientation::Collinear || holds(h) && holds(self.t.twin(h));
+        Ok(SplitCavity { is_proved })
+    }
+
+    /// Puts a vertex into the cavity found last, which is that of a split.
+    pub(crate) fn fill_split<J: Journal>(
+        &mut self,
+        found: SplitCavity,
+        p: Point,
+        provenance: Provenance,
+        j: &mut J,
+    ) -> VertexId {
         let v = self.fill_cavity(p, provenance, j);
-        if !straight {
+        if !found.is_proved {
             self.legalise_spokes(v, j);
         }
-        Ok(v)
+        v
+    }
+
+    /// Whether the circle of a face holds a point, ties included.
+    fn circle_holds(&self, f: FaceId, p: Point) -> bool {
+        let [a, b, c] = self.t.face_points(f);
+        in_circle_perturbed(a, b, c, p) == CircleSide::Inside
     }
 
     /// Legalises the spokes of a vertex that has filled its cavity off the edge it parted, by its rounding: where it lies

@@ -27,19 +27,30 @@ impl ConstrainedDelaunay {
         self.point_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
     }
 
+    /// [`point_on_subsegment`](Self::point_on_subsegment) without the provenance, which
+    /// [`provenance_on`](Self::provenance_on) tells later.
+    pub(crate) fn place_on_subsegment(&self, h: HalfEdgeId, t: f64) -> Point {
+        let finest = self.finest_segment(self.t.mark(h));
+        self.place_between(self.t.origin(h), self.t.dest(h), finest, t)
+    }
+
     /// The same for two vertices on segments of class `mark`, whether there is an edge between them or not.
     pub(super) fn point_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> (Point, Provenance) {
+        let finest = self.finest_segment(mark);
+        let point = self.place_between(a, b, finest, t);
+        (point, self.provenance_along(finest, point))
+    }
+
+    /// The point at parameter `t` between two vertices, on a segment if there is one.
+    fn place_between(&self, a: VertexId, b: VertexId, segment: Option<u32>, t: f64) -> Point {
         let [p, q] = [a, b].map(|v| self.t.point(v));
-        let Some(segment) = self.finest_segment(mark) else {
-            return (Point::lerp(p, q, t), Provenance::Free);
-        };
+        let Some(segment) = segment else { return Point::lerp(p, q, t) };
         let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
         let along = ta + (tb - ta) * t;
         let [start, end] = self.segments[segment as usize].map(|v| self.t.point(v));
         let on_segment = Point::lerp(start, end, along);
         let between = BoundingBox::around(p).including(q).contains(on_segment);
-        let point = if between { on_segment } else { Point::lerp(p, q, t) };
-        (point, Provenance::OnSegment { segment, t: Segment::new(start, end).parameter_of(point) })
+        if between { on_segment } else { Point::lerp(p, q, t) }
     }
 
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
@@ -74,14 +85,16 @@ impl ConstrainedDelaunay {
     }
 
     /// The provenance of a point on a constrained edge.
-    pub(super) fn provenance_on(&self, h: HalfEdgeId, p: Point) -> Provenance {
-        match self.finest_segment(self.t.mark(h)) {
-            Some(segment) => {
-                let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
-                Provenance::OnSegment { segment, t: Segment::new(a, b).parameter_of(p) }
-            }
-            None => Provenance::Free,
-        }
+    pub(crate) fn provenance_on(&self, h: HalfEdgeId, p: Point) -> Provenance {
+        self.provenance_along(self.finest_segment(self.t.mark(h)), p)
+    }
+
+    /// The provenance of a point on a segment, if it is on one.
+    fn provenance_along(&self, segment: Option<u32>, p: Point) -> Provenance {
+        segment.map_or(Provenance::Free, |segment| {
+            let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
+            Provenance::OnSegment { segment, t: Segment::new(a, b).parameter_of(p) }
+        })
     }
 
     /// Splits edge `h`, a subsegment as a rule, by a vertex at `p`, and legalises around it.

@@ -101,11 +101,10 @@ impl HalfEdgeId {
     #[must_use]
     #[inline]
     pub const fn next_and_prev(self) -> (Self, Self) {
-        match self.0 % 3 {
-            0 => (Self(self.0 + 1), Self(self.0 + 2)),
-            1 => (Self(self.0 + 1), Self(self.0 - 1)),
-            _ => (Self(self.0 - 2), Self(self.0 - 1)),
-        }
+        // Added, not chosen: which of the three it is nobody can guess.
+        let (after, before) = (self.0 + 1, self.0 + 2);
+        let rest = self.0 % 3;
+        (Self(after - 3 * (rest == 2) as u32), Self(before - 3 * (rest != 0) as u32))
     }
 
     /// `Some` of a real half-edge, `None` of the sentinel.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::options::Criteria;
 use crate::constrained::RegionRule;
-use crate::geometry::{Point, Triangle, triangle_angles_at_least};
+use crate::geometry::{Point, Triangle, Vector, sides_angle_at_least, triangle_angles_at_least};
 use crate::mesh::VertexId;
 use crate::quality::aspect_ratio;
 
@@ -35,6 +35,21 @@ pub(super) struct SureBounds {
     pub(super) sine_sq: f64,
     /// Twice the area is no more than this.
     pub(super) doubled_area: f64,
+}
+
+/// A side of a triangle, from its first corner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    along: Vector,
+    length_sq: f64,
+}
+
+impl Side {
+    #[inline(always)]
+    pub(super) fn new(from: Point, to: Point) -> Self {
+        let along = to - from;
+        Self { along, length_sq: along.length_sq() }
+    }
 }
 
 /// A test of the caller's own: whether a triangle, counter-clockwise, with the attribute of its region (0 without), must
@@ -68,26 +83,49 @@ impl Test {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
     }
 
+    /// Whether the caller's own test is asked, too.
+    pub(super) fn asks_caller(&self) -> bool {
+        self.asked.is_some()
+    }
+
     /// The same with a test of the caller's own.
     pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
         Self { asked: Some(asked), ..self }
     }
 
     /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
-    #[inline(always)] // In the loop over the triangles around a new vertex.
+    #[inline(always)] // In the loop over all triangles.
     pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let [a, b, c] = corners;
-        if (b - a).cross(c - a) > self.doubled_area_bound(region) {
+        let found = self.badness_of_sides(corners, [Side::new(a, b), Side::new(a, c)], region);
+        match found {
+            Some(Badness::Area) => found,
+            _ if self.asked.is_some() && self.is_refused(corners, region) => Some(Badness::Asked),
+            _ => found,
+        }
+    }
+
+    /// [`badness`](Self::badness) but for the caller's own test, where the sides from the first corner are known.
+    #[inline(always)] // In the loop over the triangles around a new vertex.
+    pub(super) fn badness_of_sides(
+        &self,
+        corners: [Point; 3],
+        [u, v]: [Side; 2],
+        region: Option<RegionRule>,
+    ) -> Option<Badness> {
+        let [a, b, c] = corners;
+        let doubled_area = u.along.cross(v.along);
+        if doubled_area > self.doubled_area_bound(region) {
             return Some(Badness::Area);
         }
-        if self.asked.is_some() && self.is_refused(corners, region) {
-            return Some(Badness::Asked);
+        if let Some(cos_sq) = self.cos_sq {
+            let squares = [u.length_sq, v.length_sq, (c - b).length_sq()];
+            let known = sides_angle_at_least(doubled_area, squares, cos_sq);
+            if !known.unwrap_or_else(|| triangle_angles_at_least(a, b, c, cos_sq)) {
+                return Some(Badness::Angle);
+            }
         }
-        match self.cos_sq {
-            Some(cos_sq) if !triangle_angles_at_least(a, b, c, cos_sq) => Some(Badness::Angle),
-            _ if self.max_aspect_ratio < f64::INFINITY => self.aspect_badness(corners),
-            _ => None,
-        }
+        if self.max_aspect_ratio < f64::INFINITY { self.aspect_badness(corners) } else { None }
     }
 
     /// Bounds that imply the test, where there are such regions.

@@ -1,4 +1,4 @@
-//! All triangles in an order that depends on no slot, neighbours near each other.
+//! Triangles in an order that depends on no slot, neighbours near each other.
 //!
 //! Vertices have ranks along a space-filling curve, and each triangle hangs in the chain of its vertex of lowest rank:
 //!
@@ -25,16 +25,16 @@ impl Chains {
     /// The end of a chain.
     const NONE: FaceId = FaceId(u32::MAX);
 
-    /// Hangs the triangles up by the ranks of vertices in that order.
+    /// Hangs triangles up by the ranks of vertices in that order.
     ///
     /// # Complexity
-    /// Linear.
-    pub(super) fn of(cdt: &ConstrainedDelaunay, order: Vec<VertexId>) -> Self {
+    /// Linear in the triangulation.
+    pub(super) fn of(cdt: &ConstrainedDelaunay, triangles: &[FaceId], order: Vec<VertexId>) -> Self {
         let ranks = ranks_in(order);
         let mut chains = Self { last: vec![Self::NONE; ranks.len()], before: vec![Self::NONE; cdt.face_slots()] };
-        for (f, [a, b, c]) in cdt.real_triangles() {
-            let rank = ranks[a.index()].min(ranks[b.index()]).min(ranks[c.index()]);
-            chains.before[f.index()] = std::mem::replace(&mut chains.last[rank as usize], f);
+        for &f in triangles {
+            let [a, b, c] = cdt.face_vertices(f).map(|v| ranks[v.index()]);
+            chains.before[f.index()] = std::mem::replace(&mut chains.last[a.min(b).min(c) as usize], f);
         }
         chains
     }

@@ -1,6 +1,6 @@
 //! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
 
-use super::bad_triangles::{Badness, Test, sorted};
+use super::bad_triangles::{Badness, Side, Test, sorted};
 use super::chains::Chains;
 use super::queue::Queue;
 use super::refinement::{Refinement, ends_of};
@@ -21,37 +21,40 @@ struct Looker<'a> {
 }
 
 impl Looker<'_> {
-    /// Queues a face with these corners, the newest first, if it is bad; the patch is that of the newest.
-    #[inline(always)] // In the loop over the triangles around a new vertex.
-    fn look_at_corners(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
-        if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
-            self.queue.pass(f);
-        } else {
-            self.queue_bad(f, corners, patch);
-        }
-    }
-
     /// Queues a face if it is bad.
     #[inline(never)]
     fn look_at(&mut self, f: FaceId) {
-        let corners = self.view.cdt.corners_from_newest(f);
-        if self.is_manual || self.test.badness(corners, self.view.cdt.region_rule(f)).is_none() {
-            self.queue.pass(f);
-        } else {
-            self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
+        if self.is_bad(f) {
+            self.queue_alone(f);
         }
     }
 
-    /// Looks at all triangles, by the ranks of their vertices in that order.
+    /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn look_at_all(&mut self, order: Vec<VertexId>) {
-        let chains = Chains::of(self.view.cdt, order);
+        let bad: Vec<FaceId> = self.view.cdt.real_faces().filter(|&f| self.is_bad(f)).collect();
+        let chains = Chains::of(self.view.cdt, &bad, order);
         let mut faces = Vec::new();
         for rank in 0..chains.len() {
             chains.take(rank, self.view.cdt, &mut faces);
             for &(_, f) in &faces {
-                self.look_at(f);
+                self.queue_alone(f);
             }
         }
+    }
+
+    /// Whether a face is to be queued; what waited in its slot is void.
+    #[inline(always)] // In the loop over all triangles.
+    fn is_bad(&mut self, f: FaceId) -> bool {
+        self.queue.pass(f);
+        let badness = || self.test.badness(self.view.cdt.corners_from_newest(f), self.view.cdt.region_rule(f));
+        !self.is_manual && badness().is_some()
+    }
+
+    /// Queues a bad face by its own corners.
+    #[inline(always)] // Once for each bad triangle.
+    fn queue_alone(&mut self, f: FaceId) {
+        let corners = self.view.cdt.corners_from_newest(f);
+        self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
     }
 
     /// Queues a bad face.
@@ -62,36 +65,64 @@ impl Looker<'_> {
         self.queue.push(self.view.cdt, f, patch, patience);
     }
 
-    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: in an order that depends on no slot, from the
-    /// lowest vertex of the rim on. Says which edges of the rim and which spokes are subsegments.
+    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that depends on
+    /// no slot, from the lowest vertex of the rim on. Says which edges of the rim and which spokes are subsegments.
+    ///
+    /// ```text
+    ///        d ─ c           One turn around the rim: each triangle's second spoke is the first one of the next, and what is
+    ///       / \ / \          bad is noted by its number, as the lowest vertex is known at the end only.
+    ///      e ─ v ─ b
+    ///       \ / \ /
+    ///        f ─ a
+    /// ```
     #[inline(never)]
-    fn look_at_fan(&mut self, v: VertexId, p: Point) -> Vec<HalfEdgeId> {
+    fn look_at_fan(&mut self, v: VertexId, p: Point, bad: &mut Vec<usize>) -> Vec<HalfEdgeId> {
         let cavity = &self.view.cdt.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
-        let (mut i, mut lowest, mut newest) = (0, VertexId::INFINITE, v);
-        for (k, edge) in rim.iter().enumerate() {
-            (i, lowest) = if edge.from < lowest { (k, edge.from) } else { (i, lowest) };
+        self.queue.make_room_for(self.view.cdt.face_slots());
+        bad.clear();
+        let (mut first, mut lowest, mut newest, mut marks) = (0, VertexId::INFINITE, v, 0);
+        let mut spoke = Side::new(p, starts[0]);
+        for (k, ((&face, edge), ends)) in faces.iter().zip(rim).zip(starts.windows(2)).enumerate() {
+            (first, lowest) = if edge.from < lowest { (k, edge.from) } else { (first, lowest) };
             newest = newest.max(edge.from);
+            marks |= edge.mark | edge.spoke;
+            let next = Side::new(p, ends[1]);
+            if self.is_bad_between(face, [p, ends[0], ends[1]], [spoke, next]) {
+                bad.push(k);
+            } else {
+                self.queue.pass(face);
+            }
+            spoke = next;
         }
-        let patch = self.queue.patch_at(p);
-        let mut subsegments = Vec::new();
-        for _ in faces {
-            let (face, edge) = (faces[i], rim[i]);
-            // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
-            if v == newest {
-                self.look_at_corners(face, [p, starts[i], starts[i + 1]], patch);
-            } else if self.view.cdt.is_real(face) {
-                self.look_at(face);
+        // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
+        if v == newest && !self.test.asks_caller() {
+            let patch = self.queue.patch_at(p);
+            let turn = bad.partition_point(|&k| k < first);
+            for &k in bad[turn..].iter().chain(&bad[..turn]) {
+                self.queue_bad(faces[k], [p, starts[k], starts[k + 1]], patch);
             }
-            if edge.mark != 0 {
-                subsegments.push(face.half_edge(0));
-            }
-            if edge.spoke != 0 {
-                subsegments.push(face.half_edge(2));
-            }
-            i = if i + 1 < faces.len() { i + 1 } else { 0 };
+        } else {
+            let real = |f: &FaceId| self.view.cdt.is_real(*f);
+            faces[first..].iter().chain(&faces[..first]).copied().filter(real).for_each(|f| self.look_at(f));
         }
-        subsegments
+        if marks == 0 { Vec::new() } else { self.subsegments_of_fan() }
+    }
+
+    /// Whether a face between two spokes, with these corners, is to be queued; the caller's own test is not asked.
+    #[inline(always)] // In the loop over the triangles around a new vertex.
+    fn is_bad_between(&self, f: FaceId, corners: [Point; 3], spokes: [Side; 2]) -> bool {
+        let region = self.view.cdt.region_rule(f);
+        !self.is_manual && self.test.badness_of_sides(corners, spokes, region).is_some()
+    }
+
+    /// The edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
+    #[cold]
+    fn subsegments_of_fan(&self) -> Vec<HalfEdgeId> {
+        let cavity = &self.view.cdt.cavity;
+        let fan = cavity.faces().iter().zip(cavity.rim());
+        let both = fan.flat_map(|(face, edge)| [(edge.mark, face.half_edge(0)), (edge.spoke, face.half_edge(2))]);
+        both.filter(|&(mark, _)| mark != 0).map(|(_, h)| h).collect()
     }
 }
 
@@ -146,7 +177,9 @@ impl Refinement {
     /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
         let before = self.stopwatch.enter(Part::Select);
-        let subsegments = self.looker().look_at_fan(v, p);
+        let mut bad = std::mem::take(&mut self.bad_in_fan);
+        let subsegments = self.looker().look_at_fan(v, p, &mut bad);
+        self.bad_in_fan = bad;
         if !subsegments.is_empty() {
             self.queue_encroached_of(subsegments);
         }
@@ -176,13 +209,12 @@ impl Refinement {
             return;
         }
         let before = self.stopwatch.enter(Part::Prepare);
+        subsegments.retain(|&h| self.prepare.needs_split(self.view(), h));
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
         for h in subsegments {
-            if self.prepare.needs_split(self.view(), h) {
-                // One that cannot be split stays encroached; triangles beside it get that as their reason.
-                let _ = self.queue_subsegment(h, false);
-            }
+            // One that cannot be split stays encroached; triangles beside it get that as their reason.
+            let _ = self.queue_subsegment(h, false);
         }
         self.stopwatch.enter(before);
     }

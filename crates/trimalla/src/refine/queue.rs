@@ -174,16 +174,19 @@ impl Queue {
     #[inline]
     pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
-            self.add_looks(cdt.face_slots());
+            self.make_room_for(cdt.face_slots());
         }
         self.last_look = self.last_look.wrapping_add(1).max(1);
         self.looks[face.index()] = self.last_look;
         Claim { face, look: self.last_look }
     }
 
-    #[cold]
-    fn add_looks(&mut self, slots: usize) {
-        self.looks.resize(slots, 0);
+    /// Makes room for looks at so many slots.
+    #[inline]
+    pub(super) fn make_room_for(&mut self, slots: usize) {
+        if slots > self.looks.len() {
+            self.looks.resize(slots, 0);
+        }
     }
 
     /// Whether a triangle is still the one that was claimed.

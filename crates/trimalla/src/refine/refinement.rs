@@ -68,6 +68,8 @@ pub struct Refinement {
     pub(super) log: UndoLog,
     /// The star of the vertex at work.
     pub(super) spokes: Vec<HalfEdgeId>,
+    /// Room for the numbers of the bad triangles of a fan.
+    pub(super) bad_in_fan: Vec<usize>,
     /// How many triangles joined the queue.
     pub(super) joined: u64,
     /// The triangle to be treated until it is gone.
@@ -181,6 +183,7 @@ impl Refinement {
             places: Vec::new(),
             log: UndoLog::new(),
             spokes: Vec::new(),
+            bad_in_fan: Vec::new(),
             joined: 0,
             current: None,
             picked: VecDeque::new(),

@@ -8,7 +8,7 @@ use super::refinement::Refinement;
 use super::report::Reason;
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 
 /// A subsegment that waits to be split, lower vertex first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,7 +22,8 @@ pub(super) struct Encroached {
 #[derive(Clone, Copy, Debug)]
 struct Cut {
     point: Point,
-    provenance: Provenance,
+    /// The circle that it lies on around an end, as its number, and whether that end is `dest`.
+    shell: Option<(i16, bool)>,
 }
 
 impl Refinement {
@@ -114,21 +115,50 @@ impl Refinement {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
         // Whether there is room the split itself asks.
         let Ok(cut) = self.cut_at(h) else { return false };
-        let here = self.log.checkpoint();
-        let insert = Arc::clone(&self.insert);
-        let split = insert.split(&mut self.cdt, h, cut.point, cut.provenance, &mut self.log);
-        let Ok(v) = split else { return false };
-        self.insertions += 1;
-        if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.log, here);
-            return false;
-        }
+        let provenance = self.provenance_of(h, cut);
+        let split = if self.insert.by_cavity() {
+            self.split_by_cavity(h, cut.point, provenance)
+        } else {
+            self.split_and_look(h, cut.point, provenance)
+        };
+        let Some(v) = split else { return false };
         self.vertices += 1;
         self.report.segments_split += 1;
-        let on_shell = matches!(cut.provenance, Provenance::Shell { .. });
+        let on_shell = matches!(provenance, Provenance::Shell { .. });
         self.note_inserted(v, if on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
         self.look_around(v);
         true
+    }
+
+    /// Step 4 for a split; taken back if the new vertex is too near to another one.
+    fn split_and_look(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
+        let here = self.log.checkpoint();
+        let insert = Arc::clone(&self.insert);
+        let v = insert.split(&mut self.cdt, h, p, provenance, &mut self.log).ok()?;
+        self.insertions += 1;
+        if self.crowds_a_neighbour(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return None;
+        }
+        Some(v)
+    }
+
+    /// The same by cavity, whose rim tells the neighbours before anything is cut. Nobody takes it back; an event is told by what
+    /// the log holds.
+    fn split_by_cavity(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
+        let found = self.cdt.find_split(h, p).ok()?;
+        self.insertions += 1;
+        let cavity = &self.cdt.cavity;
+        let finite = cavity.rim().iter().zip(cavity.rim_starts()).filter(|(edge, _)| edge.from.is_finite());
+        let nearest_sq = finite.map(|(_, &q)| self.ruler.length_sq(p, q)).fold(f64::INFINITY, f64::min);
+        if nearest_sq < self.floor_sq {
+            return None;
+        }
+        Some(if self.event.is_some() {
+            self.cdt.fill_split(found, p, provenance, &mut self.log)
+        } else {
+            self.cdt.fill_split(found, p, provenance, &mut NoJournal)
+        })
     }
 
     /// Whether `h` can be split, or why not.
@@ -151,19 +181,25 @@ impl Refinement {
             return Err(Reason::ProtectedSegment);
         }
         let (t, shell) = self.place_of_cut(h);
-        let (point, mut provenance) = self.cdt.point_on_subsegment(h, t);
+        let point = self.cdt.place_on_subsegment(h, t);
         let [a, b] = self.cdt.edge_points(h);
         if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
             return Err(self.floor_reason);
         }
-        if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (shell, provenance) {
+        Ok(Cut { point, shell })
+    }
+
+    /// The provenance of a vertex at a cut of `h`: its segment, and its circle if that is around an end of the segment.
+    fn provenance_of(&self, h: HalfEdgeId, cut: Cut) -> Provenance {
+        let provenance = self.cdt.provenance_on(h, cut.point);
+        if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (cut.shell, provenance) {
             let apex = if around_b { self.cdt.dest(h) } else { self.cdt.origin(h) };
             let ends = self.cdt.segments()[segment as usize];
             if ends.contains(&apex) {
-                provenance = Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
+                return Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
             }
         }
-        Ok(Cut { point, provenance })
+        provenance
     }
 
     /// The parameter of the cut: the middle, or a circle around the one end where another segment joins.

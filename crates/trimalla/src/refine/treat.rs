@@ -119,21 +119,18 @@ impl Refinement {
         if !self.cdt.find_cavity(point, locus) {
             return Err(Reason::PrecisionFloor);
         }
-        let (cavity, ruler) = (&self.cdt.cavity, self.ruler);
-        if cavity.rim_starts().iter().any(|&q| ruler.length_sq(point, q) < self.floor_sq) {
+        let cavity = &self.cdt.cavity;
+        let (mut nearest_sq, mut marks) = (f64::INFINITY, 0);
+        for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
+            nearest_sq = nearest_sq.min(self.ruler.length_sq(point, start));
+            marks |= edge.mark;
+        }
+        if nearest_sq < self.floor_sq {
             return Err(self.floor_reason);
         }
         self.insertions += 1;
-        if self.minds_encroachment() {
-            let encroached: Vec<HalfEdgeId> = cavity
-                .rim()
-                .split_last()
-                .map_or(&[][..], |(_, once)| once)
-                .iter()
-                .filter(|e| e.mark != 0)
-                .map(|e| self.cdt.twin(e.outer))
-                .filter(|&h| self.is_encroached(h, point))
-                .collect();
+        if marks != 0 && self.minds_encroachment() {
+            let encroached = self.encroached_on_rim(point);
             if !encroached.is_empty() {
                 self.report.points_rejected += 1;
                 let ends = |&h: &HalfEdgeId| ends_of(&self.cdt, h);
@@ -145,6 +142,13 @@ impl Refinement {
         let v = self.fill_cavity(point);
         self.look_around_cavity(v, point);
         Ok(())
+    }
+
+    /// The subsegments on the rim of the cavity found last that a point encroaches upon.
+    fn encroached_on_rim(&self, point: Point) -> Vec<HalfEdgeId> {
+        let rim = self.cdt.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
+        let marked = rim.iter().filter(|e| e.mark != 0).map(|e| self.cdt.twin(e.outer));
+        marked.filter(|&h| self.is_encroached(h, point)).collect()
     }
 
     /// Puts a free vertex into the cavity found last. Nobody takes it back; an event is told by what the log holds.

@@ -50,6 +50,8 @@ pub enum Fault {
     NotDelaunay(HalfEdgeId),
     /// A boundary edge of a domain carries no mark.
     BoundaryNotConstrained(HalfEdgeId),
+    /// A ghost face lies in a region.
+    GhostInRegion(FaceId),
     /// I13: the edges of an input segment are not one chain from its start to its end.
     SegmentBroken(u32),
     /// I13: a chain does not run along its input segment at this vertex.
@@ -81,6 +83,7 @@ impl fmt::Display for Fault {
             Self::NotDelaunay(h) => write!(f, "edge {h} fails the circle test"),
             Self::SegmentBroken(s) => write!(f, "the edges of segment {s} are not one chain"),
             Self::OffSegment { segment, vertex } => write!(f, "vertex {vertex} is out of place on segment {segment}"),
+            Self::GhostInRegion(t) => write!(f, "ghost face {t} lies in a region"),
             Self::BoundaryNotConstrained(h) => write!(f, "boundary edge {h} is not constrained"),
         }
     }
@@ -235,6 +238,9 @@ impl Triangulation {
         for f in self.ghost_faces() {
             let Some(g) = self.ghost_edge(f) else { continue };
             let h = self.twin(g);
+            if self.region(f) != 0 {
+                faults.push(Fault::GhostInRegion(f));
+            }
             if self.dimension == 1 {
                 self.check_chain_edge(g, faults);
             } else if self.closure == Closure::Domain {

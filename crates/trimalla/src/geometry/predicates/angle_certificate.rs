@@ -3,7 +3,7 @@
 //! With `u`, `v` the edges at the apex and `c = cos²(alpha)`, `alpha` in (0°, 90°]: the angle is below `alpha` exactly if
 //! `u.v > 0` and `(u.v)² > c |u|² |v|²`. All of it is a polynomial of degree five in the input, whose sign is exact.
 
-use super::super::Point;
+use super::super::{Point, Vector};
 use super::ROUNDING;
 use super::disk;
 use super::exact::{Difference, ExactSum};
@@ -64,20 +64,25 @@ fn all_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
 }
 
 /// The answer for all three angles by the smallest alone, where the filter decides.
+#[inline]
+fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<bool> {
+    let (u, v, w) = (b - a, c - b, a - c);
+    sides_angle_at_least(u.cross(v), [u, v, w].map(Vector::length_sq), cos_sq)
+}
+
+/// [`triangle_angles_at_least`] by the rounded squares of a triangle's sides, and twice its area as the rounded cross product of
+/// any two of them, where that is enough to tell.
 ///
-/// The smallest lies between the two longest edges and is at most 60 degrees, where the sine rises with the angle: with
+/// The smallest angle lies between the two longest edges and is at most 60 degrees, where the sine rises with the angle: with
 /// `d` twice the area and `P` the product of the two longest squared lengths, it is below the bound exactly if
 /// `d² < (1 - c) P`. In roundings, against `P`: each product of two squared lengths carries 9, and the largest of the
 /// three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`, hence its
 /// square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice as long
 /// as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not matter.
-#[inline]
-fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<bool> {
-    let (u, v, w) = (b - a, c - b, a - c);
-    let (u_sq, v_sq, w_sq) = (u.length_sq(), v.length_sq(), w.length_sq());
+#[inline(always)]
+pub(crate) fn sides_angle_at_least(doubled_area: f64, [u_sq, v_sq, w_sq]: [f64; 3], cos_sq: f64) -> Option<bool> {
     let greater = |x: f64, y: f64| if x > y { x } else { y };
     let longest = greater(greater(u_sq * v_sq, v_sq * w_sq), w_sq * u_sq);
-    let doubled_area = u.cross(v);
     let excess = doubled_area * doubled_area - (1.0 - cos_sq) * longest;
     let decides = excess.abs() > ANGLE_BOUND * longest && SQUARES.contains(&longest);
     decides.then_some(excess > 0.0)

@@ -21,6 +21,7 @@ mod safe_range;
 mod segments;
 mod wide;
 
+pub(crate) use angle_certificate::sides_angle_at_least;
 pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
