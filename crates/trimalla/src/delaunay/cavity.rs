@@ -28,34 +28,26 @@ pub(crate) struct Cavity {
     /// Where each of them starts.
     starts: Vec<Point>,
     /// Sides still to be passed, the next one last.
-    stack: Vec<Side>,
+    stack: Vec<(Side, bool)>,
 }
 
-/// A side of a face of the cavity, and what lies across: looked at when its face is taken in, so that two sides, each of which
-/// may have to wait for memory, are tested together.
+/// A side of a face of the cavity.
 #[derive(Clone, Copy, Debug)]
 struct Side {
     from: VertexId,
-    start: Point,
-    end: Point,
+    to: VertexId,
     /// The half-edge across.
     outer: HalfEdgeId,
-    mark: u32,
-    /// The vertex across, and whether its face is to be taken in.
-    apex: VertexId,
-    conflict: Option<Point>,
 }
 
 impl Side {
-    /// The side `half_edge`, which starts at `from`.
+    /// Whether the face across is to be taken in.
     #[inline(always)]
-    fn new(t: &Triangulation, half_edge: HalfEdgeId, from: VertexId, [start, end]: [Point; 2], p: Point) -> Self {
-        let (outer, mark) = (t.twin(half_edge), t.mark(half_edge));
-        let apex = t.apex(outer);
+    fn conflicts(self, t: &Triangulation, p: Point) -> bool {
+        let [start, end, across] = [self.from, self.to, t.apex(self.outer)].map(|v| t.points.get(v.index()));
         // The vertex at infinity has no coordinates.
-        let across = t.points.get(apex.index()).copied().filter(|_| mark == 0);
-        let conflict = across.filter(|&q| in_circle_perturbed(end, start, q, p) == CircleSide::Inside);
-        Self { from, start, end, outer, mark, apex, conflict }
+        let (Some(&start), Some(&end), Some(&across)) = (start, end, across) else { return false };
+        !t.is_marked(self.outer) && in_circle_perturbed(end, start, across, p) == CircleSide::Inside
     }
 }
 
@@ -156,17 +148,13 @@ impl Cavity {
     fn dig<const N: usize>(&mut self, t: &Triangulation, face: FaceId, sides: [HalfEdgeId; N], p: Point) {
         let (region, is_real) = (t.region(face), t.is_real(face));
         self.faces.push(face);
-        // The vertex at infinity has no coordinates; no circle is asked for beside it.
-        let point = |v: VertexId| t.points.get(v.index()).copied().unwrap_or_default();
         for h in sides {
-            let from = t.origin(h);
-            let mut side = Side::new(t, h, from, [from, t.dest(h)].map(point), p);
-            side.conflict = side.conflict.filter(|_| is_real);
-            let mut waiting = Some(side);
-            while let Some(side) = waiting {
-                self.pass(t, side, region, p);
-                waiting = self.stack.pop();
+            let side = Side { from: t.origin(h), to: t.dest(h), outer: t.twin(h) };
+            if !is_real || !side.conflicts(t, p) {
+                self.close(t, side, region);
+                continue;
             }
+            self.pass(t, side, region, p);
         }
     }
 
@@ -181,28 +169,35 @@ impl Cavity {
     /// ```
     #[inline(always)] // Called once.
     fn pass(&mut self, t: &Triangulation, mut side: Side, region: u32, p: Point) {
-        while let Some(across) = side.conflict {
+        loop {
             self.faces.push(side.outer.face());
             let (next, prev) = side.outer.next_and_prev();
-            let second = Side::new(t, prev, side.apex, [across, side.end], p);
-            let first = Side::new(t, next, side.from, [side.start, across], p);
-            side = if first.conflict.is_some() {
-                self.stack.push(second);
-                first
-            } else {
-                self.close(first, region);
-                second
-            };
+            let apex = t.origin(prev);
+            let second = Side { from: apex, to: side.to, outer: t.twin(prev) };
+            let first = Side { from: side.from, to: apex, outer: t.twin(next) };
+            let (passes_first, passes_second) = (first.conflicts(t, p), second.conflicts(t, p));
+            if passes_first {
+                self.stack.push((second, passes_second));
+                side = first;
+                continue;
+            }
+            self.close(t, first, region);
+            let mut last = (second, passes_second);
+            while !last.1 {
+                self.close(t, last.0, region);
+                let Some(waiting) = self.stack.pop() else { return };
+                last = waiting;
+            }
+            side = last.0;
         }
-        self.close(side, region);
     }
 
     /// Adds a side to the rim.
     #[inline(always)]
-    fn close(&mut self, side: Side, region: u32) {
-        let Side { from, start, outer, mark, .. } = side;
-        self.rim.push(RimEdge { from, outer, mark, region, spoke: 0 });
-        self.starts.push(start);
+    fn close(&mut self, t: &Triangulation, side: Side, region: u32) {
+        let Side { from, outer, .. } = side;
+        self.rim.push(RimEdge { from, outer, mark: t.mark(outer), region, spoke: 0 });
+        self.starts.push(t.points.get(from.index()).copied().unwrap_or_default());
     }
 
     /// Adds the first edge of the rim once more.

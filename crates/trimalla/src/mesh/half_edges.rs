@@ -245,8 +245,10 @@ impl HalfEdgeMesh {
 
     /// Of the [`edges`](Self::edges) those that carry a constraint mark.
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        let marked = self.mark.iter().enumerate().filter(|(_, mark)| **mark != 0);
-        marked.map(|(h, _)| HalfEdgeId::from_index(h)).filter(|&h| self.stands_for_edge(h))
+        // Most faces have no mark at all.
+        let faces = self.mark.chunks_exact(3).enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
+        let sides = faces.flat_map(|(f, _)| FaceId::from_index(f).half_edges());
+        sides.filter(|&h| self.is_marked(h) && self.stands_for_edge(h))
     }
 
     /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
@@ -406,10 +408,7 @@ impl HalfEdgeMesh {
             if region == 0 {
                 return;
             }
-            self.region = vec![0; self.face_slots()];
-            if J::ACTIVE {
-                j.note(Column::RegionsAdded, 0, 0);
-            }
+            self.begin_regions(j);
         }
         let slot = &mut self.region[f.index()];
         if *slot != region {
@@ -417,6 +416,16 @@ impl HalfEdgeMesh {
                 j.note(Column::Region, f.0, u64::from(*slot));
             }
             *slot = region;
+        }
+    }
+
+    /// Room for the regions of all faces, none of which lies in one so far.
+    #[cold]
+    #[inline(never)]
+    fn begin_regions<J: Journal>(&mut self, j: &mut J) {
+        self.region = vec![0; self.face_slots()];
+        if J::ACTIVE {
+            j.note(Column::RegionsAdded, 0, 0);
         }
     }
 

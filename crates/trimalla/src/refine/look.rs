@@ -120,9 +120,16 @@ impl Looker<'_> {
     #[cold]
     fn subsegments_of_fan(&self) -> Vec<HalfEdgeId> {
         let cavity = &self.view.cdt.cavity;
-        let fan = cavity.faces().iter().zip(cavity.rim());
-        let both = fan.flat_map(|(face, edge)| [(edge.mark, face.half_edge(0)), (edge.spoke, face.half_edge(2))]);
-        both.filter(|&(mark, _)| mark != 0).map(|(_, h)| h).collect()
+        let mut subsegments = Vec::new();
+        for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
+            if edge.mark != 0 {
+                subsegments.push(face.half_edge(0));
+            }
+            if edge.spoke != 0 {
+                subsegments.push(face.half_edge(2));
+            }
+        }
+        subsegments
     }
 }
 

@@ -122,7 +122,8 @@ impl Refinement {
         let cavity = &self.cdt.cavity;
         let (mut nearest_sq, mut marks) = (f64::INFINITY, 0);
         for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
-            nearest_sq = nearest_sq.min(self.ruler.length_sq(point, start));
+            let distance_sq = self.ruler.length_sq(point, start);
+            nearest_sq = if distance_sq < nearest_sq { distance_sq } else { nearest_sq };
             marks |= edge.mark;
         }
         if nearest_sq < self.floor_sq {
