@@ -22,25 +22,28 @@ impl ConstrainedDelaunay {
     pub fn to_indexed(&self, pslg: &Pslg) -> IndexedMesh {
         let kept = Kept::of(self);
         let points = kept.vertices().map(|v| self.point(v)).collect();
-        IndexedMesh { points, ..self.indexed_but_points(pslg, &kept) }
+        let corners = self.real_triangles().map(|(_, corners)| corners.map(|v| kept.id(v)));
+        let mut triangles = Vec::with_capacity(self.live_faces());
+        triangles.extend(corners);
+        IndexedMesh { points, triangles, ..self.indexed_around(pslg, &kept) }
     }
 
-    /// [`to_indexed`](Self::to_indexed), which takes the points over where all are kept.
+    /// [`to_indexed`](Self::to_indexed), which takes the memory over where all vertices are kept.
     #[must_use]
     pub fn into_indexed(mut self, pslg: &Pslg) -> IndexedMesh {
         let kept = Kept::of(&self);
         if matches!(kept, Kept::Some { .. }) {
             return self.to_indexed(pslg);
         }
-        let mesh = self.indexed_but_points(pslg, &kept);
-        IndexedMesh { points: std::mem::take(&mut self.t.points), ..mesh }
+        let mesh = self.indexed_around(pslg, &kept);
+        IndexedMesh { points: std::mem::take(&mut self.t.points), triangles: self.t.mesh.into_triangles(), ..mesh }
     }
 
-    fn indexed_but_points(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
+    /// All but points and triangles.
+    fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
         let segments: Vec<HalfEdgeId> = self.marked_edges().collect();
         let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
         let mut mesh = IndexedMesh {
-            triangles: self.triangles(kept),
             segments: segments.iter().map(|&h| [self.origin(h), self.dest(h)].map(|v| kept.id(v))).collect(),
             segment_markers: segment_markers.clone(),
             attributes_per_point: pslg.attributes_per_point,
@@ -56,17 +59,6 @@ impl ConstrainedDelaunay {
             mesh.triangle_attributes = self.real_faces().map(attribute).collect();
         }
         mesh
-    }
-
-    fn triangles(&self, kept: &Kept) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::with_capacity(self.live_faces());
-        match kept {
-            Kept::All { .. } => triangles.extend(self.real_triangles().map(|(_, corners)| corners.map(|v| v.0))),
-            Kept::Some { ids, .. } => {
-                triangles.extend(self.real_triangles().map(|(_, corners)| corners.map(|v| ids[v.index()])));
-            }
-        }
-        triangles
     }
 
     /// The marker of a subsegment: that of its lowest segment with one; 1 on the border, 0 inside otherwise.

@@ -34,8 +34,8 @@ impl Named {
 ///
 /// # Shape
 /// `half_edges`, that is `origin` and `twin`, has three entries a face slot, `outgoing` one a vertex slot.
-/// `mark` is empty until the first constraint and parallel to `half_edges` from then on. A dead slot holds
-/// one fixed value; free lists are last in, first out.
+/// `mark` is empty until the first constraint and has one entry a face slot from then on, for its three half-edges. A dead slot
+/// holds one fixed value; free lists are last in, first out.
 ///
 /// # Guarantees
 /// Equality compares every array, dead slots and free lists included: two equal meshes answer every
@@ -43,7 +43,7 @@ impl Named {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct HalfEdgeMesh {
     pub(super) half_edges: Vec<HalfEdge>,
-    pub(super) mark: Vec<u32>,
+    pub(super) mark: Vec<[u32; 3]>,
     /// Region a face lies in; empty until the first region, 0 for none.
     pub(super) region: Vec<u32>,
     pub(super) outgoing: Vec<HalfEdgeId>,
@@ -106,7 +106,7 @@ impl HalfEdgeMesh {
     #[inline]
     pub fn mark(&self, h: HalfEdgeId) -> u32 {
         // Empty without constraints.
-        self.mark.get(h.index()).copied().unwrap_or(0)
+        self.mark.as_flattened().get(h.index()).copied().unwrap_or(0)
     }
 
     /// Whether a half-edge carries a constraint mark.
@@ -231,6 +231,15 @@ impl HalfEdgeMesh {
         real.map(|(f, stored)| (FaceId::from_index(f), [stored[0].origin, stored[1].origin, stored[2].origin]))
     }
 
+    /// The corners of the [`real_faces`](Self::real_faces) alone, where the marks were: as many words, and pages that have been
+    /// touched need not be fetched from the system again.
+    pub(crate) fn into_triangles(mut self) -> Vec<[u32; 3]> {
+        let mut triangles = std::mem::take(&mut self.mark);
+        triangles.clear();
+        triangles.extend(self.real_triangles().map(|(_, corners)| corners.map(|v| v.0)));
+        triangles
+    }
+
     /// The ghost faces, oldest slot first.
     pub fn ghost_faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + '_ {
         let faces = self.half_edges.chunks_exact(3).enumerate();
@@ -246,7 +255,7 @@ impl HalfEdgeMesh {
     /// Of the [`edges`](Self::edges) those that carry a constraint mark.
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         // Most faces have no mark at all.
-        let faces = self.mark.chunks_exact(3).enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
+        let faces = self.mark.iter().enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
         let sides = faces.flat_map(|(f, _)| FaceId::from_index(f).half_edges());
         sides.filter(|&h| self.is_marked(h) && self.stands_for_edge(h))
     }
@@ -364,7 +373,7 @@ impl HalfEdgeMesh {
     /// Sets the constraint mark of one half-edge; the caller sets the twin's.
     #[inline(always)]
     pub(super) fn set_mark_one_side<J: Journal>(&mut self, h: HalfEdgeId, m: u32, j: &mut J) {
-        let slot = &mut self.mark[h.index()];
+        let slot = &mut self.mark.as_flattened_mut()[h.index()];
         if *slot != m {
             if J::ACTIVE {
                 j.note(Column::Mark, h.0, u64::from(*slot));
@@ -376,8 +385,7 @@ impl HalfEdgeMesh {
     /// Sets the constraint marks of a face's half-edges, where marks are kept; the caller sets those of the twins.
     #[inline(always)]
     pub(super) fn set_marks_one_side<J: Journal>(&mut self, f: FaceId, marks: [u32; 3], j: &mut J) {
-        let k = f.index() * 3;
-        let Some(stored) = self.mark.get_mut(k..k + 3) else { return };
+        let Some(stored) = self.mark.get_mut(f.index()) else { return };
         for (h, (slot, new)) in f.half_edges().into_iter().zip(stored.iter_mut().zip(marks)) {
             if J::ACTIVE && *slot != new {
                 j.note(Column::Mark, h.0, u64::from(*slot));
@@ -392,7 +400,7 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            self.mark = vec![0; self.half_edges.len()];
+            self.mark = vec![[0; 3]; self.face_slots()];
             if J::ACTIVE {
                 j.note(Column::MarksAdded, 0, 0);
             }
@@ -467,7 +475,7 @@ impl HalfEdgeMesh {
         let f = FaceId::from_index(self.face_slots());
         self.half_edges.extend([HalfEdge::DEAD; 3]);
         if !self.mark.is_empty() {
-            self.mark.extend([0; 3]);
+            self.mark.push([0; 3]);
         }
         if !self.region.is_empty() {
             self.region.push(0);
@@ -543,7 +551,7 @@ impl HalfEdgeMesh {
         self.outgoing.reserve(vertices);
         self.half_edges.reserve(half_edges);
         if !self.mark.is_empty() {
-            self.mark.reserve(half_edges);
+            self.mark.reserve(2 * vertices);
         }
         if !self.region.is_empty() {
             self.region.reserve(2 * vertices);
@@ -558,14 +566,14 @@ impl HalfEdgeMesh {
         match entry.column {
             Column::Origin => self.half_edges[i].origin = VertexId(old),
             Column::Twin => self.half_edges[i].twin = HalfEdgeId(old),
-            Column::Mark => self.mark[i] = old,
+            Column::Mark => self.mark.as_flattened_mut()[i] = old,
             Column::MarksAdded => self.mark.clear(),
             Column::Region => self.region[i] = old,
             Column::RegionsAdded => self.region.clear(),
             Column::Outgoing => self.outgoing[i] = HalfEdgeId(old),
             Column::FaceAppended => {
                 self.half_edges.truncate(3 * i);
-                self.mark.truncate(if self.mark.is_empty() { 0 } else { 3 * i });
+                self.mark.truncate(i);
                 self.region.truncate(i);
             }
             Column::FaceFreed => drop(self.free_faces.pop()),

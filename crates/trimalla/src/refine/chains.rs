@@ -15,28 +15,30 @@ use crate::mesh::{FaceId, VertexId};
 
 /// Triangles by the rank of a vertex.
 pub(super) struct Chains {
-    /// By rank: the triangle hung up last.
-    last: Vec<FaceId>,
-    /// By slot: the one hung up before it.
-    before: Vec<FaceId>,
+    triangles: Vec<FaceId>,
+    /// By rank: the number of the triangle hung up last.
+    last: Vec<u32>,
+    /// By number: that of the one hung up before it.
+    before: Vec<u32>,
 }
 
 impl Chains {
     /// The end of a chain.
-    const NONE: FaceId = FaceId(u32::MAX);
+    const END: u32 = u32::MAX;
 
     /// Hangs triangles up by the ranks of vertices in that order.
     ///
     /// # Complexity
-    /// Linear in the triangulation.
-    pub(super) fn of(cdt: &ConstrainedDelaunay, triangles: &[FaceId], order: Vec<VertexId>) -> Self {
+    /// Linear in triangles and vertices.
+    pub(super) fn of(cdt: &ConstrainedDelaunay, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
         let ranks = ranks_in(order);
-        let mut chains = Self { last: vec![Self::NONE; ranks.len()], before: vec![Self::NONE; cdt.face_slots()] };
-        for &f in triangles {
+        let mut last = vec![Self::END; ranks.len()];
+        let hang_up = |(number, &f): (u32, &FaceId)| {
             let [a, b, c] = cdt.face_vertices(f).map(|v| ranks[v.index()]);
-            chains.before[f.index()] = std::mem::replace(&mut chains.last[a.min(b).min(c) as usize], f);
-        }
-        chains
+            std::mem::replace(&mut last[a.min(b).min(c) as usize], number)
+        };
+        let before = (0..).zip(&triangles).map(hang_up).collect();
+        Self { triangles, last, before }
     }
 
     /// How many there are.
@@ -47,10 +49,11 @@ impl Chains {
     /// Puts the triangles of one chain in the place of others, in the order of their vertices.
     pub(super) fn take(&self, rank: usize, cdt: &ConstrainedDelaunay, named: &mut Vec<([VertexId; 3], FaceId)>) {
         named.clear();
-        let mut f = self.last[rank];
-        while f != Self::NONE {
+        let mut number = self.last[rank];
+        while number != Self::END {
+            let f = self.triangles[number as usize];
             named.push((sorted(cdt.face_vertices(f)), f));
-            f = self.before[f.index()];
+            number = self.before[number as usize];
         }
         named.sort_unstable();
     }

@@ -32,7 +32,7 @@ impl Looker<'_> {
     /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn look_at_all(&mut self, order: Vec<VertexId>) {
         let bad: Vec<FaceId> = self.view.cdt.real_faces().filter(|&f| self.is_bad(f)).collect();
-        let chains = Chains::of(self.view.cdt, &bad, order);
+        let chains = Chains::of(self.view.cdt, bad, order);
         let mut faces = Vec::new();
         for rank in 0..chains.len() {
             chains.take(rank, self.view.cdt, &mut faces);

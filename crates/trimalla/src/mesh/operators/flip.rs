@@ -46,7 +46,7 @@ impl HalfEdgeMesh {
         self.set_half_edge(o, at_p, j);
         self.set_half_edge(e, at_r, j);
         if !self.mark.is_empty() {
-            let (mark_r, mark_p) = (self.mark[r.index()], self.mark[p.index()]);
+            let (mark_r, mark_p) = (self.mark(r), self.mark(p));
             self.set_mark_one_side(e, mark_r, j);
             self.set_mark_one_side(o, mark_p, j);
             self.set_mark_one_side(p, 0, j);

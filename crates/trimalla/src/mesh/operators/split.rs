@@ -39,7 +39,7 @@ impl HalfEdgeMesh {
         self.set_vertices_and_twins(t, [at_c.origin, at_a.origin, q], [at_c.twin, h2, s1], j);
         self.set_vertices_and_twins(f, [at_a.origin, at_b.origin, q], [at_a.twin, s2, t1], j);
         if !self.mark.is_empty() {
-            let (mark_bc, mark_ca) = (self.mark[h1.index()], self.mark[h2.index()]);
+            let (mark_bc, mark_ca) = (self.mark(h1), self.mark(h2));
             self.set_mark_one_side(s0, mark_bc, j);
             self.set_mark_one_side(t0, mark_ca, j);
             self.set_mark_one_side(h1, 0, j);
@@ -100,7 +100,7 @@ impl HalfEdgeMesh {
         self.glue(n1, twin_yq, j);
         self.glue(m1, twin_xd, j);
         if !self.mark.is_empty() {
-            let (mark_e, mark_yq, mark_xd) = (self.mark[e.index()], self.mark[en.index()], self.mark[on.index()]);
+            let (mark_e, mark_yq, mark_xd) = (self.mark(e), self.mark(en), self.mark(on));
             self.set_mark_one_side(n0, mark_e, j);
             self.set_mark_one_side(m0, mark_e, j);
             self.set_mark_one_side(n1, mark_yq, j);
