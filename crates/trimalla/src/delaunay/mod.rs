@@ -21,6 +21,7 @@ mod incremental;
 mod insert;
 mod lawson;
 mod order;
+mod radix_sort;
 mod remove;
 #[cfg(test)]
 mod tests;

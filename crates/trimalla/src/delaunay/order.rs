@@ -12,6 +12,7 @@
 //! # Source
 //! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
 
+use super::radix_sort::{Keyed, sort_by_key};
 use crate::geometry::{BoundingBox, Point, hilbert_key_16};
 use crate::mesh::VertexId;
 
@@ -21,13 +22,6 @@ const CROWDED: usize = 16;
 const ROUND_SHIFT: u32 = 4;
 /// Below this many points rounds cost more than they save.
 const ROUNDS_FROM: usize = 2000;
-
-/// A position and its place on the curve.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Keyed {
-    key: u32,
-    pub(super) position: u32,
-}
 
 /// Points in the order of a Hilbert curve, named by their positions.
 ///
@@ -39,7 +33,9 @@ pub(crate) fn along_curve(points: &[Point]) -> Vec<VertexId> {
 
 /// [`along_curve`] with the keys, and memory that the sort has no more use for.
 pub(super) fn keyed_along_curve(points: &[Point]) -> (Vec<Keyed>, Vec<Keyed>) {
-    let (mut keyed, spare) = sort_by_key(keys(points, 0..points.len()));
+    let mut keyed = keys(points, 0..points.len());
+    let mut spare = vec![Keyed::default(); keyed.len()];
+    sort_by_key(&mut keyed, &mut spare);
     refine_crowded_cells(points, &mut keyed);
     (keyed, spare)
 }
@@ -116,37 +112,6 @@ impl CurveCells {
     }
 }
 
-/// Radix sort by key, stable: three passes of eleven bits. Returns the array between which it went to and fro as well.
-fn sort_by_key(mut a: Vec<Keyed>) -> (Vec<Keyed>, Vec<Keyed>) {
-    const BITS: u32 = 11;
-    const SIZE: usize = 1 << BITS;
-    if a.len() < 256 {
-        a.sort_by_key(|k| k.key);
-        return (a, Vec::new());
-    }
-    let digit = |k: &Keyed, pass: usize| (k.key >> (BITS * pass as u32)) as usize & (SIZE - 1);
-    let mut counts = vec![[0u32; SIZE]; 3];
-    for k in &a {
-        for (pass, count) in counts.iter_mut().enumerate() {
-            count[digit(k, pass)] += 1;
-        }
-    }
-    let mut b = vec![Keyed { key: 0, position: 0 }; a.len()];
-    for (pass, count) in counts.iter_mut().enumerate() {
-        let mut start = 0;
-        for c in count.iter_mut() {
-            start += std::mem::replace(c, start);
-        }
-        for k in &a {
-            let slot = &mut count[digit(k, pass)];
-            b[*slot as usize] = *k;
-            *slot += 1;
-        }
-        std::mem::swap(&mut a, &mut b);
-    }
-    (a, b)
-}
-
 /// Sorts every crowded cell by a curve over its own points, and so on for its crowded cells.
 fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed]) {
     let mut work: Vec<(usize, usize)> = vec![(0, keyed.len())];
@@ -158,7 +123,8 @@ fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed]) {
             if run > CROWDED && run < end - start {
                 let cell = &mut keyed[i..i + run];
                 let positions: Vec<usize> = cell.iter().map(|k| k.position as usize).collect();
-                let (finer, _) = sort_by_key(keys(points, positions.into_iter()));
+                let mut finer = keys(points, positions.into_iter());
+                sort_by_key(&mut finer, &mut vec![Keyed::default(); run]);
                 cell.copy_from_slice(&finer);
                 work.push((i, i + run));
             }
