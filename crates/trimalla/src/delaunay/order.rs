@@ -13,6 +13,8 @@
 //! # Source
 //! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
 
+use std::ops::Range;
+
 use super::curve_cells::CoreCells;
 use super::radix_sort::{Keyed, sort_by_key};
 use crate::geometry::Point;
@@ -90,19 +92,26 @@ fn keys(points: &[Point]) -> Vec<Keyed> {
 
 /// Sorts every crowded cell by a curve over its own points, and so on for its crowded cells.
 fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed], spare: &mut [Keyed]) {
-    let mut work: Vec<(usize, usize)> = vec![(0, keyed.len())];
-    while let Some((start, end)) = work.pop() {
-        let mut i = start;
-        while i < end {
-            let key = keyed[i].key;
-            let run = keyed[i..end].iter().take_while(|k| k.key == key).count();
-            if run > CROWDED && run < end - start {
-                sort_cell(points, &mut keyed[i..i + run], &mut spare[i..i + run]);
-                work.push((i, i + run));
+    let mut work: Vec<Range<usize>> = std::iter::once(0..keyed.len()).collect();
+    while let Some(mut part) = work.pop() {
+        let all = part.len();
+        while let Some(cell) = first_crowded_cell(keyed, part.clone()) {
+            if cell.len() < all {
+                sort_cell(points, &mut keyed[cell.clone()], &mut spare[cell.clone()]);
+                work.push(cell.clone());
             }
-            i += run;
+            part.start = cell.end;
         }
     }
+}
+
+/// The first crowded cell in a part of the sorted positions.
+fn first_crowded_cell(keyed: &[Keyed], part: Range<usize>) -> Option<Range<usize>> {
+    let rest = &keyed[part.clone()];
+    let first = rest.windows(CROWDED + 1).position(|w| w[0].key == w[CROWDED].key)?;
+    let count = rest[first..].partition_point(|k| k.key == rest[first].key);
+    let start = part.start + first;
+    Some(start..start + count)
 }
 
 /// Sorts the points of one cell by a curve of their own.
