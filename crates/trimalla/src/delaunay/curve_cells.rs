@@ -54,7 +54,7 @@ impl CoreCells {
     /// # Complexity
     /// Linear.
     pub(super) fn over(len: usize, point: impl Fn(usize) -> Point) -> Self {
-        let bounds = BoundingBox::of((0..len).map(&point));
+        let bounds = bounds(len, &point);
         let core = bounds.and_then(|bounds| core(len, &point, bounds));
         Self { cells: CurveCells::around(core.or(bounds)), core }
     }
@@ -67,6 +67,19 @@ impl CoreCells {
             _ => self.cells.key(p),
         }
     }
+}
+
+/// The box around points, all of which are finite.
+///
+/// [`BoundingBox::of`] minds what is not a number, at every point.
+fn bounds(len: usize, point: impl Fn(usize) -> Point) -> Option<BoundingBox> {
+    let first = (len > 0).then(|| BoundingBox::around(point(0)))?;
+    let least = |a: f64, b: f64| if b < a { b } else { a };
+    let greatest = |a: f64, b: f64| if b > a { b } else { a };
+    Some((1..len).map(point).fold(first, |bounds, p| BoundingBox {
+        min: Point::new(least(bounds.min.x, p.x), least(bounds.min.y, p.y)),
+        max: Point::new(greatest(bounds.max.x, p.x), greatest(bounds.max.y, p.y)),
+    }))
 }
 
 /// The box around the core of a set in `bounds`; `None` where the set is not heavy-tailed.
