@@ -49,11 +49,12 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
     let mut same = Vec::new();
     let mut lawson = Lawson::default();
     let mut last = FaceId(0);
-    for v in order.filter(|v| !first.contains(v)) {
+    // Not a `for` loop: the rounds are nested loops where they call, and a machine of states where they are called.
+    order.filter(|v| !first.contains(v)).for_each(|v| {
         let locus = t.locate_from(last, t.point(v));
         if let Locus::Vertex(w) = locus {
             same.push((v, w));
-            continue;
+            return;
         }
         last = match locus {
             Locus::Face(f) => f,
@@ -61,7 +62,7 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
             _ => last,
         };
         insert_at::<false, _>(t, v, locus, &mut lawson, &mut NoJournal);
-    }
+    });
     same
 }
 

@@ -14,6 +14,7 @@
 
 mod algorithm;
 mod cavity;
+mod curve_cells;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
 mod delaunay;
 mod divide_and_conquer;
@@ -21,15 +22,17 @@ mod incremental;
 mod insert;
 mod lawson;
 mod order;
+mod radix_sort;
 mod remove;
 #[cfg(test)]
 mod tests;
 
 pub use algorithm::{Algorithm, AlgorithmKey, DivideAndConquer, Incremental};
 pub(crate) use cavity::Cavity;
+pub(crate) use curve_cells::CurveCells;
 pub use delaunay::{BuildError, Delaunay, Inserted};
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
-pub(crate) use order::{CurveCells, along_curve, insertion_order};
+pub(crate) use order::{along_curve, insertion_order};
 pub use remove::RemoveError;
 pub(crate) use remove::{flip_spokes_away, legalise_hole, remove_vertex};

@@ -1,7 +1,8 @@
 //! The order of insertion: along a space-filling curve, by rounds.
 //!
 //! 1. Points are quantised to 2¹⁶ × 2¹⁶ cells and sorted by their place on a Hilbert curve, with a
-//!    radix sort; crowded cells are sorted again by a finer curve of their own.
+//!    radix sort; crowded cells are sorted again by a finer curve of their own. Of heavy-tailed sets the cells cover
+//!    the core, and the points outside of it are one more crowded cell ([`super::curve_cells`]).
 //! 2. A biased randomised insertion order (BRIO): of every sixteen neighbours on the curve one is drawn, of
 //!    every sixteen of those one, and so on. Rounds begin with the fewest; each runs along the curve.
 //!    Draws are hashes of positions, so the order is a function of the input alone.
@@ -12,7 +13,11 @@
 //! # Source
 //! `[AmentaChoiRote03]` for the rounds; Hilbert's curve for the order within.
 
-use crate::geometry::{BoundingBox, Point, hilbert_key_16};
+use std::ops::Range;
+
+use super::curve_cells::CoreCells;
+use super::radix_sort::{Keyed, sort_by_key};
+use crate::geometry::Point;
 use crate::mesh::VertexId;
 
 /// A cell with more points than this is sorted again by its own finer curve.
@@ -22,25 +27,21 @@ const ROUND_SHIFT: u32 = 4;
 /// Below this many points rounds cost more than they save.
 const ROUNDS_FROM: usize = 2000;
 
-/// A position and its place on the curve.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Keyed {
-    key: u32,
-    pub(super) position: u32,
-}
-
 /// Points in the order of a Hilbert curve, named by their positions.
 ///
 /// # Complexity
-/// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement.
+/// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement, and the points outside
+/// of a core, a quarter of all at most, one for each core.
 pub(crate) fn along_curve(points: &[Point]) -> Vec<VertexId> {
     keyed_along_curve(points).0.into_iter().map(|k| VertexId(k.position)).collect()
 }
 
 /// [`along_curve`] with the keys, and memory that the sort has no more use for.
 pub(super) fn keyed_along_curve(points: &[Point]) -> (Vec<Keyed>, Vec<Keyed>) {
-    let (mut keyed, spare) = sort_by_key(keys(points, 0..points.len()));
-    refine_crowded_cells(points, &mut keyed);
+    let mut keyed = keys(points);
+    let mut spare = vec![Keyed::default(); keyed.len()];
+    sort_by_key(&mut keyed, &mut spare);
+    refine_crowded_cells(points, &mut keyed, &mut spare);
     (keyed, spare)
 }
 
@@ -82,94 +83,101 @@ fn chosen_child(block: u32, round: u32) -> u32 {
     block << ROUND_SHIFT | h >> (32 - ROUND_SHIFT)
 }
 
-/// Points of the given positions with their keys.
+/// The positions of all points with their keys.
 #[allow(clippy::cast_possible_truncation, reason = "bounded by the number of vertex ids")]
-fn keys(points: &[Point], positions: impl ExactSizeIterator<Item = usize> + Clone) -> Vec<Keyed> {
-    let cells = CurveCells::around(BoundingBox::of(positions.clone().map(|i| points[i])));
-    positions.map(|i| Keyed { key: cells.key(points[i]), position: i as u32 }).collect()
-}
-
-/// A grid of 2¹⁶ × 2¹⁶ cells over a box.
-#[derive(Clone, Debug)]
-pub(crate) struct CurveCells {
-    min: Point,
-    /// Cells a unit; coordinates are halved before subtraction so that nothing overflows.
-    scale: f64,
-}
-
-impl CurveCells {
-    pub(crate) fn around(bounds: Option<BoundingBox>) -> Self {
-        let Some(bounds) = bounds else { return Self { min: Point::default(), scale: 0.0 } };
-        let scale = 65535.0 / bounds.half_width().max(bounds.half_height());
-        Self { min: bounds.min, scale: if scale.is_finite() { scale } else { 0.0 } }
-    }
-
-    #[inline]
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the cast saturates, and the cell is an order only"
-    )]
-    pub(crate) fn key(&self, p: Point) -> u32 {
-        let cell = |c: f64, min: f64| ((c * 0.5 - min * 0.5) * self.scale) as u16;
-        hilbert_key_16(cell(p.x, self.min.x), cell(p.y, self.min.y))
-    }
-}
-
-/// Radix sort by key, stable: three passes of eleven bits. Returns the array between which it went to and fro as well.
-fn sort_by_key(mut a: Vec<Keyed>) -> (Vec<Keyed>, Vec<Keyed>) {
-    const BITS: u32 = 11;
-    const SIZE: usize = 1 << BITS;
-    if a.len() < 256 {
-        a.sort_by_key(|k| k.key);
-        return (a, Vec::new());
-    }
-    let digit = |k: &Keyed, pass: usize| (k.key >> (BITS * pass as u32)) as usize & (SIZE - 1);
-    let mut counts = vec![[0u32; SIZE]; 3];
-    for k in &a {
-        for (pass, count) in counts.iter_mut().enumerate() {
-            count[digit(k, pass)] += 1;
-        }
-    }
-    let mut b = vec![Keyed { key: 0, position: 0 }; a.len()];
-    for (pass, count) in counts.iter_mut().enumerate() {
-        let mut start = 0;
-        for c in count.iter_mut() {
-            start += std::mem::replace(c, start);
-        }
-        for k in &a {
-            let slot = &mut count[digit(k, pass)];
-            b[*slot as usize] = *k;
-            *slot += 1;
-        }
-        std::mem::swap(&mut a, &mut b);
-    }
-    (a, b)
+fn keys(points: &[Point]) -> Vec<Keyed> {
+    let cells = CoreCells::over(points.len(), |i| points[i]);
+    points.iter().enumerate().map(|(i, &p)| Keyed { key: cells.key(p), position: i as u32 }).collect()
 }
 
 /// Sorts every crowded cell by a curve over its own points, and so on for its crowded cells.
-fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed]) {
-    let mut work: Vec<(usize, usize)> = vec![(0, keyed.len())];
-    while let Some((start, end)) = work.pop() {
-        let mut i = start;
-        while i < end {
-            let key = keyed[i].key;
-            let run = keyed[i..end].iter().take_while(|k| k.key == key).count();
-            if run > CROWDED && run < end - start {
-                let cell = &mut keyed[i..i + run];
-                let positions: Vec<usize> = cell.iter().map(|k| k.position as usize).collect();
-                let (finer, _) = sort_by_key(keys(points, positions.into_iter()));
-                cell.copy_from_slice(&finer);
-                work.push((i, i + run));
+fn refine_crowded_cells(points: &[Point], keyed: &mut [Keyed], spare: &mut [Keyed]) {
+    let mut work: Vec<Range<usize>> = std::iter::once(0..keyed.len()).collect();
+    while let Some(mut part) = work.pop() {
+        let all = part.len();
+        while let Some(cell) = first_crowded_cell(keyed, part.clone()) {
+            if cell.len() < all {
+                sort_cell(points, &mut keyed[cell.clone()], &mut spare[cell.clone()]);
+                work.push(cell.clone());
             }
-            i += run;
+            part.start = cell.end;
         }
     }
+}
+
+/// The first crowded cell in a part of the sorted positions.
+fn first_crowded_cell(keyed: &[Keyed], part: Range<usize>) -> Option<Range<usize>> {
+    let rest = &keyed[part.clone()];
+    let first = rest.windows(CROWDED + 1).position(|w| w[0].key == w[CROWDED].key)?;
+    let count = rest[first..].partition_point(|k| k.key == rest[first].key);
+    let start = part.start + first;
+    Some(start..start + count)
+}
+
+/// Sorts the points of one cell by a curve of their own.
+fn sort_cell(points: &[Point], cell: &mut [Keyed], spare: &mut [Keyed]) {
+    let cells = CoreCells::over(cell.len(), |i| points[cell[i].position as usize]);
+    for k in cell.iter_mut() {
+        k.key = cells.key(points[k.position as usize]);
+    }
+    sort_by_key(cell, spare);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Numbers from 0 to 1.
+    fn spread(n: usize) -> impl Iterator<Item = f64> {
+        (1..=n as u64).map(|i| (i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+
+    /// Points in all directions, at distances that a function makes of numbers from 0 to 1.
+    fn around_origin(n: usize, distance: impl Fn(f64) -> f64) -> Vec<Point> {
+        let at = |(i, u): (usize, f64)| {
+            let t = (i % 101) as f64 / 50.0 - 1.0;
+            let (cos, sin) = ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+            let r = if i % 2 == 0 { distance(u) } else { -distance(u) };
+            Point::new(r * cos, r * sin)
+        };
+        spread(n).enumerate().map(at).collect()
+    }
+
+    fn assert_orders_all(points: &[Point]) {
+        let mut order = along_curve(points);
+        order.sort_unstable();
+        assert!(order.into_iter().eq((0..points.len()).map(VertexId::from_index)));
+    }
+
+    #[test]
+    fn a_heavy_tailed_set_has_few_crowded_cells() {
+        // A Kuzmin disc: half of it within 2 of the middle, the outermost at 100 000.
+        let points = around_origin(100_000, |u| (1.0 / (u * u) - 1.0).sqrt());
+        assert_orders_all(&points);
+        let mut keyed = keys(&points);
+        keyed.sort_by_key(|k| k.key);
+        let crowded: Vec<usize> =
+            keyed.chunk_by(|a, b| a.key == b.key).map(<[_]>::len).filter(|&n| n > CROWDED).collect();
+        assert!(crowded.len() == 1 && crowded[0] < points.len() / 4, "{crowded:?}");
+    }
+
+    #[test]
+    fn hostile_sets_are_ordered_as_well() {
+        const N: usize = 10_000;
+        assert_orders_all(&around_origin(N, |u| 2_f64.powi((2000.0 * u) as i32 - 1000)));
+        assert_orders_all(&around_origin(N, |u| f64::MAX * u));
+        assert_orders_all(&around_origin(N, |u| 1e-320 * u));
+        assert_orders_all(&around_origin(N, |u| if u < 0.1 { f64::MAX } else { 5e-324 }));
+        assert_orders_all(&around_origin(N, |u| if u < 0.1 { 1.0 } else { 0.0 }));
+        assert_orders_all(&vec![Point::new(1.0, -1.0); N]);
+        // Each sample sees one place only, as far as it can be told in advance.
+        let rare = |i: usize| if i % (N / 1024) == 0 { Point::default() } else { Point::new(i as f64, 1.0) };
+        assert_orders_all(&(0..N).map(rare).collect::<Vec<_>>());
+        // One more point at each power of two, the others at the origin.
+        let powers =
+            |i: usize| if i % 5 == 0 { Point::new(2_f64.powi(i as i32 / 5 - 1000), 0.0) } else { Point::default() };
+        assert_orders_all(&(0..N).map(powers).collect::<Vec<_>>());
+    }
 
     #[test]
     fn rounds_meet_every_position_once() {

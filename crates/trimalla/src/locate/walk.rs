@@ -167,10 +167,13 @@ impl Triangulation {
     /// A real face at or beside a slot.
     #[inline]
     fn real_face_near(&self, f: FaceId) -> Option<FaceId> {
+        if self.is_real(f) { Some(f) } else { self.real_face_beside(f) }
+    }
+
+    /// The face beside a ghost; for a dead slot any.
+    #[cold]
+    fn real_face_beside(&self, f: FaceId) -> Option<FaceId> {
         if self.is_alive(f) {
-            if !self.is_ghost(f) {
-                return Some(f);
-            }
             return self.ghost_edge(f).map(|g| self.twin(g).face()).filter(|&f| self.is_real(f));
         }
         self.real_faces().next_back()
