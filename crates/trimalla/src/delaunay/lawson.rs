@@ -1,6 +1,6 @@
 //! Lawson's loop: flip what fails the circle test until nothing does.
 
-use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed};
+use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, inside_two_circles};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -57,11 +57,11 @@ impl Lawson {
             } else {
                 t.mesh.rewire_flip(e, j);
             }
-            waiting = match (is_illegal(t, e, q), is_illegal(t, next, q)) {
-                (false, false) => self.stack.pop(),
-                (true, false) => Some(e),
-                (false, true) => Some(next),
-                (true, true) => {
+            waiting = match are_illegal(t, [e, next], q) {
+                [false, false] => self.stack.pop(),
+                [true, false] => Some(e),
+                [false, true] => Some(next),
+                [true, true] => {
                     self.stack.push(e);
                     Some(next)
                 }
@@ -96,6 +96,34 @@ impl Lawson {
 #[inline(always)]
 fn is_illegal(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
     !t.mesh.is_marked(e) && conflicts(t, e, t.mesh.twin(e), q)
+}
+
+/// [`is_illegal`] for two edges, tested together.
+#[inline(always)]
+fn are_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
+    let corners = |e: HalfEdgeId| {
+        let o = t.mesh.twin(e);
+        [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o)]
+    };
+    let ([x0, y0, d0], [x1, y1, d1]) = (corners(edges[0]), corners(edges[1]));
+    let point = |v: VertexId| t.points.get(v.index());
+    let inside = match (point(x0), point(y0), point(d0), point(x1), point(y1), point(d1)) {
+        (Some(&x0), Some(&y0), Some(&d0), Some(&x1), Some(&y1), Some(&d1)) => {
+            inside_two_circles([y0, y1], [x0, x1], [d0, d1], q)
+        }
+        _ => None,
+    };
+    match inside {
+        Some([first, second]) => [first && !t.mesh.is_marked(edges[0]), second && !t.mesh.is_marked(edges[1])],
+        None => each_is_illegal(t, edges, q),
+    }
+}
+
+/// The same one after the other: ghosts are there, or rounding leaves a test open.
+#[cold]
+#[inline(never)]
+fn each_is_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
+    edges.map(|e| is_illegal(t, e, q))
 }
 
 /// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included), whose apex is at `q`.

@@ -25,12 +25,12 @@ pub use containment::Containment;
 pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
-pub(crate) use predicates::sides_angle_at_least;
 pub use predicates::{
     CircleSide, Orientation, SegmentContact, angle_at_least, ccw, collinear, in_circle, in_circle_perturbed,
     in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact, segments_cross_properly, strictly_between,
     triangle_angles_at_least,
 };
+pub(crate) use predicates::{inside_two_circles, sides_angle_at_least};
 pub use ring::Ring;
 pub use segment::Segment;
 pub use triangle::Triangle;

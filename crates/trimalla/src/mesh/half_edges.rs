@@ -266,11 +266,11 @@ impl HalfEdgeMesh {
         if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {
             return false;
         }
-        // Between two finite ends a face is a ghost by its apex.
-        match (self.apex(h).is_finite(), self.apex(t).is_finite()) {
-            (true, false) => true,
-            (false, true) => false,
-            _ => h < t,
+        // Between two finite ends a face is a ghost by its apex. The face across is looked at only where it matters.
+        match (self.apex(h).is_finite(), h < t) {
+            (true, true) => true,
+            (true, false) => !self.apex(t).is_finite(),
+            (false, is_lower) => is_lower && !self.apex(t).is_finite(),
         }
     }
 

@@ -8,6 +8,7 @@ use super::orient::{Orientation, orient2d};
 use super::safe_range::{self, all_within, coord};
 use super::wide::Wide;
 use core::cmp::Ordering;
+use core::ops::{Add, Mul, Sub};
 
 /// The side of a circle on which a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -123,6 +124,66 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     } else {
         None
     }
+}
+
+/// Two numbers that go through the same arithmetic side by side, as processors can.
+#[derive(Clone, Copy)]
+struct Two([f64; 2]);
+
+impl Two {
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.map(f64::abs))
+    }
+}
+
+impl Add for Two {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(other, f64::add)
+    }
+}
+
+impl Sub for Two {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(other, f64::sub)
+    }
+}
+
+impl Mul for Two {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.with(other, f64::mul)
+    }
+}
+
+/// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
+#[inline(always)]
+pub(crate) fn inside_two_circles(a: [Point; 2], b: [Point; 2], c: [Point; 2], d: Point) -> Option<[bool; 2]> {
+    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[p, q]| [Two([p.x, q.x]), Two([p.y, q.y])]);
+    let (dx, dy) = (Two([d.x; 2]), Two([d.y; 2]));
+    let (cax, cay, cbx, cby) = (ax - cx, ay - cy, bx - cx, by - cy);
+    let (dax, day, dbx, dby) = (ax - dx, ay - dy, bx - dx, by - dy);
+    let (sine_c, cosine_c) = (cax * cby - cay * cbx, cax * cbx + cay * cby);
+    let (sine_d, cosine_d) = (dbx * day - dby * dax, dax * dbx + day * dby);
+    let sine_of_sum = sine_c * cosine_d + cosine_c * sine_d;
+    let guard = Two([CIRCLE_GUARD; 2]);
+    let (size_c, size_d) = (sine_c.abs() + cosine_c.abs() + guard, sine_d.abs() + cosine_d.abs() + guard);
+    let Two(surplus) = sine_of_sum.abs() - Two([CIRCLE_BOUND; 2]) * (size_c * size_d);
+    let is_proved = surplus[0] > 0.0 && surplus[1] > 0.0;
+    is_proved.then(|| sine_of_sum.0.map(|sine| sine < 0.0))
 }
 
 /// Decides what the filter left open.
@@ -296,6 +357,24 @@ mod tests {
             }
         }
         assert!(decided > 10_000);
+    }
+
+    #[test]
+    fn two_circles_are_told_as_one_after_the_other() {
+        let mut number = wild_numbers();
+        let mut proved = 0;
+        for i in 0..40_000 {
+            let mut pair = || [0, 1].map(|k| Point::new(number(i >> k & 1 == 0), number(true)));
+            let (a, b, c, [d, _]) = (pair(), pair(), pair(), pair());
+            let one_by_one = [0, 1].map(|k| filtered_sign(a[k], b[k], c[k], d));
+            let Some(inside) = inside_two_circles(a, b, c, d) else {
+                assert!(one_by_one.contains(&None), "both can be proved");
+                continue;
+            };
+            assert_eq!(inside.map(Some), one_by_one.map(|side| side.map(|side| side == CircleSide::Inside)));
+            proved += 1;
+        }
+        assert!(proved > 10_000);
     }
 
     #[test]
