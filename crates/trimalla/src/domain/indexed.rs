@@ -41,17 +41,16 @@ impl ConstrainedDelaunay {
 
     /// All but points and triangles.
     fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
-        let segments: Vec<HalfEdgeId> = self.marked_edges().collect();
-        let segment_markers: Vec<i32> = segments.iter().map(|&h| self.edge_marker(h, pslg)).collect();
+        let subsegments: Vec<Subsegment> = self.marked_edges().map(|h| self.subsegment(h, pslg)).collect();
         let mut mesh = IndexedMesh {
-            segments: segments.iter().map(|&h| [self.origin(h), self.dest(h)].map(|v| kept.id(v))).collect(),
-            segment_markers: segment_markers.clone(),
+            segments: subsegments.iter().map(|s| s.ends.map(|v| kept.id(v))).collect(),
+            segment_markers: subsegments.iter().map(|s| s.marker).collect(),
             attributes_per_point: pslg.attributes_per_point,
             holes: pslg.holes.clone(),
             input_points: self.input_points,
             ..IndexedMesh::default()
         };
-        mesh.point_markers = self.point_markers(kept, &segments, &segment_markers, pslg);
+        mesh.point_markers = self.point_markers(kept, &subsegments, pslg);
         mesh.point_attributes = Attributes::new(self, pslg).of(kept.vertices());
         if !self.regions.is_empty() {
             let attribute = |f: FaceId| self.region_rule(f).map_or(0.0, |rule| rule.attribute);
@@ -61,23 +60,21 @@ impl ConstrainedDelaunay {
         mesh
     }
 
-    /// The marker of a subsegment: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
-    fn edge_marker(&self, h: HalfEdgeId, pslg: &Pslg) -> i32 {
+    /// What a subsegment is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
+    fn subsegment(&self, h: HalfEdgeId, pslg: &Pslg) -> Subsegment {
         let on_border = self.is_boundary(h) || self.is_boundary(self.twin(h));
         let given =
             self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
-        given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 })
+        let marker = given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 });
+        Subsegment { ends: [self.origin(h), self.dest(h)], on_border, marker }
     }
 
     /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
-    fn point_markers(&self, kept: &Kept, segments: &[HalfEdgeId], markers: &[i32], pslg: &Pslg) -> Vec<i32> {
+    fn point_markers(&self, kept: &Kept, subsegments: &[Subsegment], pslg: &Pslg) -> Vec<i32> {
         let mut at = vec![0; self.points().len()];
         for on_border in [false, true] {
-            for (&h, &m) in segments.iter().zip(markers) {
-                if on_border == (self.is_boundary(h) || self.is_boundary(self.twin(h))) && m != 0 {
-                    at[self.origin(h).index()] = m;
-                    at[self.dest(h).index()] = m;
-                }
+            for s in subsegments.iter().filter(|s| s.on_border == on_border && s.marker != 0) {
+                s.ends.iter().for_each(|v| at[v.index()] = s.marker);
             }
         }
         for (marker, &given) in at.iter_mut().zip(&pslg.point_markers) {
@@ -88,6 +85,13 @@ impl ConstrainedDelaunay {
             Kept::Some { vertices, .. } => vertices.iter().map(|v| at[v.index()]).collect(),
         }
     }
+}
+
+/// A subsegment as plain arrays have it.
+struct Subsegment {
+    ends: [VertexId; 2],
+    on_border: bool,
+    marker: i32,
 }
 
 /// The vertices that a mesh as plain arrays has: all but unused Steiner slots.

@@ -76,6 +76,41 @@ impl Step {
     }
 }
 
+/// Steps of patience that follow each other; room for them is made where one is needed, as few of all that there could be are.
+#[derive(Clone, Debug, Default)]
+struct Drawer {
+    /// One bit a step: whether anything waits there, or did until just now.
+    occupied: u64,
+    steps: Option<Box<[Step; Self::STEPS]>>,
+}
+
+impl Drawer {
+    const STEPS: usize = 64;
+
+    /// Adds a triangle to a step.
+    #[inline]
+    fn put(&mut self, claim: Claim, step: usize) {
+        let steps = self.steps.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Step::default())));
+        steps[step].claims.push(claim);
+        self.occupied |= 1 << step;
+    }
+
+    /// Takes one from the lowest step where anything waits.
+    #[inline]
+    fn take(&mut self, oldest_first: bool) -> Option<Claim> {
+        let steps = self.steps.as_mut()?;
+        while self.occupied != 0 {
+            let step = &mut steps[self.occupied.trailing_zeros() as usize];
+            let claim = if oldest_first { step.take_oldest() } else { step.take_newest() };
+            if claim.is_some() {
+                return claim;
+            }
+            self.occupied &= self.occupied - 1;
+        }
+        None
+    }
+}
+
 /// Bad triangles by patience. Triangles that are gone stay until they come up.
 ///
 /// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
@@ -92,10 +127,8 @@ pub(super) struct Queue {
     present: usize,
     /// Triangles of other patches, with their patience.
     elsewhere: Vec<Vec<(Claim, f64)>>,
-    steps: Vec<Step>,
-    /// One bit a step: whether anything waits there.
-    occupied: Vec<u64>,
-    /// No word of `occupied` below this one has a bit.
+    drawers: Vec<Drawer>,
+    /// Nothing waits in a drawer below this one.
     lowest: usize,
     len: usize,
     /// The newest look at each slot; 0 where there was nothing bad.
@@ -137,19 +170,12 @@ impl Queue {
         // Positive numbers are ordered as their bits.
         let bits = if patience > 0.0 { patience.to_bits() } else { 0 };
         let step = (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as usize;
-        if step >= self.steps.len() {
-            self.add_steps(step);
+        let (drawer, step) = (step / Drawer::STEPS, step % Drawer::STEPS);
+        if drawer >= self.drawers.len() {
+            self.drawers.resize_with(drawer + 1, Drawer::default);
         }
-        self.steps[step].claims.push(claim);
-        self.occupied[step / 64] |= 1 << (step % 64);
-        self.lowest = self.lowest.min(step / 64);
-    }
-
-    /// Makes room for a step.
-    #[cold]
-    fn add_steps(&mut self, step: usize) {
-        self.steps.resize_with(step + 1, Step::default);
-        self.occupied.resize(step / 64 + 1, 0);
+        self.drawers[drawer].put(claim, step);
+        self.lowest = self.lowest.min(drawer);
     }
 
     /// Goes on to the next patch in which anything waits; says whether there is one.
@@ -215,21 +241,15 @@ impl Queue {
     }
 
     fn pop_here(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
-        while let Some(word) = self.occupied.get(self.lowest) {
-            if *word == 0 {
+        while let Some(drawer) = self.drawers.get_mut(self.lowest) {
+            let Some(claim) = drawer.take(oldest_first) else {
                 self.lowest += 1;
                 continue;
+            };
+            self.len -= 1;
+            if self.is_valid(cdt, claim) {
+                return Some(claim.face);
             }
-            let step = self.lowest * 64 + word.trailing_zeros() as usize;
-            loop {
-                let list = &mut self.steps[step];
-                let Some(claim) = (if oldest_first { list.take_oldest() } else { list.take_newest() }) else { break };
-                self.len -= 1;
-                if self.is_valid(cdt, claim) {
-                    return Some(claim.face);
-                }
-            }
-            self.occupied[self.lowest] &= !(1 << (step % 64));
         }
         None
     }

@@ -82,24 +82,26 @@ impl Refinement {
     /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is sharp
     /// then and wants a cut on a circle, they come back.
     fn split(&mut self, h: HalfEdgeId) -> bool {
-        let ends = [self.cdt.origin(h), self.cdt.dest(h)];
-        if !self.region.is_lens() || !self.minds_encroachment() || self.acute_ends(h) != [false, false] {
-            return self.split_as_it_is(ends);
+        let acute = self.acute_ends(h);
+        if !self.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
+            return self.split_at_cut(h, acute);
         }
+        let ends = [self.cdt.origin(h), self.cdt.dest(h)];
         let (here, deleted) = (self.log.checkpoint(), self.report.vertices_deleted);
         let looked_at = self.delete_free_vertices(ends[0], ends[1]);
+        let deleted = self.report.vertices_deleted - deleted;
+        if deleted == 0 {
+            return self.split_at_cut(h, acute);
+        }
         if self.split_as_it_is(ends) {
             return true;
         }
-        let deleted = self.report.vertices_deleted - deleted;
-        if deleted > 0 {
-            self.cdt.rollback(&mut self.log, here);
-            self.report.vertices_deleted -= deleted;
-            self.vertices += deleted as usize;
-            self.note(|event| event.deleted.clear());
-            self.look_again(looked_at);
-        }
-        deleted > 0 && self.split_as_it_is(ends)
+        self.cdt.rollback(&mut self.log, here);
+        self.report.vertices_deleted -= deleted;
+        self.vertices += deleted as usize;
+        self.note(|event| event.deleted.clear());
+        self.look_again(looked_at);
+        self.split_as_it_is(ends)
     }
 
     /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the queue.
@@ -113,8 +115,13 @@ impl Refinement {
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
     fn split_as_it_is(&mut self, [a, b]: [VertexId; 2]) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
+        self.split_at_cut(h, self.acute_ends(h))
+    }
+
+    /// The same where it is known whether other segments join at its ends.
+    fn split_at_cut(&mut self, h: HalfEdgeId, acute: [bool; 2]) -> bool {
         // Whether there is room the split itself asks.
-        let Ok(cut) = self.cut_at(h) else { return false };
+        let Ok(cut) = self.cut_at(h, acute) else { return false };
         let provenance = self.provenance_of(h, cut);
         let split = if self.insert.by_cavity() {
             self.split_by_cavity(h, cut.point, provenance)
@@ -163,14 +170,14 @@ impl Refinement {
 
     /// Whether `h` can be split, or why not.
     fn may_cut(&self, h: HalfEdgeId) -> Result<(), Reason> {
-        match self.cdt.can_split(h, self.cut_at(h)?.point) {
+        match self.cdt.can_split(h, self.cut_at(h, self.acute_ends(h))?.point) {
             Ok(()) => Ok(()),
             Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
         }
     }
 
     /// Where `h` is split if there is room, or why it must not be.
-    fn cut_at(&self, h: HalfEdgeId) -> Result<Cut, Reason> {
+    fn cut_at(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<Cut, Reason> {
         let on_border = self.cdt.is_boundary(h) || self.cdt.is_boundary(self.cdt.twin(h));
         let protected = match self.options.protect {
             Protect::None => false,
@@ -180,7 +187,7 @@ impl Refinement {
         if protected {
             return Err(Reason::ProtectedSegment);
         }
-        let (t, shell) = self.place_of_cut(h);
+        let (t, shell) = self.place_of_cut(h, acute);
         let point = self.cdt.place_on_subsegment(h, t);
         let [a, b] = self.cdt.edge_points(h);
         if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
@@ -209,8 +216,8 @@ impl Refinement {
     ///
     /// # Source
     /// Concentric shells: `[Ruppert95]` section 5; the power is chosen so that the cut lies in the middle third.
-    fn place_of_cut(&self, h: HalfEdgeId) -> (f64, Option<(i16, bool)>) {
-        let around_b = match self.acute_ends(h) {
+    fn place_of_cut(&self, h: HalfEdgeId, acute: [bool; 2]) -> (f64, Option<(i16, bool)>) {
+        let around_b = match acute {
             [true, false] => false,
             [false, true] => true,
             _ => return (0.5, None),

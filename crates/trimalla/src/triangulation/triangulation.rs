@@ -102,12 +102,10 @@ impl Triangulation {
     #[inline]
     pub(crate) fn corners_from_newest(&self, f: FaceId) -> [Point; 3] {
         let [a, b, c] = self.face_vertices(f);
-        let from_newest = match () {
-            () if a > b.max(c) => [a, b, c],
-            () if b > c => [b, c, a],
-            () => [c, a, b],
-        };
-        from_newest.map(|v| self.point(v))
+        // Looked up, not branched on: which one it is nobody can guess.
+        let first = if c > a.max(b) { 2 } else { usize::from(b > a) };
+        let ring = [a, b, c, a, b];
+        [ring[first], ring[first + 1], ring[first + 2]].map(|v| self.point(v))
     }
 
     /// Coordinates of the ends of a finite half-edge.

@@ -45,9 +45,14 @@ impl HalfEdgeMesh {
     /// The border of kept faces, in the order of their slots.
     pub(crate) fn border_of(&self, kept: &[bool]) -> Border {
         let mut border = Border::default();
+        let is_kept = |h: HalfEdgeId| kept[h.face().index()];
         for f in (0..self.face_slots()).map(FaceId::from_index).filter(|f| kept[f.index()]) {
+            let [a, b, c] = self.face(f).map(|side| side.twin);
+            if is_kept(a) & is_kept(b) & is_kept(c) {
+                continue; // Most faces lie inside.
+            }
             for h in f.half_edges() {
-                if !kept[self.twin(h).face().index()] {
+                if !is_kept(self.twin(h)) {
                     border.edges.push(h);
                     border.before.push(self.turn_through(h, kept));
                 }
