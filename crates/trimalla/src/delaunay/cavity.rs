@@ -27,7 +27,7 @@ pub(crate) struct Cavity {
     rim: Vec<RimEdge>,
     /// Where each of them starts.
     starts: Vec<Point>,
-    /// Sides still to be passed, the next one last.
+    /// Sides that wait until those before them are done, and whether they are to be passed; the next one last.
     stack: Vec<(Side, bool)>,
 }
 
@@ -161,8 +161,8 @@ impl Cavity {
     /// Goes around all that is to be taken in beyond a side, counter-clockwise as its rim is.
     ///
     /// ```text
-    ///           end                   The face beyond has two more sides. Where neither is passed, the way goes back to
-    ///          / │                    the side left waiting last; a side waits only where the one before it is passed.
+    ///           end                   The face beyond has two more sides, tested together. Where neither is passed, the way goes
+    ///          / │                    back to the side left waiting last; a side waits only where the one before it is passed.
     ///     apex   │ side    p
     ///          \ │
     ///          start
@@ -182,13 +182,13 @@ impl Cavity {
                 continue;
             }
             self.close(t, first, region);
-            let mut last = (second, passes_second);
-            while !last.1 {
-                self.close(t, last.0, region);
+            let (mut last, mut is_passed) = (second, passes_second);
+            while !is_passed {
+                self.close(t, last, region);
                 let Some(waiting) = self.stack.pop() else { return };
-                last = waiting;
+                (last, is_passed) = waiting;
             }
-            side = last.0;
+            side = last;
         }
     }
 
