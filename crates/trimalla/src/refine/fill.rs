@@ -44,7 +44,7 @@ const NARROWEST_SQ: f64 = 0.25;
 
 /// How far the filling is.
 #[derive(Clone, Debug, Default)]
-pub(super) enum Filling {
+pub(super) enum FillStage {
     /// Subsegments are halved; lattices begin at a corner of this box.
     Segments(BoundingBox),
     /// Nodes go in.
@@ -94,7 +94,7 @@ impl Nodes {
 
 impl Refinement {
     /// Where the filling begins.
-    pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> Filling {
+    pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> FillStage {
         let is_delaunay = self.insert.keeps_delaunay() && self.options.recipe.initial != Initial::Given;
         let is_asked = self.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.is_manual;
         let bounds = bounds.filter(|_| is_asked);
@@ -102,21 +102,21 @@ impl Refinement {
             let faces = self.large_faces(*bounds);
             !faces.is_empty() && self.has_room_for(&faces)
         };
-        bounds.filter(is_wanted).map_or(Filling::Done, Filling::Segments)
+        bounds.filter(is_wanted).map_or(FillStage::Done, FillStage::Segments)
     }
 
     /// One step of the filling; says whether there was anything left to do.
     pub(super) fn fill_on(&mut self) -> bool {
         match std::mem::take(&mut self.filling) {
-            Filling::Done => return false,
-            Filling::Segments(bounds) => {
+            FillStage::Done => return false,
+            FillStage::Segments(bounds) => {
                 let is_on = self.queue_long_subsegments(bounds);
-                self.filling = if is_on { Filling::Segments(bounds) } else { self.planned(bounds) };
+                self.filling = if is_on { FillStage::Segments(bounds) } else { self.planned(bounds) };
             }
-            Filling::Nodes(mut nodes) => {
+            FillStage::Nodes(mut nodes) => {
                 self.stopwatch.enter(Part::Insert);
                 if self.try_next_of(&mut nodes) {
-                    self.filling = Filling::Nodes(nodes);
+                    self.filling = FillStage::Nodes(nodes);
                 } else {
                     self.look_at_all_bad(nodes.bounds);
                 }
@@ -127,14 +127,14 @@ impl Refinement {
 
     /// Whether there is anything left to fill.
     pub(super) fn is_filling(&self) -> bool {
-        !matches!(self.filling, Filling::Done)
+        !matches!(self.filling, FillStage::Done)
     }
 
     /// How many nodes still wait.
     pub(super) fn nodes_left(&self) -> usize {
         match &self.filling {
-            Filling::Nodes(nodes) => nodes.left(),
-            Filling::Segments(_) | Filling::Done => 0,
+            FillStage::Nodes(nodes) => nodes.left(),
+            FillStage::Segments(_) | FillStage::Done => 0,
         }
     }
 
@@ -196,11 +196,11 @@ impl Refinement {
     }
 
     /// The nodes in all triangles that are too large; none where there is no room for them.
-    fn planned(&mut self, bounds: BoundingBox) -> Filling {
+    fn planned(&mut self, bounds: BoundingBox) -> FillStage {
         let faces = self.large_faces(bounds);
         if !self.has_room_for(&faces) {
             self.look_at_all_bad(bounds);
-            return Filling::Done;
+            return FillStage::Done;
         }
         let degrees = self.degrees();
         let (mut points, mut part_of, mut parts) = (Vec::new(), Vec::new(), Vec::new());
@@ -216,7 +216,7 @@ impl Refinement {
         self.cdt.reserve(points.len());
         let order: Vec<u32> = insertion_order(&points).collect();
         let (points, part_of, order) = (points.into(), part_of.into(), order.into());
-        Filling::Nodes(Box::new(Nodes { points, part_of, order, done: 0, near: None, parts, bounds }))
+        FillStage::Nodes(Box::new(Nodes { points, part_of, order, done: 0, near: None, parts, bounds }))
     }
 
     /// How many faces there are at each vertex.

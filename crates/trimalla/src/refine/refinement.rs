@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::bad_triangles::{Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
-use super::fill::Filling;
+use super::fill::FillStage;
 use super::history::History;
 use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
@@ -54,7 +54,7 @@ pub struct Refinement {
     pub(super) floor_reason: Reason,
     /// Bisection stops at triangles with an edge shorter than this, squared.
     pub(super) bisection_floor_sq: f64,
-    pub(super) filling: Filling,
+    pub(super) filling: FillStage,
     pub(super) queue: Queue,
     pub(super) encroached: VecDeque<Encroached>,
     /// Subsegments whose split failed although it had seemed possible.
@@ -174,7 +174,7 @@ impl Refinement {
             test: Test::new(&options.criteria),
             floor_sq: floor * floor,
             floor_reason,
-            filling: Filling::Done,
+            filling: FillStage::Done,
             queue: Queue::default(),
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
