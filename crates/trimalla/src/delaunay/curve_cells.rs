@@ -49,12 +49,12 @@ pub(super) struct CoreCells {
 }
 
 impl CoreCells {
-    /// Over `point(0)`, `point(1)`, …, `point(len - 1)`.
+    /// Over `point(0)`, `point(1)`, …, `point(len - 1)`, all finite.
     ///
     /// # Complexity
     /// Linear.
     pub(super) fn over(len: usize, point: impl Fn(usize) -> Point) -> Self {
-        let bounds = bounds(len, &point);
+        let bounds = BoundingBox::of_finite((0..len).map(&point));
         let core = bounds.and_then(|bounds| core(len, &point, bounds));
         Self { cells: CurveCells::around(core.or(bounds)), core }
     }
@@ -67,19 +67,6 @@ impl CoreCells {
             _ => self.cells.key(p),
         }
     }
-}
-
-/// The box around points, all of which are finite.
-///
-/// [`BoundingBox::of`] minds what is not a number, at every point.
-fn bounds(len: usize, point: impl Fn(usize) -> Point) -> Option<BoundingBox> {
-    let first = (len > 0).then(|| BoundingBox::around(point(0)))?;
-    let least = |a: f64, b: f64| if b < a { b } else { a };
-    let greatest = |a: f64, b: f64| if b > a { b } else { a };
-    Some((1..len).map(point).fold(first, |bounds, p| BoundingBox {
-        min: Point::new(least(bounds.min.x, p.x), least(bounds.min.y, p.y)),
-        max: Point::new(greatest(bounds.max.x, p.x), greatest(bounds.max.y, p.y)),
-    }))
 }
 
 /// The box around the core of a set in `bounds`; `None` where the set is not heavy-tailed.
@@ -126,7 +113,7 @@ fn half_extent(bounds: BoundingBox) -> f64 {
 mod tests {
     use super::*;
 
-    /// Evenly spread, every third one a thousand times as far out where `tail` says so.
+    /// The core of points that are evenly spread, each so many times as far out as `tail` says.
     fn core_of(len: usize, tail: impl Fn(usize) -> f64) -> Option<BoundingBox> {
         let point = |i: usize| {
             let [x, y] = [i * 7919 % len, i * 104_729 % len].map(|c| c as f64 / len as f64 - 0.5);

@@ -101,11 +101,7 @@ fn is_illegal(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
 /// [`is_illegal`] for two edges, tested together.
 #[inline(always)]
 fn are_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
-    let corners = |e: HalfEdgeId| {
-        let o = t.mesh.twin(e);
-        [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o)]
-    };
-    let ([x0, y0, d0], [x1, y1, d1]) = (corners(edges[0]), corners(edges[1]));
+    let [[x0, y0, d0], [x1, y1, d1]] = edges.map(|e| ends_and_apex(t, e, t.mesh.twin(e)));
     let point = |v: VertexId| t.points.get(v.index());
     let inside = match (point(x0), point(y0), point(d0), point(x1), point(y1), point(d1)) {
         (Some(&x0), Some(&y0), Some(&d0), Some(&x1), Some(&y1), Some(&d1)) => {
@@ -126,10 +122,16 @@ fn each_is_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool
     edges.map(|e| is_illegal(t, e, q))
 }
 
+/// The ends of an edge and the apex beyond its other side `o`.
+#[inline(always)]
+fn ends_and_apex(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId) -> [VertexId; 3] {
+    [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o)]
+}
+
 /// Whether the apex beyond `o` lies inside the circle of `e`'s face (ghosts included), whose apex is at `q`.
 #[inline(always)]
 fn conflicts(t: &Triangulation, e: HalfEdgeId, o: HalfEdgeId, q: Point) -> bool {
-    let [x, y, d] = [t.mesh.origin(e), t.mesh.origin(o), t.mesh.apex(o)];
+    let [x, y, d] = ends_and_apex(t, e, o);
     let point = |v: VertexId| t.points.get(v.index());
     // The vertex at infinity has no coordinates: the look-up doubles as the test for ghosts.
     match (point(x), point(y), point(d)) {

@@ -31,6 +31,19 @@ impl BoundingBox {
         Some(points.fold(first, Self::including))
     }
 
+    /// [`of`](Self::of) for finite points, of which there are many: it does not mind what is not a number.
+    #[inline]
+    pub(crate) fn of_finite(points: impl IntoIterator<Item = Point>) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = Self::around(points.next()?);
+        let least = |a: f64, b: f64| if b < a { b } else { a };
+        let greatest = |a: f64, b: f64| if b > a { b } else { a };
+        Some(points.fold(first, |Self { min, max }, p| Self {
+            min: Point::new(least(min.x, p.x), least(min.y, p.y)),
+            max: Point::new(greatest(max.x, p.x), greatest(max.y, p.y)),
+        }))
+    }
+
     /// The smallest box that holds this one and a point.
     #[must_use]
     #[inline]

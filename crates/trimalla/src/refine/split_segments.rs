@@ -155,9 +155,7 @@ impl Refinement {
     fn split_by_cavity(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
         let found = self.cdt.find_split(h, p).ok()?;
         self.insertions += 1;
-        let cavity = &self.cdt.cavity;
-        let finite = cavity.rim().iter().zip(cavity.rim_starts()).filter(|(edge, _)| edge.from.is_finite());
-        let nearest_sq = finite.map(|(_, &q)| self.ruler.length_sq(p, q)).fold(f64::INFINITY, f64::min);
+        let (nearest_sq, _) = self.look_at_rim(p);
         if nearest_sq < self.floor_sq {
             return None;
         }

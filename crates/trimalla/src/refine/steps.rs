@@ -208,8 +208,9 @@ pub trait InsertStep {
         log: &mut UndoLog,
     ) -> Result<VertexId, SplitError>;
 
-    /// Whether free points go in by replacing the faces whose circle holds them: then the loop finds that cavity itself, sees
-    /// before anything changes what will be around the new vertex, and does not ask for [`insert`](Self::insert).
+    /// Whether vertices go in by replacing the faces whose circle holds them: then the loop finds that cavity itself, sees
+    /// before anything changes what will be around the new vertex, and asks neither for [`insert`](Self::insert) of a free point
+    /// nor for [`split`](Self::split) of a subsegment.
     fn by_cavity(&self) -> bool {
         false
     }

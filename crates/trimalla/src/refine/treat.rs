@@ -119,13 +119,7 @@ impl Refinement {
         if !self.cdt.find_cavity(point, locus) {
             return Err(Reason::PrecisionFloor);
         }
-        let cavity = &self.cdt.cavity;
-        let (mut nearest_sq, mut marks) = (f64::INFINITY, 0);
-        for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
-            let distance_sq = self.ruler.length_sq(point, start);
-            nearest_sq = if distance_sq < nearest_sq { distance_sq } else { nearest_sq };
-            marks |= edge.mark;
-        }
+        let (nearest_sq, marks) = self.look_at_rim(point);
         if nearest_sq < self.floor_sq {
             return Err(self.floor_reason);
         }
@@ -143,6 +137,20 @@ impl Refinement {
         let v = self.fill_cavity(point);
         self.look_around_cavity(v, point);
         Ok(())
+    }
+
+    /// The square of the distance from a point to the nearest vertex on the rim of the cavity found last, and marks: 0 where no
+    /// edge of it is a subsegment.
+    #[inline(always)] // Before each insertion.
+    pub(super) fn look_at_rim(&self, point: Point) -> (f64, u32) {
+        let cavity = &self.cdt.cavity;
+        let (mut nearest_sq, mut marks) = (f64::INFINITY, 0);
+        for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
+            let distance_sq = self.ruler.length_sq(point, start);
+            nearest_sq = if edge.from.is_finite() && distance_sq < nearest_sq { distance_sq } else { nearest_sq };
+            marks |= edge.mark;
+        }
+        (nearest_sq, marks)
     }
 
     /// The subsegments on the rim of the cavity found last that a point encroaches upon.

@@ -114,19 +114,52 @@ pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> CircleSide
 /// is infinite or the comparison undefined.
 #[inline(always)]
 fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
-    let ((ca, cb), (da, db)) = ((a - c, b - c), (a - d, b - d));
-    let (sine_c, cosine_c) = (ca.cross(cb), ca.dot(cb));
-    let (sine_d, cosine_d) = (db.cross(da), db.dot(da));
-    let sine_of_sum = sine_c * cosine_d + cosine_c * sine_d;
-    let [size_c, size_d] = [(sine_c, cosine_c), (sine_d, cosine_d)].map(|(s, c)| s.abs() + c.abs() + CIRCLE_GUARD);
-    if sine_of_sum.abs() > CIRCLE_BOUND * (size_c * size_d) {
-        Some(if sine_of_sum < 0.0 { CircleSide::Inside } else { CircleSide::Outside })
-    } else {
-        None
+    let [a, b, c, d] = [a, b, c, d].map(|p| [p.x, p.y]);
+    let (sine, bound) = sine_and_bound(a, b, c, d);
+    let is_proved = sine.abs() > bound;
+    is_proved.then_some(if sine < 0.0 { CircleSide::Inside } else { CircleSide::Outside })
+}
+
+/// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
+#[inline(always)]
+pub(crate) fn inside_two_circles(a: [Point; 2], b: [Point; 2], c: [Point; 2], d: Point) -> Option<[bool; 2]> {
+    let [a, b, c, d] = [a, b, c, [d; 2]].map(|[p, q]| [Two([p.x, q.x]), Two([p.y, q.y])]);
+    let (Two(sine), Two(bound)) = sine_and_bound(a, b, c, d);
+    let is_proved = sine[0].abs() > bound[0] && sine[1].abs() > bound[1];
+    is_proved.then(|| sine.map(|sine| sine < 0.0))
+}
+
+/// The sine of the sum of the two angles, times the four lengths, and the bound of its error.
+#[inline(always)]
+fn sine_and_bound<N: Number>([ax, ay]: [N; 2], [bx, by]: [N; 2], [cx, cy]: [N; 2], [dx, dy]: [N; 2]) -> (N, N) {
+    let (cax, cay, cbx, cby) = (ax - cx, ay - cy, bx - cx, by - cy);
+    let (dax, day, dbx, dby) = (ax - dx, ay - dy, bx - dx, by - dy);
+    let (sine_c, cosine_c) = (cax * cby - cay * cbx, cax * cbx + cay * cby);
+    let (sine_d, cosine_d) = (dbx * day - dby * dax, dbx * dax + dby * day);
+    let [size_c, size_d] =
+        [(sine_c, cosine_c), (sine_d, cosine_d)].map(|(s, c)| s.abs() + c.abs() + N::of(CIRCLE_GUARD));
+    (sine_c * cosine_d + cosine_c * sine_d, N::of(CIRCLE_BOUND) * (size_c * size_d))
+}
+
+/// One number, or two that go through the same arithmetic side by side, as processors can.
+trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    fn of(number: f64) -> Self;
+    fn abs(self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        number
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
     }
 }
 
-/// Two numbers that go through the same arithmetic side by side, as processors can.
+/// Two numbers.
 #[derive(Clone, Copy)]
 struct Two([f64; 2]);
 
@@ -134,6 +167,13 @@ impl Two {
     #[inline(always)]
     fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
+    }
+}
+
+impl Number for Two {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Self([number; 2])
     }
 
     #[inline(always)]
@@ -167,23 +207,6 @@ impl Mul for Two {
     fn mul(self, other: Self) -> Self {
         self.with(other, f64::mul)
     }
-}
-
-/// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
-#[inline(always)]
-pub(crate) fn inside_two_circles(a: [Point; 2], b: [Point; 2], c: [Point; 2], d: Point) -> Option<[bool; 2]> {
-    let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|[p, q]| [Two([p.x, q.x]), Two([p.y, q.y])]);
-    let (dx, dy) = (Two([d.x; 2]), Two([d.y; 2]));
-    let (cax, cay, cbx, cby) = (ax - cx, ay - cy, bx - cx, by - cy);
-    let (dax, day, dbx, dby) = (ax - dx, ay - dy, bx - dx, by - dy);
-    let (sine_c, cosine_c) = (cax * cby - cay * cbx, cax * cbx + cay * cby);
-    let (sine_d, cosine_d) = (dbx * day - dby * dax, dax * dbx + day * dby);
-    let sine_of_sum = sine_c * cosine_d + cosine_c * sine_d;
-    let guard = Two([CIRCLE_GUARD; 2]);
-    let (size_c, size_d) = (sine_c.abs() + cosine_c.abs() + guard, sine_d.abs() + cosine_d.abs() + guard);
-    let Two(surplus) = sine_of_sum.abs() - Two([CIRCLE_BOUND; 2]) * (size_c * size_d);
-    let is_proved = surplus[0] > 0.0 && surplus[1] > 0.0;
-    is_proved.then(|| sine_of_sum.0.map(|sine| sine < 0.0))
 }
 
 /// Decides what the filter left open.
