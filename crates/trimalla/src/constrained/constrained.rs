@@ -395,9 +395,10 @@ impl ConstrainedDelaunay {
             match entry.column {
                 Column::Constraint => self.constraints.truncate(entry.index as usize),
                 Column::Segment => self.segments.truncate(entry.index as usize),
-                Column::ProvenanceAppended | Column::ProvenanceKind | Column::ProvenancePlace => {
-                    self.provenance.undo(entry)
-                }
+                Column::ProvenanceAppended
+                | Column::ProvenanceStored
+                | Column::ProvenanceKind
+                | Column::ProvenancePlace => self.provenance.undo(entry),
                 _ => {
                     self.t.undo(entry);
                 }

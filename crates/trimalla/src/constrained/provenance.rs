@@ -43,10 +43,12 @@ impl Provenance {
     }
 }
 
-/// Provenances of the vertices after the input, two words each; those after the last word are free.
+/// Provenances of the vertices after the input: two words for each that is not free, or was not once. Most are free.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Provenances {
     words: Vec<[u64; 2]>,
+    /// Where the words of each vertex lie, counted from 1; 0 for none. Those after the last are free.
+    places: Vec<u32>,
     /// One bit a vertex: whether it is not free. Refinement asks for every corner of every bad triangle.
     bound: Vec<u64>,
 }
@@ -54,7 +56,7 @@ pub(crate) struct Provenances {
 impl Provenances {
     /// The provenance of the `i`-th vertex after the input.
     pub(crate) fn get(&self, i: usize) -> Provenance {
-        self.words.get(i).map_or(Provenance::Free, |&w| Provenance::from_words(w))
+        self.place(i).map_or(Provenance::Free, |place| Provenance::from_words(self.words[place]))
     }
 
     /// Whether the `i`-th vertex after the input is not free.
@@ -67,19 +69,12 @@ impl Provenances {
     #[inline]
     pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
         let new = new.to_words();
-        if new == FREE && i >= self.words.len() {
-            return;
-        }
-        while self.words.len() <= i {
-            if J::ACTIVE {
-                j.note(Column::ProvenanceAppended, self.words.len() as u32, 0);
-            }
-            self.words.push(FREE);
-        }
-        if self.bound.len() * 64 < self.words.len() {
-            self.bound.resize(self.words.len().div_ceil(64), 0);
-        }
-        let old = self.words[i];
+        let place = match self.place(i) {
+            Some(place) => place,
+            None if new == FREE => return,
+            None => self.make_room(i, j),
+        };
+        let old = self.words[place];
         if old == new {
             return;
         }
@@ -87,32 +82,59 @@ impl Provenances {
             j.note(Column::ProvenanceKind, i as u32, old[0]);
             j.note(Column::ProvenancePlace, i as u32, old[1]);
         }
-        self.words[i] = new;
-        self.note_bound(i);
+        self.words[place] = new;
+        self.note_bound(i, new[0]);
+    }
+
+    /// Where the words of a vertex lie, if it has any.
+    #[inline]
+    fn place(&self, i: usize) -> Option<usize> {
+        self.places.get(i).and_then(|&place| (place as usize).checked_sub(1))
+    }
+
+    /// Words for a vertex that has none, which say that it is free.
+    fn make_room<J: Journal>(&mut self, i: usize, j: &mut J) -> usize {
+        if i >= self.places.len() {
+            if J::ACTIVE {
+                j.note(Column::ProvenanceAppended, self.places.len() as u32, 0);
+            }
+            self.places.resize(i + 1, 0);
+            self.bound.resize(self.places.len().div_ceil(64), 0);
+        }
+        if J::ACTIVE {
+            j.note(Column::ProvenanceStored, i as u32, 0);
+        }
+        self.words.push(FREE);
+        self.places[i] = self.words.len() as u32;
+        self.words.len() - 1
     }
 
     /// Puts back one entry.
     pub(crate) fn undo(&mut self, entry: Entry) {
         let i = entry.index as usize;
-        match entry.column {
-            Column::ProvenanceKind => {
-                self.words[i][0] = entry.old;
-                self.note_bound(i);
+        match (entry.column, self.place(i)) {
+            (Column::ProvenanceKind, Some(place)) => {
+                self.words[place][0] = entry.old;
+                self.note_bound(i, entry.old);
             }
-            Column::ProvenancePlace => self.words[i][1] = entry.old,
-            // It was appended free: its bit is not set any more.
+            (Column::ProvenancePlace, Some(place)) => self.words[place][1] = entry.old,
+            (Column::ProvenanceStored, _) => {
+                self.words.pop();
+                self.places[i] = 0;
+            }
+            // They were appended free: their bits are not set any more.
             _ => {
-                self.words.truncate(i);
+                self.places.truncate(i);
                 self.bound.truncate(i.div_ceil(64));
             }
         }
     }
 
-    /// Sets the bit of a vertex by its provenance.
+    /// Sets the bit of a vertex by the first of its words.
     #[inline]
-    fn note_bound(&mut self, i: usize) {
+    fn note_bound(&mut self, i: usize, kind: u64) {
         let (bits, bit) = (&mut self.bound[i / 64], 1 << (i % 64));
-        if self.words[i][0] == FREE[0] { *bits &= !bit } else { *bits |= bit }
+        if kind == FREE[0] { *bits &= !bit } else { *bits |= bit }
     }
 }
 

@@ -125,6 +125,9 @@ fn remove_holes(
     outside: Vec<bool>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<bool>, DomainError> {
+    if holes.is_empty() {
+        return Ok(outside);
+    }
     let mut removed = outside.clone();
     for (seed, &at) in holes.iter().enumerate() {
         match seed_face(cdt, at) {

@@ -247,33 +247,6 @@ impl HalfEdgeMesh {
         ghosts.map(|(f, _)| FaceId::from_index(f))
     }
 
-    /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
-    pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
-    }
-
-    /// Of the [`edges`](Self::edges) those that carry a constraint mark.
-    pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        // Most faces have no mark at all.
-        let faces = self.mark.iter().enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
-        let sides = faces.flat_map(|(f, _)| FaceId::from_index(f).half_edges());
-        sides.filter(|&h| self.is_marked(h) && self.stands_for_edge(h))
-    }
-
-    /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
-    fn stands_for_edge(&self, h: HalfEdgeId) -> bool {
-        let (a, b, t) = (self.origin(h), self.dest(h), self.twin(h));
-        if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {
-            return false;
-        }
-        // Between two finite ends a face is a ghost by its apex. The face across is looked at only where it matters.
-        match (self.apex(h).is_finite(), h < t) {
-            (true, true) => true,
-            (true, false) => !self.apex(t).is_finite(),
-            (false, is_lower) => is_lower && !self.apex(t).is_finite(),
-        }
-    }
-
     /// The half-edge from `a` to `b`, if there is one.
     ///
     /// # Complexity
@@ -281,6 +254,12 @@ impl HalfEdgeMesh {
     #[must_use]
     pub fn half_edge_between(&self, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
         self.star(a).find(|&h| self.dest(h) == b)
+    }
+
+    /// The same, which was `known` once and mostly is still.
+    pub(crate) fn half_edge_between_known(&self, a: VertexId, b: VertexId, known: HalfEdgeId) -> Option<HalfEdgeId> {
+        let is_there = self.half_edges.get(known.index()).is_some_and(|h| h.origin == a) && self.dest(known) == b;
+        if is_there { Some(known) } else { self.half_edge_between(a, b) }
     }
 }
 
@@ -400,7 +379,8 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            self.mark = vec![[0; 3]; self.face_slots()];
+            // Zeros that are written, not asked of the system: a page that is read before it is written is fetched twice.
+            self.mark.resize(self.face_slots(), [0; 3]);
             if J::ACTIVE {
                 j.note(Column::MarksAdded, 0, 0);
             }

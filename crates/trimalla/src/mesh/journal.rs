@@ -45,8 +45,10 @@ pub enum Column {
     Constraint,
     /// Input segments were added, from `index` on.
     Segment,
-    /// A vertex got its first provenance.
+    /// Vertices from `index` on were given room for a provenance.
     ProvenanceAppended,
+    /// A vertex got its first provenance but that of a free one.
+    ProvenanceStored,
     /// First word of a vertex's provenance.
     ProvenanceKind,
     /// Second word of a vertex's provenance.

@@ -21,6 +21,7 @@
 //! This room knows no coordinates; [`crate::triangulation`] adds them.
 
 mod circulators;
+mod edges;
 mod half_edges;
 mod ids;
 mod journal;

@@ -31,8 +31,9 @@ impl Chains {
     /// # Complexity
     /// Linear in triangles and vertices.
     pub(super) fn of(cdt: &ConstrainedDelaunay, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
-        let ranks = ranks_in(order);
-        let mut last = vec![Self::END; ranks.len()];
+        let ranks = ranks_in(&order);
+        // Where the order was: no new pages need to be fetched.
+        let mut last: Vec<u32> = order.into_iter().map(|_| Self::END).collect();
         let hang_up = |(number, &f): (u32, &FaceId)| {
             let [a, b, c] = cdt.face_vertices(f).map(|v| ranks[v.index()]);
             std::mem::replace(&mut last[a.min(b).min(c) as usize], number)
@@ -60,7 +61,7 @@ impl Chains {
 }
 
 /// The rank of each vertex in an order of all.
-fn ranks_in(order: Vec<VertexId>) -> Vec<u32> {
+fn ranks_in(order: &[VertexId]) -> Vec<u32> {
     let mut ranks = vec![0; order.len()];
     for (rank, v) in (0..).zip(order) {
         ranks[v.index()] = rank;

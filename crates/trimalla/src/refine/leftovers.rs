@@ -47,14 +47,14 @@ impl Refinement {
     fn survey(&self) -> Survey {
         let extremes = Extremes::new(self.ruler, self.test.sure_bounds(&self.cdt.regions));
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
-        for (f, vertices) in self.cdt.real_triangles() {
-            if survey.extremes.is_plain(vertices.map(|v| self.cdt.point(v))) {
-                debug_assert!(self.badness(f).is_none(), "a plain triangle is good");
+        self.cdt.for_each_triangle(|t| {
+            if survey.extremes.is_plain(t.corners) {
+                debug_assert!(self.badness(t.face).is_none(), "a plain triangle is good");
             } else {
-                self.look_closely(f, &mut survey);
+                self.look_closely(t.face, &mut survey);
             }
             survey.triangles += 1;
-        }
+        });
         survey
     }
 

@@ -24,14 +24,20 @@ impl Looker<'_> {
     /// Queues a face if it is bad.
     #[inline(never)]
     fn look_at(&mut self, f: FaceId) {
-        if self.is_bad(f) {
+        if self.is_bad(f, self.view.cdt.corners_from_newest(f)) {
             self.queue_alone(f);
         }
     }
 
     /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn look_at_all(&mut self, order: Vec<VertexId>) {
-        let bad: Vec<FaceId> = self.view.cdt.real_faces().filter(|&f| self.is_bad(f)).collect();
+        let mut bad = Vec::new();
+        self.view.cdt.for_each_triangle(|t| {
+            if self.is_bad(t.face, t.corners_from_newest()) {
+                bad.push(t.face);
+            }
+        });
+        self.queue.reserve(bad.len(), self.view.cdt.face_slots());
         let chains = Chains::of(self.view.cdt, bad, order);
         let mut faces = Vec::new();
         for rank in 0..chains.len() {
@@ -44,10 +50,9 @@ impl Looker<'_> {
 
     /// Whether a face is to be queued; what waited in its slot is void.
     #[inline(always)] // In the loop over all triangles.
-    fn is_bad(&mut self, f: FaceId) -> bool {
+    fn is_bad(&mut self, f: FaceId, corners: [Point; 3]) -> bool {
         self.queue.pass(f);
-        let badness = || self.test.badness(self.view.cdt.corners_from_newest(f), self.view.cdt.region_rule(f));
-        !self.is_manual && badness().is_some()
+        !self.is_manual && self.test.badness(corners, self.view.cdt.region_rule(f)).is_some()
     }
 
     /// Queues a bad face by its own corners.
@@ -66,7 +71,7 @@ impl Looker<'_> {
     }
 
     /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that depends on
-    /// no slot, from the lowest vertex of the rim on. Says which edges of the rim and which spokes are subsegments.
+    /// no slot, from the lowest vertex of the rim on. Adds those edges of the rim and those spokes that are subsegments to a list.
     ///
     /// ```text
     ///        d ─ c           One turn around the rim: each triangle's second spoke is the first one of the next, and what is
@@ -76,7 +81,7 @@ impl Looker<'_> {
     ///        f ─ a
     /// ```
     #[inline(never)]
-    fn look_at_fan(&mut self, v: VertexId, p: Point, bad: &mut Vec<usize>) -> Vec<HalfEdgeId> {
+    fn look_at_fan(&mut self, v: VertexId, p: Point, bad: &mut Vec<usize>, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = &self.view.cdt.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
@@ -106,7 +111,9 @@ impl Looker<'_> {
             let real = |f: &FaceId| self.view.cdt.is_real(*f);
             faces[first..].iter().chain(&faces[..first]).copied().filter(real).for_each(|f| self.look_at(f));
         }
-        if marks == 0 { Vec::new() } else { self.subsegments_of_fan() }
+        if marks != 0 {
+            self.add_subsegments_of_fan(subsegments);
+        }
     }
 
     /// Whether a face between two spokes, with these corners, is to be queued; the caller's own test is not asked.
@@ -116,11 +123,10 @@ impl Looker<'_> {
         !self.is_manual && self.test.badness_of_sides(corners, spokes, region).is_some()
     }
 
-    /// The edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
+    /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
     #[cold]
-    fn subsegments_of_fan(&self) -> Vec<HalfEdgeId> {
+    fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = &self.view.cdt.cavity;
-        let mut subsegments = Vec::new();
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
             if edge.mark != 0 {
                 subsegments.push(face.half_edge(0));
@@ -129,7 +135,6 @@ impl Looker<'_> {
                 subsegments.push(face.half_edge(2));
             }
         }
-        subsegments
     }
 }
 
@@ -167,7 +172,7 @@ impl Refinement {
         // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
         let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
         spokes.rotate_left(first);
-        let mut subsegments = Vec::new();
+        let mut subsegments = std::mem::take(&mut self.beside);
         for &spoke in &spokes {
             let is_real = self.cdt.is_real(spoke.face());
             if is_real {
@@ -176,8 +181,8 @@ impl Refinement {
             subsegments.extend(self.cdt.is_marked(spoke).then_some(spoke));
             subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
         }
-        self.spokes = spokes;
-        self.queue_encroached_of(subsegments);
+        self.queue_encroached_of(&mut subsegments);
+        (self.spokes, self.beside) = (spokes, subsegments);
         self.stopwatch.enter(before);
     }
 
@@ -185,11 +190,10 @@ impl Refinement {
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
         let before = self.stopwatch.enter(Part::Select);
         let mut bad = std::mem::take(&mut self.bad_in_fan);
-        let subsegments = self.looker().look_at_fan(v, p, &mut bad);
-        self.bad_in_fan = bad;
-        if !subsegments.is_empty() {
-            self.queue_encroached_of(subsegments);
-        }
+        let mut subsegments = std::mem::take(&mut self.beside);
+        self.looker().look_at_fan(v, p, &mut bad, &mut subsegments);
+        self.queue_encroached_of(&mut subsegments);
+        (self.bad_in_fan, self.beside) = (bad, subsegments);
         self.stopwatch.enter(before);
     }
 
@@ -201,25 +205,26 @@ impl Refinement {
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
     pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
         let before = self.stopwatch.enter(Part::Select);
-        let mut subsegments: Vec<HalfEdgeId> = Vec::new();
+        let mut subsegments = std::mem::take(&mut self.beside);
         for &f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
-        self.queue_encroached_of(subsegments);
+        self.queue_encroached_of(&mut subsegments);
+        self.beside = subsegments;
         self.stopwatch.enter(before);
     }
 
-    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was.
-    fn queue_encroached_of(&mut self, mut subsegments: Vec<HalfEdgeId>) {
+    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the list.
+    fn queue_encroached_of(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
         if subsegments.is_empty() || !self.prepare.is_lasting() {
-            return;
+            return subsegments.clear();
         }
         let before = self.stopwatch.enter(Part::Prepare);
         subsegments.retain(|&h| self.prepare.needs_split(self.view(), h));
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
-        for h in subsegments {
+        for h in subsegments.drain(..) {
             // One that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);
         }

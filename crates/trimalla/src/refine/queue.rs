@@ -49,6 +49,13 @@ pub(super) struct Claim {
     look: u32,
 }
 
+/// A triangle of another patch, with its step of patience.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    claim: Claim,
+    step: u32,
+}
+
 /// Triangles of one step of patience, the newest last.
 #[derive(Clone, Debug, Default)]
 struct Step {
@@ -125,8 +132,8 @@ pub(super) struct Queue {
     patches: Option<Patches>,
     /// The patch whose triangles lie in the steps.
     present: usize,
-    /// Triangles of other patches, with their patience.
-    elsewhere: Vec<Vec<(Claim, f64)>>,
+    /// Triangles of other patches.
+    elsewhere: Vec<Vec<Waiting>>,
     drawers: Vec<Drawer>,
     /// Nothing waits in a drawer below this one.
     lowest: usize,
@@ -153,24 +160,35 @@ impl Queue {
         self.patches.as_ref().map_or(0, |patches| patches.of(place))
     }
 
+    /// Makes room for so many triangles, spread over all patches, in a mesh of so many slots.
+    pub(super) fn reserve(&mut self, triangles: usize, slots: usize) {
+        self.looks.reserve(2 * slots);
+        let each = triangles / self.elsewhere.len().max(1);
+        self.elsewhere.iter_mut().for_each(|patch| patch.reserve(each + each / 4));
+    }
+
     /// Adds a triangle of a patch, whose patience is not negative.
     #[inline]
     pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, patch: usize, patience: f64) {
-        let claim = self.claim(cdt, face);
+        let waiting = Waiting { claim: self.claim(cdt, face), step: Self::step_of(patience) };
         self.len += 1;
         if patch == self.present {
-            self.put_into_step(claim, patience);
+            self.put_into_step(waiting);
         } else {
-            self.elsewhere[patch].push((claim, patience));
+            self.elsewhere[patch].push(waiting);
         }
     }
 
     #[inline]
-    fn put_into_step(&mut self, claim: Claim, patience: f64) {
+    fn step_of(patience: f64) -> u32 {
         // Positive numbers are ordered as their bits.
         let bits = if patience > 0.0 { patience.to_bits() } else { 0 };
-        let step = (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as usize;
-        let (drawer, step) = (step / Drawer::STEPS, step % Drawer::STEPS);
+        (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as u32
+    }
+
+    #[inline]
+    fn put_into_step(&mut self, Waiting { claim, step }: Waiting) {
+        let (drawer, step) = (step as usize / Drawer::STEPS, step as usize % Drawer::STEPS);
         if drawer >= self.drawers.len() {
             self.drawers.resize_with(drawer + 1, Drawer::default);
         }
@@ -179,16 +197,16 @@ impl Queue {
     }
 
     /// Goes on to the next patch in which anything waits; says whether there is one.
-    fn take_next_patch(&mut self, cdt: &ConstrainedDelaunay) -> bool {
+    fn take_next_patch(&mut self) -> bool {
         let count = self.elsewhere.len();
         let Some(next) = (1..=count).map(|i| (self.present + i) % count).find(|&p| !self.elsewhere[p].is_empty())
         else {
             return false;
         };
         self.present = next;
-        for (claim, patience) in std::mem::take(&mut self.elsewhere[next]) {
-            if self.is_valid(cdt, claim) {
-                self.put_into_step(claim, patience);
+        for waiting in std::mem::take(&mut self.elsewhere[next]) {
+            if self.is_newest(waiting.claim) {
+                self.put_into_step(waiting);
             } else {
                 self.len -= 1;
             }
@@ -217,7 +235,13 @@ impl Queue {
 
     /// Whether a triangle is still the one that was claimed.
     pub(super) fn is_valid(&self, cdt: &ConstrainedDelaunay, claim: Claim) -> bool {
-        self.looks.get(claim.face.index()) == Some(&claim.look) && cdt.is_real(claim.face)
+        self.is_newest(claim) && cdt.is_real(claim.face)
+    }
+
+    /// Whether nobody has looked at the slot since; what lay there may be gone all the same.
+    #[inline]
+    fn is_newest(&self, claim: Claim) -> bool {
+        self.looks.get(claim.face.index()) == Some(&claim.look)
     }
 
     /// Notes that there is nothing bad in a slot now.
@@ -234,7 +258,7 @@ impl Queue {
     pub(super) fn pop(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
         loop {
             let here = self.pop_here(cdt, oldest_first);
-            if here.is_some() || !self.take_next_patch(cdt) {
+            if here.is_some() || !self.take_next_patch() {
                 return here;
             }
         }

@@ -70,6 +70,8 @@ pub struct Refinement {
     pub(super) spokes: Vec<HalfEdgeId>,
     /// Room for the numbers of the bad triangles of a fan.
     pub(super) bad_in_fan: Vec<usize>,
+    /// Room for the subsegments beside what is looked at.
+    pub(super) beside: Vec<HalfEdgeId>,
     /// How many triangles joined the queue.
     pub(super) joined: u64,
     /// The triangle to be treated until it is gone.
@@ -184,6 +186,7 @@ impl Refinement {
             log: UndoLog::new(),
             spokes: Vec::new(),
             bad_in_fan: Vec::new(),
+            beside: Vec::new(),
             joined: 0,
             current: None,
             picked: VecDeque::new(),

@@ -11,11 +11,23 @@ use crate::geometry::{CircleSide, Point, in_diametral_disk};
 use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 
 /// A subsegment that waits to be split, lower vertex first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Encroached {
     ends: [VertexId; 2],
     /// Split it even if nothing encroaches upon it: it stood in the way of a point.
     forced: bool,
+    /// What was found when it was queued: it needed the split, and had room.
+    found: Found,
+}
+
+/// What is found about the split of a subsegment; it holds as long as the two triangles beside it stay.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    half_edge: HalfEdgeId,
+    apexes: [VertexId; 2],
+    /// Whether at its ends other segments join.
+    acute: [bool; 2],
+    cut: Cut,
 }
 
 /// Where a subsegment is split.
@@ -34,8 +46,8 @@ impl Refinement {
         if self.unsplittable.contains(&ends) {
             return Err(self.floor_reason);
         }
-        self.may_cut(self.in_order(h))?;
-        self.encroached.push_back(Encroached { ends, forced });
+        let found = self.may_cut(self.in_order(h))?;
+        self.encroached.push_back(Encroached { ends, forced, found });
         Ok(())
     }
 
@@ -64,12 +76,13 @@ impl Refinement {
 
     /// Splits the subsegment that waits longest, if it still needs it.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
-        let Some(Encroached { ends: [a, b], forced }) = self.encroached.pop_front() else { return false };
+        let Some(Encroached { ends: [a, b], forced, found }) = self.encroached.pop_front() else { return false };
         self.note(|event| event.subsegment = Some([a, b]));
-        let there = self.cdt.half_edge_between(a, b).filter(|&h| self.cdt.is_marked(h));
-        let needed = |&h: &HalfEdgeId| forced || self.prepare.needs_split(self.view(), h);
-        if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])).filter(needed) {
-            if !self.split(h) {
+        let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(|&h| self.cdt.is_marked(h));
+        if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])) {
+            let found = Some(found).filter(|found| found.apexes == self.apexes(h));
+            let is_needed = forced || found.is_some() || self.prepare.needs_split(self.view(), h);
+            if is_needed && !self.split(h, found) {
                 // It could be split when it was queued: do not try again for ever.
                 self.unsplittable.insert([a, b]);
             }
@@ -81,17 +94,18 @@ impl Refinement {
     ///
     /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is sharp
     /// then and wants a cut on a circle, they come back.
-    fn split(&mut self, h: HalfEdgeId) -> bool {
-        let acute = self.acute_ends(h);
+    fn split(&mut self, h: HalfEdgeId, found: Option<Found>) -> bool {
+        let acute = found.map_or_else(|| self.acute_ends(h), |found| found.acute);
+        let cut = found.map(|found| found.cut);
         if !self.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
-            return self.split_at_cut(h, acute);
+            return self.split_at_cut(h, acute, cut);
         }
         let ends = [self.cdt.origin(h), self.cdt.dest(h)];
         let (here, deleted) = (self.log.checkpoint(), self.report.vertices_deleted);
-        let looked_at = self.delete_free_vertices(ends[0], ends[1]);
+        let looked_at = self.delete_free_vertices(h);
         let deleted = self.report.vertices_deleted - deleted;
         if deleted == 0 {
-            return self.split_at_cut(h, acute);
+            return self.split_at_cut(h, acute, cut);
         }
         if self.split_as_it_is(ends) {
             return true;
@@ -115,13 +129,13 @@ impl Refinement {
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
     fn split_as_it_is(&mut self, [a, b]: [VertexId; 2]) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
-        self.split_at_cut(h, self.acute_ends(h))
+        self.split_at_cut(h, self.acute_ends(h), None)
     }
 
-    /// The same where it is known whether other segments join at its ends.
-    fn split_at_cut(&mut self, h: HalfEdgeId, acute: [bool; 2]) -> bool {
+    /// The same where it is known whether other segments join at its ends, and perhaps where to cut.
+    fn split_at_cut(&mut self, h: HalfEdgeId, acute: [bool; 2], cut: Option<Cut>) -> bool {
         // Whether there is room the split itself asks.
-        let Ok(cut) = self.cut_at(h, acute) else { return false };
+        let Ok(cut) = cut.map_or_else(|| self.cut_at(h, acute), Ok) else { return false };
         let provenance = self.provenance_of(h, cut);
         let split = if self.insert.by_cavity() {
             self.split_by_cavity(h, cut.point, provenance)
@@ -166,12 +180,19 @@ impl Refinement {
         })
     }
 
-    /// Whether `h` can be split, or why not.
-    fn may_cut(&self, h: HalfEdgeId) -> Result<(), Reason> {
-        match self.cdt.can_split(h, self.cut_at(h, self.acute_ends(h))?.point) {
-            Ok(()) => Ok(()),
+    /// How `h` can be split, or why not.
+    fn may_cut(&self, h: HalfEdgeId) -> Result<Found, Reason> {
+        let acute = self.acute_ends(h);
+        let cut = self.cut_at(h, acute)?;
+        match self.cdt.can_split(h, cut.point) {
+            Ok(()) => Ok(Found { half_edge: h, apexes: self.apexes(h), acute, cut }),
             Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
         }
+    }
+
+    /// The vertices opposite an edge, on its left and on its right.
+    fn apexes(&self, h: HalfEdgeId) -> [VertexId; 2] {
+        [self.cdt.apex(h), self.cdt.apex(self.cdt.twin(h))]
     }
 
     /// Where `h` is split if there is room, or why it must not be.
@@ -256,17 +277,18 @@ impl Refinement {
         dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
 
-    /// Deletes free vertices in the diametral disk of the subsegment from `a` to `b`, nearest triangle first; those that
+    /// Deletes free vertices in the diametral disk of subsegment `h`, nearest triangle first; those that
     /// came with the mesh stay. Returns the faces that were looked at.
     ///
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
-    fn delete_free_vertices(&mut self, a: VertexId, b: VertexId) -> Vec<FaceId> {
+    fn delete_free_vertices(&mut self, h: HalfEdgeId) -> Vec<FaceId> {
         let mut looked_at = Vec::new();
-        for [from, to] in [[a, b], [b, a]] {
+        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
+        for (known, from, to) in [(h, a, b), (self.cdt.twin(h), b, a)] {
             // Each round deletes a vertex.
             for _ in 0..self.cdt.points().len() {
-                let Some(h) = self.cdt.half_edge_between(from, to) else { return looked_at };
+                let Some(h) = self.cdt.half_edge_between_known(from, to, known) else { return looked_at };
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
                     && self.cdt.is_deletable(apex)

@@ -6,6 +6,7 @@
 //!
 //! [`Triangulation::check`] names every broken invariant; tests call it after every change.
 
+mod blocks;
 mod canonical;
 mod check;
 mod check_indexed;

@@ -50,6 +50,15 @@ fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) ->
     [around[first], around[first + 1], around[first + 2]]
 }
 
+/// What belongs to the three vertices of a face, that of the highest first.
+#[inline(always)] // In the loop over all triangles.
+pub(super) fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
+    // Looked up, not branched on: which one it is nobody can guess.
+    let first = if c > a.max(b) { 2 } else { usize::from(b > a) };
+    let around = [of_a, of_b, of_c, of_a, of_b];
+    [around[first], around[first + 1], around[first + 2]]
+}
+
 impl Triangulation {
     /// A triangulation of nothing, its points waiting to be used.
     #[must_use]
@@ -101,11 +110,8 @@ impl Triangulation {
     /// Coordinates of the three vertices of a real face, the highest vertex first: depends on no slot either.
     #[inline]
     pub(crate) fn corners_from_newest(&self, f: FaceId) -> [Point; 3] {
-        let [a, b, c] = self.face_vertices(f);
-        // Looked up, not branched on: which one it is nobody can guess.
-        let first = if c > a.max(b) { 2 } else { usize::from(b > a) };
-        let ring = [a, b, c, a, b];
-        [ring[first], ring[first + 1], ring[first + 2]].map(|v| self.point(v))
+        let v = self.face_vertices(f);
+        from_newest(v, v).map(|v| self.point(v))
     }
 
     /// Coordinates of the ends of a finite half-edge.

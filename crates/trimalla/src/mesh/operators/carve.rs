@@ -43,22 +43,16 @@ impl HalfEdgeMesh {
     }
 
     /// The border of kept faces, in the order of their slots.
+    ///
+    /// # Complexity
+    /// Linear in the faces that are not kept, and a glance at each face slot.
     pub(crate) fn border_of(&self, kept: &[bool]) -> Border {
-        let mut border = Border::default();
-        let is_kept = |h: HalfEdgeId| kept[h.face().index()];
-        for f in (0..self.face_slots()).map(FaceId::from_index).filter(|f| kept[f.index()]) {
-            let [a, b, c] = self.face(f).map(|side| side.twin);
-            if is_kept(a) & is_kept(b) & is_kept(c) {
-                continue; // Most faces lie inside.
-            }
-            for h in f.half_edges() {
-                if !is_kept(self.twin(h)) {
-                    border.edges.push(h);
-                    border.before.push(self.turn_through(h, kept));
-                }
-            }
-        }
-        border
+        let others = (0..self.face_slots()).map(FaceId::from_index).filter(|f| !kept[f.index()] && self.is_alive(*f));
+        let across = others.flat_map(FaceId::half_edges).map(|h| self.twin(h));
+        let mut edges: Vec<HalfEdgeId> = across.filter(|h| kept[h.face().index()]).collect();
+        edges.sort_unstable();
+        let before = edges.iter().map(|&h| self.turn_through(h, kept)).collect();
+        Border { edges, before }
     }
 
     /// Hangs a ghost on each half-edge of a border, with its mark, and joins it to the ghost of the one before.
