@@ -42,21 +42,30 @@ impl Chains {
         Self { triangles, last, before }
     }
 
-    /// How many there are.
-    pub(super) fn len(&self) -> usize {
-        self.last.len()
+    /// Calls `look` with all triangles, one chain after the other, those of a chain in the order of their vertices.
+    pub(super) fn for_each(&self, cdt: &ConstrainedDelaunay, mut look: impl FnMut(FaceId)) {
+        let mut chain = Vec::new();
+        for &last in self.last.iter().filter(|&&last| last != Self::END) {
+            let (f, before) = self.link(last);
+            if before == Self::END {
+                look(f); // Alone, as most are.
+                continue;
+            }
+            let mut number = last;
+            while number != Self::END {
+                let (f, before) = self.link(number);
+                chain.push((sorted(cdt.face_vertices(f)), f));
+                number = before;
+            }
+            chain.sort_unstable();
+            chain.drain(..).for_each(|(_, f)| look(f));
+        }
     }
 
-    /// Puts the triangles of one chain in the place of others, in the order of their vertices.
-    pub(super) fn take(&self, rank: usize, cdt: &ConstrainedDelaunay, named: &mut Vec<([VertexId; 3], FaceId)>) {
-        named.clear();
-        let mut number = self.last[rank];
-        while number != Self::END {
-            let f = self.triangles[number as usize];
-            named.push((sorted(cdt.face_vertices(f)), f));
-            number = self.before[number as usize];
-        }
-        named.sort_unstable();
+    /// A triangle by its number, and the number of the one before it in its chain.
+    #[inline]
+    fn link(&self, number: u32) -> (FaceId, u32) {
+        (self.triangles[number as usize], self.before[number as usize])
     }
 }
 

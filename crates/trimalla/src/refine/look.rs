@@ -38,14 +38,7 @@ impl Looker<'_> {
             }
         });
         self.queue.reserve(bad.len(), self.view.cdt.face_slots());
-        let chains = Chains::of(self.view.cdt, bad, order);
-        let mut faces = Vec::new();
-        for rank in 0..chains.len() {
-            chains.take(rank, self.view.cdt, &mut faces);
-            for &(_, f) in &faces {
-                self.queue_alone(f);
-            }
-        }
+        Chains::of(self.view.cdt, bad, order).for_each(self.view.cdt, |f| self.queue_alone(f));
     }
 
     /// Whether a face is to be queued; what waited in its slot is void.
