@@ -1,6 +1,6 @@
 //! The walk, and what it finds.
 
-use crate::geometry::{Orientation, Point, Triangle, lexicographic, orient2d, strictly_between};
+use crate::geometry::{Orientation, Point, Triangle, Turn, lexicographic, orient2d, strictly_between};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -36,6 +36,8 @@ pub enum Walk {
 
 /// After this many steps the edge to cross, where there are two, is drawn.
 const CALM_STEPS: usize = 1 << 10;
+/// A walk by sight goes no farther than this: rounding might lead it in circles.
+const SIGHT_STEPS: usize = 64;
 
 impl Triangulation {
     /// Where `p` lies.
@@ -58,7 +60,7 @@ impl Triangulation {
         if self.dimension < 2 {
             return self.locate_low(p);
         }
-        match self.walk(start, p) {
+        match self.walk_by_sight(start, p).or_else(|near| self.walk(near, p).ok_or(near)).ok() {
             Some(Locus::Outside(h)) if self.closure == Closure::Domain => self.scan(p).unwrap_or(Locus::Outside(h)),
             Some(locus) => locus,
             None => self.scan_or_outside(p),
@@ -112,7 +114,38 @@ impl Triangulation {
         if passes_left { second } else { first }
     }
 
-    /// The visibility walk. `None` when the bound on steps was met.
+    /// The visibility walk with an eye for the way alone: where to cross, rounded products tell, and only the face at which it
+    /// ends is proved. The error is the face where rounding leaves something open, or where it was after [`SIGHT_STEPS`].
+    #[inline(always)] // Before each insertion.
+    fn walk_by_sight(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
+        let mut e = self.real_face_near(start).ok_or(start)?.half_edge(0);
+        let [mut a, mut b] = self.edge_points(e);
+        let mut side = Turn::of(a, b, p);
+        if side.seems_clockwise() {
+            (e, side) = (self.twin(e), side.reversed());
+            (a, b) = (b, a);
+        }
+        let is_left = |side: Turn| side.proved() == Some(Orientation::CounterClockwise);
+        for _ in 0..SIGHT_STEPS {
+            let (bc, ca) = (e.next(), e.prev());
+            let Some(&c) = self.points.get(self.origin(ca).index()) else {
+                // The face is a ghost.
+                return if is_left(side) { Ok(Locus::Outside(e)) } else { Err(e.face()) };
+            };
+            let (side_of_bc, side_of_ca) = (Turn::of(b, c, p), Turn::of(c, a, p));
+            if side_of_bc.seems_clockwise() {
+                (e, side, a, b) = (self.twin(bc), side_of_bc.reversed(), c, b);
+            } else if side_of_ca.seems_clockwise() {
+                (e, side, a, b) = (self.twin(ca), side_of_ca.reversed(), a, c);
+            } else {
+                let is_inside = is_left(side) && is_left(side_of_bc) && is_left(side_of_ca);
+                return if is_inside { Ok(Locus::Face(e.face())) } else { Err(e.face()) };
+            }
+        }
+        Err(e.face())
+    }
+
+    /// The visibility walk, exact. `None` when the bound on steps was met.
     ///
     /// ```text
     ///          c           p lies left of e, or on its line: where it lies

@@ -27,6 +27,7 @@ pub(crate) use circle::inside_two_circles;
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
 pub(in crate::geometry) use exact::{Difference, ExactSum};
+pub(crate) use orient::Turn;
 pub(in crate::geometry) use orient::crossing_parameter;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
 pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};

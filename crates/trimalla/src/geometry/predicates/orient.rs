@@ -60,14 +60,45 @@ pub(super) const TWO_PRODUCTS_BOUND: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
 #[must_use]
 #[inline]
 pub fn orient2d(a: Point, b: Point, c: Point) -> Orientation {
-    let left = (a.x - c.x) * (b.y - c.y);
-    let right = (a.y - c.y) * (b.x - c.x);
-    let determinant = left - right;
-    let bound = TWO_PRODUCTS_BOUND * (left.abs() + right.abs()) + UNDERFLOW_GUARD;
-    if determinant.abs() > bound {
-        if determinant > 0.0 { Orientation::CounterClockwise } else { Orientation::Clockwise }
-    } else {
-        orient2d_exact(a, b, c)
+    match Turn::of(a, b, c).proved() {
+        Some(orientation) => orientation,
+        None => orient2d_exact(a, b, c),
+    }
+}
+
+/// The two products that [`orient2d`] compares, rounded: a look at them costs less than a proof.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn {
+    left: f64,
+    right: f64,
+}
+
+impl Turn {
+    /// The turn that three points make.
+    #[inline(always)]
+    pub(crate) fn of(a: Point, b: Point, c: Point) -> Self {
+        Self { left: (a.x - c.x) * (b.y - c.y), right: (a.y - c.y) * (b.x - c.x) }
+    }
+
+    /// That of `b`, `a`, `c`: of the same products.
+    #[inline(always)]
+    pub(crate) const fn reversed(self) -> Self {
+        Self { left: self.right, right: self.left }
+    }
+
+    /// Whether it is a right turn, but for rounding.
+    #[inline(always)]
+    pub(crate) fn seems_clockwise(self) -> bool {
+        self.left < self.right
+    }
+
+    /// Which turn it is, if that is beyond rounding.
+    #[inline(always)]
+    pub(crate) fn proved(self) -> Option<Orientation> {
+        let determinant = self.left - self.right;
+        let bound = TWO_PRODUCTS_BOUND * (self.left.abs() + self.right.abs()) + UNDERFLOW_GUARD;
+        let turn = if determinant > 0.0 { Orientation::CounterClockwise } else { Orientation::Clockwise };
+        (determinant.abs() > bound).then_some(turn)
     }
 }
 
