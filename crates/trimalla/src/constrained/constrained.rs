@@ -337,7 +337,7 @@ impl ConstrainedDelaunay {
             _ => Provenance::Free,
         };
         let v = self.add_vertex(p, provenance, j);
-        insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, j);
+        insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, j);
         self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
         v
     }
@@ -421,7 +421,7 @@ impl ConstrainedDelaunay {
         match self.t.locate_from(self.last, p) {
             Locus::Vertex(w) => self.t.duplicates.push((v, w)),
             locus => {
-                insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, &mut NoJournal);
+                insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, &mut NoJournal);
                 self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
             }
         }

@@ -166,7 +166,7 @@ impl Delaunay {
             return Ok(Inserted::Existing(v));
         }
         let v = self.t.add_vertex(p, j);
-        insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, j);
+        insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, j);
         self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
         Ok(Inserted::New(v))
     }
@@ -220,7 +220,7 @@ impl Delaunay {
         remove_vertex(&mut self.t, v, &mut self.lawson, j)?;
         self.t.set_point(v, p, j);
         let locus = self.t.locate_from(self.last, p);
-        insert_at::<true, _>(&mut self.t, v, locus, &mut self.lawson, j);
+        insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, j);
         Ok(Inserted::New(v))
     }
 

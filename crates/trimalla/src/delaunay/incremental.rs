@@ -57,7 +57,7 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
             return;
         }
         last.note(t, v, locus);
-        insert_at::<false, _>(t, v, locus, &mut lawson, &mut NoJournal);
+        insert_at::<true, _>(t, v, locus, &mut lawson, &mut NoJournal);
     });
     same
 }

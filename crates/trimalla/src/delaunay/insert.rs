@@ -16,7 +16,7 @@ use crate::triangulation::{Closure, Triangulation};
 /// # Complexity
 /// One split and one flip for each further edge at `v`: about three on average.
 #[inline]
-pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(
+pub(crate) fn insert_at<const BULK: bool, J: Journal>(
     t: &mut Triangulation,
     v: VertexId,
     locus: Locus,
@@ -24,9 +24,9 @@ pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(
     j: &mut J,
 ) -> bool {
     match locus {
-        Locus::Face(f) => split_face::<OUTGOING, J>(t, f, v, lawson, j),
-        Locus::Edge(h) => split_edge::<OUTGOING, J>(t, h, v, lawson, j),
-        Locus::Outside(h) if t.closure == Closure::Hull => split_face::<OUTGOING, J>(t, h.face(), v, lawson, j),
+        Locus::Face(f) => split_face::<BULK, J>(t, f, v, lawson, j),
+        Locus::Edge(h) => split_edge::<BULK, J>(t, h, v, lawson, j),
+        Locus::Outside(h) if t.closure == Closure::Hull => split_face::<BULK, J>(t, h.face(), v, lawson, j),
         Locus::Vertex(_) | Locus::Outside(_) => return false,
         Locus::Beyond(h) => {
             t.mesh.extend_chain(h, v, j);
@@ -38,28 +38,28 @@ pub(crate) fn insert_at<const OUTGOING: bool, J: Journal>(
 }
 
 #[inline(always)]
-fn split_face<const OUTGOING: bool, J: Journal>(
+fn split_face<const BULK: bool, J: Journal>(
     t: &mut Triangulation,
     f: FaceId,
     v: VertexId,
     lawson: &mut Lawson,
     j: &mut J,
 ) {
-    let faces = if OUTGOING { t.mesh.split_face(f, v, j) } else { t.mesh.rewire_split_face(f, v, j) };
-    lawson.legalise_around::<OUTGOING, 3, J>(t, faces.map(|f| f.half_edge(0)), t.point(v), j);
+    let faces = if BULK { t.mesh.rewire_split_face(f, v, j) } else { t.mesh.split_face(f, v, j) };
+    lawson.legalise_around::<BULK, 3, J>(t, faces.map(|f| f.half_edge(0)), t.point(v), j);
 }
 
-fn split_edge<const OUTGOING: bool, J: Journal>(
+fn split_edge<const BULK: bool, J: Journal>(
     t: &mut Triangulation,
     h: HalfEdgeId,
     v: VertexId,
     lawson: &mut Lawson,
     j: &mut J,
 ) {
-    let n = if OUTGOING { t.mesh.split_edge(h, v, j) } else { t.mesh.rewire_split_edge(h, v, j) };
+    let n = if BULK { t.mesh.rewire_split_edge(h, v, j) } else { t.mesh.split_edge(h, v, j) };
     if t.dimension == 2 {
         let edges = t.mesh.opposite_edges_after_split(h, n);
-        lawson.legalise_around::<OUTGOING, 4, J>(t, edges, t.point(v), j);
+        lawson.legalise_around::<BULK, 4, J>(t, edges, t.point(v), j);
     }
 }
 
@@ -72,7 +72,7 @@ fn raise<J: Journal>(t: &mut Triangulation, h: HalfEdgeId, v: VertexId, lawson: 
     // A fan over collinear points passes the circle test; the edges are looked at all the same.
     let fan: Vec<HalfEdgeId> = t.mesh.star_from(spoke).collect();
     for h in fan {
-        lawson.legalise_around::<true, 1, J>(t, [h.next()], t.point(v), j);
+        lawson.legalise_around::<false, 1, J>(t, [h.next()], t.point(v), j);
     }
 }
 

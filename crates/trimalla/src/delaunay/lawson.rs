@@ -30,7 +30,7 @@ impl Lawson {
     /// ```
     ///
     /// Every flip adds an edge at `q`, and none is ever taken away: at most as many flips as there
-    /// are vertices. `OUTGOING` says whether vertices keep their half-edges meanwhile.
+    /// are vertices. `BULK` says that vertices keep no half-edges meanwhile, and that there are no marks.
     ///
     /// Edges are tested when they come to lie opposite `q`, together, and the illegal ones wait: tests that do not hang on
     /// each other's answers overlap in the processor. A verdict stays true until its flip, as only a flip across another
@@ -39,25 +39,25 @@ impl Lawson {
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
     #[inline(never)] // A loop on its own keeps its registers.
-    pub(crate) fn legalise_around<const OUTGOING: bool, const N: usize, J: Journal>(
+    pub(crate) fn legalise_around<const BULK: bool, const N: usize, J: Journal>(
         &mut self,
         t: &mut Triangulation,
         edges: [HalfEdgeId; N],
         q: Point,
         j: &mut J,
     ) {
-        let verdicts = edges.map(|e| is_illegal(t, e, q));
+        let verdicts = edges.map(|e| is_illegal::<BULK>(t, e, q));
         let illegal = edges.into_iter().zip(verdicts).filter(|&(_, illegal)| illegal);
         self.stack.extend(illegal.map(|(e, _)| e));
         let mut waiting = self.stack.pop();
         while let Some(e) = waiting {
             let next = t.mesh.twin(e).next();
-            if OUTGOING {
-                t.mesh.flip(e, j);
-            } else {
+            if BULK {
                 t.mesh.rewire_flip(e, j);
+            } else {
+                t.mesh.flip(e, j);
             }
-            waiting = match are_illegal(t, [e, next], q) {
+            waiting = match are_illegal::<BULK>(t, [e, next], q) {
                 [false, false] => self.stack.pop(),
                 [true, false] => Some(e),
                 [false, true] => Some(next),
@@ -94,13 +94,13 @@ impl Lawson {
 
 /// Whether an edge opposite `q` in its face must be flipped.
 #[inline(always)]
-fn is_illegal(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
-    !t.mesh.is_marked(e) && conflicts(t, e, t.mesh.twin(e), q)
+fn is_illegal<const BULK: bool>(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
+    may_be_flipped::<BULK>(t, e) && conflicts(t, e, t.mesh.twin(e), q)
 }
 
 /// [`is_illegal`] for two edges, tested together.
 #[inline(always)]
-fn are_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
+fn are_illegal<const BULK: bool>(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
     let [[x0, y0, d0], [x1, y1, d1]] = edges.map(|e| ends_and_apex(t, e, t.mesh.twin(e)));
     let point = |v: VertexId| t.points.get(v.index());
     let inside = match (point(x0), point(y0), point(d0), point(x1), point(y1), point(d1)) {
@@ -110,16 +110,24 @@ fn are_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2]
         _ => None,
     };
     match inside {
-        Some([first, second]) => [first && !t.mesh.is_marked(edges[0]), second && !t.mesh.is_marked(edges[1])],
-        None => each_is_illegal(t, edges, q),
+        Some([first, second]) => {
+            [first && may_be_flipped::<BULK>(t, edges[0]), second && may_be_flipped::<BULK>(t, edges[1])]
+        }
+        None => each_is_illegal::<BULK>(t, edges, q),
     }
 }
 
 /// The same one after the other: ghosts are there, or rounding leaves a test open.
 #[cold]
 #[inline(never)]
-fn each_is_illegal(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
-    edges.map(|e| is_illegal(t, e, q))
+fn each_is_illegal<const BULK: bool>(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {
+    edges.map(|e| is_illegal::<BULK>(t, e, q))
+}
+
+/// Whether an edge carries no constraint mark; in bulk none does.
+#[inline(always)]
+fn may_be_flipped<const BULK: bool>(t: &Triangulation, e: HalfEdgeId) -> bool {
+    BULK || !t.mesh.is_marked(e)
 }
 
 /// The ends of an edge and the apex beyond its other side `o`.

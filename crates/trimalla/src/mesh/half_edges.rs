@@ -454,16 +454,35 @@ impl HalfEdgeMesh {
         }
         let f = FaceId::from_index(self.face_slots());
         self.half_edges.extend([HalfEdge::DEAD; 3]);
+        self.note_appended([f], j);
+        f
+    }
+
+    /// Two face slots, as two calls of [`take_face`](Self::take_face) give them.
+    #[inline(always)]
+    pub(super) fn take_two_faces<J: Journal>(&mut self, j: &mut J) -> [FaceId; 2] {
+        if !self.free_faces.is_empty() {
+            return [self.take_face(j), self.take_face(j)];
+        }
+        let f = FaceId::from_index(self.face_slots());
+        self.half_edges.extend([HalfEdge::DEAD; 6]);
+        let faces = [f, FaceId(f.0 + 1)];
+        self.note_appended(faces, j);
+        faces
+    }
+
+    /// Room for the marks and regions of slots that were appended just now, and their entries in the journal.
+    #[inline(always)]
+    fn note_appended<J: Journal, const N: usize>(&mut self, faces: [FaceId; N], j: &mut J) {
         if !self.mark.is_empty() {
-            self.mark.push([0; 3]);
+            self.mark.extend([[0; 3]; N]);
         }
         if !self.region.is_empty() {
-            self.region.push(0);
+            self.region.extend([0; N]);
         }
         if J::ACTIVE {
-            j.note(Column::FaceAppended, f.0, 0);
+            faces.iter().for_each(|f| j.note(Column::FaceAppended, f.0, 0));
         }
-        f
     }
 
     /// Writes the three vertices of a face.

@@ -22,7 +22,7 @@ impl HalfEdgeMesh {
     ///    a       b      ──>     a ──── h ───> b       returns h
     /// ```
     pub(crate) fn start_chain<J: Journal>(&mut self, a: VertexId, b: VertexId, j: &mut J) -> HalfEdgeId {
-        let (up, down) = (self.take_face(j), self.take_face(j));
+        let [up, down] = self.take_two_faces(j);
         let ([u0, u1, u2], [d0, d1, d2]) = (up.half_edges(), down.half_edges());
         self.set_face(up, [a, b, INF], j);
         self.set_face(down, [b, a, INF], j);
@@ -55,7 +55,7 @@ impl HalfEdgeMesh {
         let b = self.dest(h);
         let spoke = h.next(); // b→∞, shared with the ghost on the other side
         let back = self.twin(spoke);
-        let (up, down) = (self.take_face(j), self.take_face(j));
+        let [up, down] = self.take_two_faces(j);
         let ([u0, u1, u2], [d0, d1, d2]) = (up.half_edges(), down.half_edges());
         self.set_face(up, [b, p, INF], j);
         self.set_face(down, [p, b, INF], j);

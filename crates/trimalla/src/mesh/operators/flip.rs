@@ -29,12 +29,20 @@ impl HalfEdgeMesh {
         let o = self.twin(e);
         let (x, y) = (self.origin(e), self.origin(o));
         let p = self.rewire_flip(e, j);
+        if !self.mark.is_empty() {
+            let r = self.twin(p);
+            let (mark_r, mark_p) = (self.mark(r), self.mark(p));
+            self.set_mark_one_side(e, mark_r, j);
+            self.set_mark_one_side(o, mark_p, j);
+            self.set_mark_one_side(p, 0, j);
+            self.set_mark_one_side(r, 0, j);
+        }
         self.move_outgoing(x, e, o.next(), j);
         self.move_outgoing(y, o, e.next(), j);
         p
     }
 
-    /// [`flip`](Self::flip) without the vertices' half-edges, for builders that set those at the end.
+    /// The half-edges of [`flip`](Self::flip) alone, in a mesh without marks.
     #[inline(always)]
     pub(crate) fn rewire_flip<J: Journal>(&mut self, e: HalfEdgeId, j: &mut J) -> HalfEdgeId {
         let o = self.twin(e);
@@ -45,13 +53,6 @@ impl HalfEdgeMesh {
         self.glue(p, r, j);
         self.set_half_edge(o, at_p, j);
         self.set_half_edge(e, at_r, j);
-        if !self.mark.is_empty() {
-            let (mark_r, mark_p) = (self.mark(r), self.mark(p));
-            self.set_mark_one_side(e, mark_r, j);
-            self.set_mark_one_side(o, mark_p, j);
-            self.set_mark_one_side(p, 0, j);
-            self.set_mark_one_side(r, 0, j);
-        }
         p
     }
 }

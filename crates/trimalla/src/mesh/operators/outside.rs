@@ -37,7 +37,7 @@ impl HalfEdgeMesh {
             }
             edge = across.next();
         }
-        let (left, right) = (self.take_face(j), self.take_face(j));
+        let [left, right] = self.take_two_faces(j);
         let ([l0, l1, l2], [r0, r1, r2]) = (left.half_edges(), right.half_edges());
         // a→p outside p→a, and p→d outside d→p.
         self.set_face(left, [a, p, VertexId::INFINITE], j);

@@ -21,33 +21,34 @@ impl HalfEdgeMesh {
     pub(crate) fn split_face<J: Journal>(&mut self, f: FaceId, q: VertexId, j: &mut J) -> [FaceId; 3] {
         let c = self.origin(f.half_edge(2));
         let [f, s, t] = self.rewire_split_face(f, q, j);
-        self.move_outgoing(c, f.half_edge(2), t.half_edge(0), j);
-        self.set_outgoing(q, f.half_edge(2), j);
-        [f, s, t]
-    }
-
-    /// [`split_face`](Self::split_face) without the vertices' half-edges.
-    #[inline(always)]
-    pub(crate) fn rewire_split_face<J: Journal>(&mut self, f: FaceId, q: VertexId, j: &mut J) -> [FaceId; 3] {
-        let [_, h1, h2] = f.half_edges();
-        let [at_a, at_b, at_c] = self.face(f);
-        let (s, t) = (self.take_face(j), self.take_face(j));
-        let ([s0, s1, s2], [t0, t1, t2]) = (s.half_edges(), t.half_edges());
-        self.set_twin(at_b.twin, s0, j);
-        self.set_twin(at_c.twin, t0, j);
-        self.set_vertices_and_twins(s, [at_b.origin, at_c.origin, q], [at_b.twin, t2, h1], j);
-        self.set_vertices_and_twins(t, [at_c.origin, at_a.origin, q], [at_c.twin, h2, s1], j);
-        self.set_vertices_and_twins(f, [at_a.origin, at_b.origin, q], [at_a.twin, s2, t1], j);
         if !self.mark.is_empty() {
+            let [_, h1, h2] = f.half_edges();
             let (mark_bc, mark_ca) = (self.mark(h1), self.mark(h2));
-            self.set_mark_one_side(s0, mark_bc, j);
-            self.set_mark_one_side(t0, mark_ca, j);
+            self.set_mark_one_side(s.half_edge(0), mark_bc, j);
+            self.set_mark_one_side(t.half_edge(0), mark_ca, j);
             self.set_mark_one_side(h1, 0, j);
             self.set_mark_one_side(h2, 0, j);
         }
         let region = self.region(f);
         self.set_region(s, region, j);
         self.set_region(t, region, j);
+        self.move_outgoing(c, f.half_edge(2), t.half_edge(0), j);
+        self.set_outgoing(q, f.half_edge(2), j);
+        [f, s, t]
+    }
+
+    /// The half-edges of [`split_face`](Self::split_face) alone, in a mesh without marks and regions.
+    #[inline(always)]
+    pub(crate) fn rewire_split_face<J: Journal>(&mut self, f: FaceId, q: VertexId, j: &mut J) -> [FaceId; 3] {
+        let [_, h1, h2] = f.half_edges();
+        let [at_a, at_b, at_c] = self.face(f);
+        let [s, t] = self.take_two_faces(j);
+        let ([s0, s1, s2], [t0, t1, t2]) = (s.half_edges(), t.half_edges());
+        self.set_twin(at_b.twin, s0, j);
+        self.set_twin(at_c.twin, t0, j);
+        self.set_vertices_and_twins(s, [at_b.origin, at_c.origin, q], [at_b.twin, t2, h1], j);
+        self.set_vertices_and_twins(t, [at_c.origin, at_a.origin, q], [at_c.twin, h2, s1], j);
+        self.set_vertices_and_twins(f, [at_a.origin, at_b.origin, q], [at_a.twin, s2, t1], j);
         [f, s, t]
     }
 
@@ -74,20 +75,33 @@ impl HalfEdgeMesh {
         let (x, y) = (self.origin(e), self.origin(o));
         let n = self.rewire_split_edge(e, v, j);
         let m = self.twin(e);
+        if !self.mark.is_empty() {
+            let (en, on) = (e.next(), o.next());
+            let (mark_e, mark_yq, mark_xd) = (self.mark(e), self.mark(en), self.mark(on));
+            self.set_mark_one_side(n, mark_e, j);
+            self.set_mark_one_side(m, mark_e, j);
+            self.set_mark_one_side(n.next(), mark_yq, j);
+            self.set_mark_one_side(m.next(), mark_xd, j);
+            self.set_mark_one_side(en, 0, j);
+            self.set_mark_one_side(on, 0, j);
+        }
+        let regions = [self.region(e.face()), self.region(o.face())];
+        self.set_region(n.face(), regions[0], j);
+        self.set_region(m.face(), regions[1], j);
         self.move_outgoing(y, e.next(), n.next(), j);
         self.move_outgoing(x, o.next(), m.next(), j);
         self.set_outgoing(v, n, j);
         n
     }
 
-    /// [`split_edge`](Self::split_edge) without the vertices' half-edges.
+    /// The half-edges of [`split_edge`](Self::split_edge) alone, in a mesh without marks and regions.
     pub(crate) fn rewire_split_edge<J: Journal>(&mut self, e: HalfEdgeId, v: VertexId, j: &mut J) -> HalfEdgeId {
         let o = self.twin(e);
         let (x, y) = (self.origin(e), self.origin(o));
         let (q, d) = (self.apex(e), self.apex(o));
         let (en, on) = (e.next(), o.next());
         let (twin_yq, twin_xd) = (self.twin(en), self.twin(on));
-        let (nf, mf) = (self.take_face(j), self.take_face(j));
+        let [nf, mf] = self.take_two_faces(j);
         let ([n0, n1, n2], [m0, m1, m2]) = (nf.half_edges(), mf.half_edges());
         self.set_face(nf, [v, y, q], j);
         self.set_face(mf, [v, x, d], j);
@@ -99,18 +113,6 @@ impl HalfEdgeMesh {
         self.glue(on, m2, j);
         self.glue(n1, twin_yq, j);
         self.glue(m1, twin_xd, j);
-        if !self.mark.is_empty() {
-            let (mark_e, mark_yq, mark_xd) = (self.mark(e), self.mark(en), self.mark(on));
-            self.set_mark_one_side(n0, mark_e, j);
-            self.set_mark_one_side(m0, mark_e, j);
-            self.set_mark_one_side(n1, mark_yq, j);
-            self.set_mark_one_side(m1, mark_xd, j);
-            self.set_mark_one_side(en, 0, j);
-            self.set_mark_one_side(on, 0, j);
-        }
-        let regions = [self.region(e.face()), self.region(o.face())];
-        self.set_region(nf, regions[0], j);
-        self.set_region(mf, regions[1], j);
         n0
     }
 
