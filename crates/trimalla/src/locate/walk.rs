@@ -118,8 +118,9 @@ impl Triangulation {
     /// ends is proved. The error is the face where rounding leaves something open, or where it was after [`SIGHT_STEPS`].
     #[inline(always)] // Before each insertion.
     fn walk_by_sight(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
-        let mut e = self.real_face_near(start).ok_or(start)?.half_edge(0);
-        let [mut a, mut b] = self.edge_points(e);
+        let [a, b, _] = self.vertices_in_slot(start).ok_or(start)?.map(|v| self.points.get(v.index()));
+        let (Some(&(mut a)), Some(&(mut b))) = (a, b) else { return Err(start) };
+        let mut e = start.half_edge(0);
         let mut side = Turn::of(a, b, p);
         if side.seems_clockwise() {
             (e, side) = (self.twin(e), side.reversed());

@@ -137,6 +137,13 @@ impl HalfEdgeMesh {
         self.face(f).map(|h| h.origin)
     }
 
+    /// What is stored of the vertices of a slot, if there is such a slot.
+    #[inline]
+    pub(crate) fn vertices_in_slot(&self, f: FaceId) -> Option<[VertexId; 3]> {
+        let k = f.index() * 3;
+        self.half_edges.get(k..k + 3).map(|stored| [stored[0].origin, stored[1].origin, stored[2].origin])
+    }
+
     /// What is stored of a face's half-edges.
     #[inline(always)]
     pub(super) fn face(&self, f: FaceId) -> [HalfEdge; 3] {
