@@ -74,6 +74,44 @@ impl Triangulation {
     /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
+        let arrived = self.walk_within_by_sight(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
+        arrived.unwrap_or_else(|| self.walk_within_exactly(start, p))
+    }
+
+    /// The same by sight, as [`walk_by_sight`](Self::walk_by_sight): the face at which it ends, proved. `None` where rounding
+    /// leaves something open, or a constrained edge or the end of the domain is in the way.
+    fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
+        let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
+        let (mut a, mut b) = (*a?, *b?);
+        let mut e = start.half_edge(0);
+        let mut side = Turn::of(a, b, p);
+        for _ in 0..SIGHT_STEPS {
+            let (next, prev) = e.next_and_prev();
+            let c = *self.points.get(self.origin(prev).index())?;
+            let sides = [side, Turn::of(b, c, p), Turn::of(c, a, p)];
+            let exit = match sides.map(Turn::seems_clockwise) {
+                [false, false, false] => return sides.into_iter().all(is_left).then_some(e.face()),
+                [true, false, false] => e,
+                [false, true, false] => next,
+                [false, false, true] => prev,
+                [true, true, _] => self.exit_towards(start, p, e),
+                [_, true, true] => self.exit_towards(start, p, next),
+                [true, _, true] => self.exit_towards(start, p, prev),
+            };
+            if self.is_marked(exit) {
+                return None;
+            }
+            (side, a, b) = match exit {
+                _ if exit == e => (sides[0], b, a),
+                _ if exit == next => (sides[1], c, b),
+                _ => (sides[2], a, c),
+            };
+            (e, side) = (self.twin(exit), side.reversed());
+        }
+        None
+    }
+
+    fn walk_within_exactly(&self, start: FaceId, p: Point) -> Walk {
         let Some(start) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
         let mut e = start.half_edge(0);
         let [mut a, mut b] = self.edge_points(e);
@@ -126,7 +164,6 @@ impl Triangulation {
             (e, side) = (self.twin(e), side.reversed());
             (a, b) = (b, a);
         }
-        let is_left = |side: Turn| side.proved() == Some(Orientation::CounterClockwise);
         for _ in 0..SIGHT_STEPS {
             let (bc, ca) = (e.next(), e.prev());
             let Some(&c) = self.points.get(self.origin(ca).index()) else {
@@ -270,6 +307,12 @@ impl Triangulation {
         }
         Locus::Nowhere
     }
+}
+
+/// Whether it is proved that the point lies left.
+#[inline(always)]
+fn is_left(side: Turn) -> bool {
+    side.proved() == Some(Orientation::CounterClockwise)
 }
 
 /// A fixed sequence of choices without pattern.

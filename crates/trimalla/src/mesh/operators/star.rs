@@ -39,10 +39,7 @@ impl HalfEdgeMesh {
         j: &mut J,
     ) -> HalfEdgeId {
         debug_assert_eq!(faces.len() + 3, rim.len(), "a cavity without vertices inside");
-        while faces.len() + 1 < rim.len() {
-            let f = self.take_face(j);
-            faces.push(f);
-        }
+        faces.extend(self.take_two_faces(j));
         let (first, mut before) = (faces[0], faces[faces.len() - 1]);
         for (i, (&f, edge)) in faces.iter().zip(rim.windows(2)).enumerate() {
             let after = faces.get(i + 1).map_or(first, |&after| after);
