@@ -8,6 +8,7 @@
 //! fixed sequence, and after a bounded number of steps every face is looked at: a walk always ends,
 //! and with the right answer.
 
+mod by_sight;
 mod walk;
 
 pub use walk::{Locus, Walk};

@@ -1,6 +1,6 @@
 //! The walk, and what it finds.
 
-use crate::geometry::{Orientation, Point, Triangle, Turn, lexicographic, orient2d, strictly_between};
+use crate::geometry::{Orientation, Point, Triangle, lexicographic, orient2d, strictly_between};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
@@ -36,9 +36,6 @@ pub enum Walk {
 
 /// After this many steps the edge to cross, where there are two, is drawn.
 const CALM_STEPS: usize = 1 << 10;
-/// A walk by sight goes no farther than this: rounding might lead it in circles.
-const SIGHT_STEPS: usize = 64;
-
 impl Triangulation {
     /// Where `p` lies.
     ///
@@ -78,39 +75,6 @@ impl Triangulation {
         arrived.unwrap_or_else(|| self.walk_within_exactly(start, p))
     }
 
-    /// The same by sight, as [`walk_by_sight`](Self::walk_by_sight): the face at which it ends, proved. `None` where rounding
-    /// leaves something open, or a constrained edge or the end of the domain is in the way.
-    fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
-        let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
-        let (mut a, mut b) = (*a?, *b?);
-        let mut e = start.half_edge(0);
-        let mut side = Turn::of(a, b, p);
-        for _ in 0..SIGHT_STEPS {
-            let (next, prev) = e.next_and_prev();
-            let c = *self.points.get(self.origin(prev).index())?;
-            let sides = [side, Turn::of(b, c, p), Turn::of(c, a, p)];
-            let exit = match sides.map(Turn::seems_clockwise) {
-                [false, false, false] => return sides.into_iter().all(is_left).then_some(e.face()),
-                [true, false, false] => e,
-                [false, true, false] => next,
-                [false, false, true] => prev,
-                [true, true, _] => self.exit_towards(start, p, e),
-                [_, true, true] => self.exit_towards(start, p, next),
-                [true, _, true] => self.exit_towards(start, p, prev),
-            };
-            if self.is_marked(exit) {
-                return None;
-            }
-            (side, a, b) = match exit {
-                _ if exit == e => (sides[0], b, a),
-                _ if exit == next => (sides[1], c, b),
-                _ => (sides[2], a, c),
-            };
-            (e, side) = (self.twin(exit), side.reversed());
-        }
-        None
-    }
-
     fn walk_within_exactly(&self, start: FaceId, p: Point) -> Walk {
         let Some(start) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
         let mut e = start.half_edge(0);
@@ -120,14 +84,9 @@ impl Triangulation {
             let (next, prev) = e.next_and_prev();
             let c = self.point(self.origin(prev));
             let sides = [side, orient2d(b, c, p), orient2d(c, a, p)];
-            let exit = match sides.map(|side| side == Orientation::Clockwise) {
-                [false, false, false] => return Walk::Arrived(self.locus_in(e, sides)),
-                [true, false, false] => e,
-                [false, true, false] => next,
-                [false, false, true] => prev,
-                [true, true, _] => self.exit_towards(start, p, e),
-                [_, true, true] => self.exit_towards(start, p, next),
-                [true, _, true] => self.exit_towards(start, p, prev),
+            let is_beyond = sides.map(|side| side == Orientation::Clockwise);
+            let Some(exit) = self.exit(start, p, [e, next, prev], is_beyond) else {
+                return Walk::Arrived(self.locus_in(e, sides));
             };
             if self.is_marked(exit) || self.is_ghost(self.twin(exit).face()) {
                 return Walk::Blocked(exit);
@@ -142,6 +101,26 @@ impl Triangulation {
         Walk::Arrived(self.scan_or_outside(p))
     }
 
+    /// The edge of a face by which to leave it for `p`, on the way from the middle of `start`; `None` where `p` is beyond none.
+    #[inline(always)] // At each step.
+    pub(super) fn exit(
+        &self,
+        start: FaceId,
+        p: Point,
+        [e, next, prev]: [HalfEdgeId; 3],
+        is_beyond: [bool; 3],
+    ) -> Option<HalfEdgeId> {
+        Some(match is_beyond {
+            [false, false, false] => return None,
+            [true, false, false] => e,
+            [false, true, false] => next,
+            [false, false, true] => prev,
+            [true, true, _] => self.exit_towards(start, p, e),
+            [_, true, true] => self.exit_towards(start, p, next),
+            [true, _, true] => self.exit_towards(start, p, prev),
+        })
+    }
+
     /// Of the edges `first` and the next one around their face, which both have `p` beyond them, the one that the line from
     /// the middle of `start` to `p` crosses: it passes the vertex they share on one side or the other.
     fn exit_towards(&self, start: FaceId, p: Point, first: HalfEdgeId) -> HalfEdgeId {
@@ -150,37 +129,6 @@ impl Triangulation {
         let second = first.next();
         let passes_left = orient2d(source, p, self.point(self.origin(second))) == Orientation::Clockwise;
         if passes_left { second } else { first }
-    }
-
-    /// The visibility walk with an eye for the way alone: where to cross, rounded products tell, and only the face at which it
-    /// ends is proved. The error is the face where rounding leaves something open, or where it was after [`SIGHT_STEPS`].
-    #[inline(always)] // Before each insertion.
-    fn walk_by_sight(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
-        let [a, b, _] = self.vertices_in_slot(start).ok_or(start)?.map(|v| self.points.get(v.index()));
-        let (Some(&(mut a)), Some(&(mut b))) = (a, b) else { return Err(start) };
-        let mut e = start.half_edge(0);
-        let mut side = Turn::of(a, b, p);
-        if side.seems_clockwise() {
-            (e, side) = (self.twin(e), side.reversed());
-            (a, b) = (b, a);
-        }
-        for _ in 0..SIGHT_STEPS {
-            let (bc, ca) = (e.next(), e.prev());
-            let Some(&c) = self.points.get(self.origin(ca).index()) else {
-                // The face is a ghost.
-                return if is_left(side) { Ok(Locus::Outside(e)) } else { Err(e.face()) };
-            };
-            let (side_of_bc, side_of_ca) = (Turn::of(b, c, p), Turn::of(c, a, p));
-            if side_of_bc.seems_clockwise() {
-                (e, side, a, b) = (self.twin(bc), side_of_bc.reversed(), c, b);
-            } else if side_of_ca.seems_clockwise() {
-                (e, side, a, b) = (self.twin(ca), side_of_ca.reversed(), a, c);
-            } else {
-                let is_inside = is_left(side) && is_left(side_of_bc) && is_left(side_of_ca);
-                return if is_inside { Ok(Locus::Face(e.face())) } else { Err(e.face()) };
-            }
-        }
-        Err(e.face())
     }
 
     /// The visibility walk, exact. `None` when the bound on steps was met.
@@ -307,12 +255,6 @@ impl Triangulation {
         }
         Locus::Nowhere
     }
-}
-
-/// Whether it is proved that the point lies left.
-#[inline(always)]
-fn is_left(side: Turn) -> bool {
-    side.proved() == Some(Orientation::CounterClockwise)
 }
 
 /// A fixed sequence of choices without pattern.

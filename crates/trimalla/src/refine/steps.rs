@@ -91,6 +91,8 @@ pub trait PrepareStep {
     }
 
     /// Whether subsegment `h` is to be split before (and while) points go in.
+    ///
+    /// A subsegment that is queued is asked about again only if one of the two triangles beside it has changed by its turn.
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool;
 }
 
