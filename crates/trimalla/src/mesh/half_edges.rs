@@ -386,8 +386,7 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            // Zeros that are written, not asked of the system: a page that is read before it is written is fetched twice.
-            self.mark.resize(self.face_slots(), [0; 3]);
+            self.mark = vec![[0; 3]; self.face_slots()];
             if J::ACTIVE {
                 j.note(Column::MarksAdded, 0, 0);
             }
