@@ -27,6 +27,7 @@ mod ids;
 mod journal;
 mod operators;
 mod side_table;
+mod slots;
 #[cfg(test)]
 mod tests;
 
