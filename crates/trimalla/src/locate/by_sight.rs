@@ -87,7 +87,7 @@ mod tests {
     fn near_lines() -> Vec<Point> {
         let third = |x: f64| Point::new(x, x / 3.0);
         let on_line = (0..40_u8).map(|i| third(f64::from(i) * 0.37));
-        let around = (0..40_u8).map(|i| Point::new(f64::from(i * 7 % 13) * 1.1, f64::from(i * 5 % 11) * 0.9));
+        let around = (0..40_u16).map(|i| Point::new(f64::from(i * 7 % 13) * 1.1, f64::from(i * 5 % 11) * 0.9));
         on_line.chain(around).collect()
     }
 
