@@ -44,18 +44,20 @@ impl Deref for Triangulation {
 
 /// What belongs to the three vertices of a face, that of the lowest first.
 #[inline]
-fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
-    let first = if c < a.min(b) { 2 } else { usize::from(b < a) };
-    let around = [of_a, of_b, of_c, of_a, of_b];
-    [around[first], around[first + 1], around[first + 2]]
+fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
+    turned_to(if c < a.min(b) { 2 } else { usize::from(b < a) }, of)
 }
 
 /// What belongs to the three vertices of a face, that of the highest first.
 #[inline(always)] // In the loop over all triangles.
-pub(super) fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], [of_a, of_b, of_c]: [T; 3]) -> [T; 3] {
-    // Looked up, not branched on: which one it is nobody can guess.
-    let first = if c > a.max(b) { 2 } else { usize::from(b > a) };
-    let around = [of_a, of_b, of_c, of_a, of_b];
+pub(super) fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
+    turned_to(if c > a.max(b) { 2 } else { usize::from(b > a) }, of)
+}
+
+/// Three in their cyclic order, from that number on. Looked up, not branched on: which one it is nobody can guess.
+#[inline(always)] // As above.
+fn turned_to<T: Copy>(first: usize, [a, b, c]: [T; 3]) -> [T; 3] {
+    let around = [a, b, c, a, b];
     [around[first], around[first + 1], around[first + 2]]
 }
 
