@@ -270,6 +270,11 @@ impl ConstrainedDelaunay {
         }
     }
 
+    /// Whether regions, or triangles one by one, have area bounds.
+    pub(crate) fn has_local_area_bounds(&self) -> bool {
+        self.area_map.is_some() || self.regions.iter().any(|rule| rule.max_area.is_some())
+    }
+
     /// The area bound of the region of a face, where there is one for the whole region.
     #[inline]
     pub(crate) fn fixed_area_bound(&self, f: FaceId) -> Option<f64> {

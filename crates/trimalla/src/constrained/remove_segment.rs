@@ -52,7 +52,7 @@ impl ConstrainedDelaunay {
         let before = self.constraints.len();
         for &h in edges {
             let mut mark = self.constraints.without_segment(self.t.mark(h), segment);
-            let bounds = self.t.is_boundary(h) || self.t.is_boundary(self.t.twin(h));
+            let bounds = self.t.is_on_border(h);
             if mark == 0 && self.t.closure() == Closure::Domain && bounds {
                 mark = self.constraints.mark_of(&[]);
             }

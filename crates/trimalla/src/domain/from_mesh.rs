@@ -214,7 +214,7 @@ fn note_chains(cdt: &ConstrainedDelaunay, chains: &[Chain], has_drawing: bool, w
     if has_drawing {
         let borders = |v: &[VertexId]| {
             let h = cdt.half_edge_between(v[0], v[1]);
-            h.is_some_and(|h| cdt.is_boundary(h) || cdt.is_boundary(cdt.twin(h)))
+            h.is_some_and(|h| cdt.is_on_border(h))
         };
         let inner = chains.iter().flat_map(|c| c.vertices.windows(2)).filter(|pair| !borders(pair)).count();
         if inner > 0 {

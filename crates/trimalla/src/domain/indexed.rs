@@ -41,7 +41,9 @@ impl ConstrainedDelaunay {
 
     /// All but points and triangles.
     fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
-        let subsegments: Vec<Subsegment> = self.marked_edges().map(|h| self.subsegment(h, pslg)).collect();
+        let mut subsegments = Vec::new();
+        // Not collected: edge by edge the nested iterators would be a machine of states.
+        self.marked_edges().for_each(|h| subsegments.push(self.subsegment(h, pslg)));
         let mut mesh = IndexedMesh {
             segments: subsegments.iter().map(|s| s.ends.map(|v| kept.id(v))).collect(),
             segment_markers: subsegments.iter().map(|s| s.marker).collect(),
@@ -62,7 +64,7 @@ impl ConstrainedDelaunay {
 
     /// What a subsegment is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
     fn subsegment(&self, h: HalfEdgeId, pslg: &Pslg) -> Subsegment {
-        let on_border = self.is_boundary(h) || self.is_boundary(self.twin(h));
+        let on_border = self.is_on_border(h);
         let given =
             self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
         let marker = given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 });

@@ -10,6 +10,7 @@ mod circle;
 mod containment;
 mod frame;
 mod hilbert;
+pub(crate) mod lanes;
 pub mod math;
 mod order;
 mod point;
@@ -30,7 +31,7 @@ pub use predicates::{
     in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact, segments_cross_properly, strictly_between,
     triangle_angles_at_least,
 };
-pub(crate) use predicates::{Turn, inside_two_circles, sides_angle_at_least};
+pub(crate) use predicates::{Turn, angles_of_two, inside_two_circles, sides_angle_excess};
 pub use ring::Ring;
 pub use segment::Segment;
 pub use triangle::Triangle;

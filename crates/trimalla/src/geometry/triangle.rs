@@ -212,6 +212,27 @@ fn angle_at(apex: Point, u: Point, v: Point) -> Angle {
 const PLAIN_SQ: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 380) << 52)..=f64::from_bits((1023 + 380) << 52); // 2^-380, 2^380
 
+/// The corner opposite the longest edge; of those opposite equal ones the lexicographically smallest.
+#[inline]
+fn opposite_longest(lengths: [f64; 3], corners: [Point; 3]) -> usize {
+    let [p, q, r] = lengths;
+    if (p == q) | (q == r) | (r == p) {
+        return opposite_longest_of_equals(lengths, corners);
+    }
+    // Chosen, not branched on: which one it is nobody can guess.
+    let (longer, of_two) = if q > p { (q, 1) } else { (p, 0) };
+    if r > longer { 2 } else { of_two }
+}
+
+#[cold]
+#[inline(never)]
+fn opposite_longest_of_equals(lengths: [f64; 3], corners: [Point; 3]) -> usize {
+    let better = |i: usize, j: usize| {
+        lengths[i] > lengths[j] || (lengths[i] == lengths[j] && lexicographically_less(corners[i], corners[j]))
+    };
+    (1..3).fold(0, |best, i| if better(i, best) { i } else { best })
+}
+
 /// A triangle in a frame at one of its corners, seen as the two edges that leave it.
 ///
 /// The corner is the one opposite the longest edge, where the cross product loses least; of equal ones the
@@ -227,10 +248,7 @@ impl View {
         let plain = triangle.plain_lengths_sq();
         let lengths = plain.unwrap_or_else(|| triangle.local_lengths_sq());
         let corners = triangle.corners;
-        let better = |i: usize, j: usize| {
-            lengths[i] > lengths[j] || (lengths[i] == lengths[j] && lexicographically_less(corners[i], corners[j]))
-        };
-        let origin = (1..3).fold(0, |best, i| if better(i, best) { i } else { best });
+        let origin = opposite_longest(lengths, corners);
         let Segment { start, end } = triangle.edge(origin);
         let frame = match plain {
             Some(_) => Frame::plain(corners[origin]),

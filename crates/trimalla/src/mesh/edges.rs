@@ -18,6 +18,7 @@ impl HalfEdgeMesh {
     }
 
     /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
+    #[inline] // In loops over all edges.
     fn stands_for_edge(&self, h: HalfEdgeId) -> bool {
         let (a, b, t) = (self.origin(h), self.dest(h), self.twin(h));
         if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {

@@ -53,8 +53,9 @@ pub struct HalfEdgeMesh {
 
 /// Whether none of a slot's vertices is dead or at infinity: those two ids are above all others.
 #[inline]
-fn are_ordinary(half_edges: &[HalfEdge]) -> bool {
-    half_edges.iter().all(|h| h.origin < VertexId::DEAD)
+fn are_ordinary(slot: &[HalfEdge]) -> bool {
+    // The greatest is asked: nearly all slots hold a face, so that three questions are more than one.
+    slot.iter().fold(VertexId(0), |greatest, h| greatest.max(h.origin)) < VertexId::DEAD
 }
 
 /// Reading.
@@ -187,6 +188,13 @@ impl HalfEdgeMesh {
     #[inline]
     pub fn is_boundary(&self, h: HalfEdgeId) -> bool {
         self.is_real(h.face()) && self.is_ghost(self.twin(h).face())
+    }
+
+    /// Whether a real face lies on just one side of an edge.
+    #[must_use]
+    #[inline]
+    pub fn is_on_border(&self, h: HalfEdgeId) -> bool {
+        self.is_real(h.face()) != self.is_real(self.twin(h).face())
     }
 
     /// Number of face slots, dead and ghost ones included.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::options::Criteria;
-use crate::constrained::RegionRule;
-use crate::geometry::{Point, Triangle, Vector, sides_angle_at_least, triangle_angles_at_least};
+use crate::constrained::{ConstrainedDelaunay, RegionRule};
+use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
 use crate::mesh::VertexId;
 use crate::quality::aspect_ratio;
 
@@ -52,6 +52,43 @@ impl Side {
     }
 }
 
+/// Bounds on angle and area that hold in all regions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Everywhere {
+    /// The squared sine of the smallest angle.
+    sine_sq: f64,
+    doubled_area: f64,
+    /// Whether nothing more is asked of any triangle.
+    is_all: bool,
+}
+
+impl Everywhere {
+    /// Asks more of some triangles.
+    pub(super) fn with_more(self) -> Self {
+        Self { is_all: false, ..self }
+    }
+
+    /// Whether a triangle is bad, where the sides from its first corner are known, and no more is asked than this; `None` where
+    /// it is, or rounding leaves the answer open.
+    #[inline(always)] // In the loop over the triangles around a new vertex.
+    pub(super) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
+        let doubled_area = u.along.cross(v.along);
+        let squares = [u.length_sq, v.length_sq, (c - b).length_sq()];
+        let excess = sides_angle_excess(doubled_area, squares, self.sine_sq);
+        let is_known = self.is_all && excess != 0.0;
+        // No branch: which of them are bad nobody can guess.
+        is_known.then_some((excess < 0.0) | (doubled_area > self.doubled_area))
+    }
+
+    /// The same of two triangles with these corners, where the area is not bounded.
+    #[inline(always)] // In the loop over all triangles.
+    pub(super) fn are_bad(self, [a, b, c]: [[Point; 2]; 3]) -> [Option<bool>; 2] {
+        let is_all = self.is_all && self.doubled_area == f64::INFINITY;
+        let excess = angles_of_two(a, b, c, self.sine_sq);
+        excess.map(|excess| (is_all && excess != 0.0).then_some(excess < 0.0))
+    }
+}
+
 /// A test of the caller's own: whether a triangle, counter-clockwise, with the attribute of its region (0 without), must
 /// be refined.
 pub type UserTest = dyn Fn(Triangle, f64) -> bool + Send + Sync;
@@ -64,16 +101,19 @@ pub(super) struct Test {
     /// Twice the area bound, infinite where there is none.
     doubled_area: f64,
     max_aspect_ratio: f64,
+    /// Whether regions, or triangles one by one, have area bounds of their own.
+    has_local_bounds: bool,
     asked: Option<Arc<UserTest>>,
 }
 
 impl Test {
-    pub(super) fn new(criteria: &Criteria) -> Self {
+    pub(super) fn new(criteria: &Criteria, cdt: &ConstrainedDelaunay) -> Self {
         let bounded = criteria.min_angle.radians() > 0.0;
         Self {
             cos_sq: bounded.then(|| criteria.min_angle.cos_sq()),
             doubled_area: criteria.max_area.map_or(f64::INFINITY, |a| 2.0 * a),
             max_aspect_ratio: criteria.max_aspect_ratio.unwrap_or(f64::INFINITY),
+            has_local_bounds: cdt.has_local_area_bounds(),
             asked: None,
         }
     }
@@ -83,49 +123,35 @@ impl Test {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
     }
 
-    /// Whether the caller's own test is asked, too.
-    pub(super) fn asks_caller(&self) -> bool {
-        self.asked.is_some()
-    }
-
     /// The same with a test of the caller's own.
     pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
         Self { asked: Some(asked), ..self }
     }
 
     /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
-    #[inline(always)] // In the loop over all triangles.
+    #[inline(never)]
     pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
         let [a, b, c] = corners;
-        let found = self.badness_of_sides(corners, [Side::new(a, b), Side::new(a, c)], region);
-        match found {
-            Some(Badness::Area) => found,
-            _ if self.asked.is_some() && self.is_refused(corners, region) => Some(Badness::Asked),
-            _ => found,
+        if (b - a).cross(c - a) > self.doubled_area_bound(region) {
+            Some(Badness::Area)
+        } else if self.asked.is_some() && self.is_refused(corners, region) {
+            Some(Badness::Asked)
+        } else if self.cos_sq.is_some_and(|cos_sq| !triangle_angles_at_least(a, b, c, cos_sq)) {
+            Some(Badness::Angle)
+        } else if self.max_aspect_ratio < f64::INFINITY && self.is_too_slender(corners) {
+            Some(Badness::AspectRatio)
+        } else {
+            None
         }
     }
 
-    /// [`badness`](Self::badness) but for the caller's own test, where the sides from the first corner are known.
-    #[inline(always)] // In the loop over the triangles around a new vertex.
-    pub(super) fn badness_of_sides(
-        &self,
-        corners: [Point; 3],
-        [u, v]: [Side; 2],
-        region: Option<RegionRule>,
-    ) -> Option<Badness> {
-        let [a, b, c] = corners;
-        let doubled_area = u.along.cross(v.along);
-        if doubled_area > self.doubled_area_bound(region) {
-            return Some(Badness::Area);
-        }
-        if let Some(cos_sq) = self.cos_sq {
-            let squares = [u.length_sq, v.length_sq, (c - b).length_sq()];
-            let known = sides_angle_at_least(doubled_area, squares, cos_sq);
-            if !known.unwrap_or_else(|| triangle_angles_at_least(a, b, c, cos_sq)) {
-                return Some(Badness::Angle);
-            }
-        }
-        if self.max_aspect_ratio < f64::INFINITY { self.aspect_badness(corners) } else { None }
+    /// What is asked of every triangle.
+    #[inline]
+    pub(super) fn everywhere(&self) -> Everywhere {
+        let asks_more = self.asked.is_some() || self.max_aspect_ratio < f64::INFINITY;
+        // Without a bound on angles a triangle need only be more than flat.
+        let sine_sq = 1.0 - self.cos_sq.unwrap_or(1.0);
+        Everywhere { sine_sq, doubled_area: self.doubled_area, is_all: !asks_more && !self.has_local_bounds }
     }
 
     /// Bounds that imply the test, where there are such regions.
@@ -157,8 +183,8 @@ impl Test {
     }
 
     #[inline(never)]
-    fn aspect_badness(&self, [a, b, c]: [Point; 3]) -> Option<Badness> {
-        (aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio).then_some(Badness::AspectRatio)
+    fn is_too_slender(&self, [a, b, c]: [Point; 3]) -> bool {
+        aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio
     }
 }
 

@@ -5,7 +5,8 @@
 
 use super::bad_triangles::SureBounds;
 use super::ruler::Ruler;
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
+use crate::geometry::lanes::{Number, Two};
 use crate::mesh::FaceId;
 
 /// More than any sum or quotient of products is off by rounding, relatively.
@@ -13,30 +14,38 @@ const SLACK: f64 = 1e-12;
 /// Products of four lengths from here on have lost nothing to underflow.
 const ORDINARY: f64 = 1e-280;
 
-/// Squares of the sides of a triangle, sorted, and twice its area. Rounded.
-struct Sides {
-    short: f64,
-    middle: f64,
-    long: f64,
-    doubled_area: f64,
+/// No square of a side above this is glanced at: products of four of them are finite.
+const LARGE: f64 = 1e70;
+
+/// Squares of the sides of a triangle, or of two, sorted, and twice the area. Rounded.
+struct Sides<N> {
+    short: N,
+    middle: N,
+    long: N,
+    doubled_area: N,
 }
 
-impl Sides {
-    #[inline]
-    fn of([a, b, c]: [Point; 3]) -> Self {
-        let (u, v, w) = (b - a, c - b, a - c);
-        let [p, q, r] = [u, v, w].map(Vector::length_sq);
-        let lesser = |x: f64, y: f64| if x < y { x } else { y };
-        let greater = |x: f64, y: f64| if x > y { x } else { y };
-        let (low, high) = (lesser(p, q), greater(p, q));
+impl<N: Number> Sides<N> {
+    #[inline(always)] // In the loop over all triangles.
+    fn of([[ax, ay], [bx, by], [cx, cy]]: [[N; 2]; 3]) -> Self {
+        let (ux, uy, vx, vy, wx, wy) = (bx - ax, by - ay, cx - bx, cy - by, ax - cx, ay - cy);
+        let (p, q, r) = (ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy);
+        let (low, high) = (p.lesser(q), p.greater(q));
         Self {
-            short: lesser(low, r),
-            middle: greater(low, lesser(high, r)),
-            long: greater(high, r),
-            doubled_area: u.cross(v),
+            short: low.lesser(r),
+            middle: low.greater(high.lesser(r)),
+            long: high.greater(r),
+            doubled_area: ux * vy - uy * vx,
         }
     }
 
+    #[inline(always)] // As above.
+    fn excess(&self) -> N {
+        self.short + self.middle - self.long
+    }
+}
+
+impl Sides<f64> {
     /// The squared sine of the smallest angle, which lies between the two longer sides.
     fn sine_sq(&self) -> f64 {
         (self.doubled_area / self.long) * (self.doubled_area / self.middle)
@@ -46,11 +55,6 @@ impl Sides {
     fn cosine_sq(&self) -> f64 {
         let excess = self.excess();
         excess * excess.abs() / (self.short * self.middle)
-    }
-
-    #[inline]
-    fn excess(&self) -> f64 {
-        self.short + self.middle - self.long
     }
 }
 
@@ -70,9 +74,11 @@ pub(super) struct Extremes {
 /// What a triangle must surpass so that a glance is enough.
 struct Glance {
     /// The square of twice the area.
-    area_sq: f64,
-    sine_sq: f64,
-    cosine_sq: f64,
+    area_sq: Two,
+    sine_sq: Two,
+    cosine_sq: Two,
+    /// This is to be surpassed by it.
+    doubled_area: Two,
 }
 
 impl Extremes {
@@ -89,38 +95,91 @@ impl Extremes {
             least_sine: f64::INFINITY,
             least_cosine: f64::INFINITY,
             sure,
-            glance: Glance { area_sq, sine_sq: f64::INFINITY, cosine_sq: f64::INFINITY },
+            // Not infinite: times zero that would be no number.
+            glance: Glance {
+                area_sq: Two::of(area_sq),
+                sine_sq: Two::of(f64::MAX),
+                cosine_sq: Two::of(f64::MAX),
+                doubled_area: Two::of(sure.doubled_area),
+            },
         }
     }
 
-    /// Whether a glance tells that a triangle is not bad, and that neither of its extreme angles is one of the mesh so far.
+    /// Whether a glance tells that a triangle, of two with these corners, is not bad, and that neither of its extreme angles is
+    /// one of the mesh so far.
     ///
     /// Twice the area is off by some last places of the longest side's square, wherever it is measured from. The squares
     /// of the sides are the same from every corner, and in other units.
-    #[inline]
-    pub(super) fn is_plain(&self, corners: [Point; 3]) -> bool {
-        let sides = Sides::of(corners);
-        let margin = SLACK * sides.long;
+    #[inline(always)] // In the loop over all triangles.
+    pub(super) fn are_plain(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
+        let sides = Sides::of(corners.map(Two::coordinates));
+        let margin = Two::of(SLACK) * sides.long;
         let least_area = sides.doubled_area - margin;
         let (area_sq, excess) = (least_area * least_area, sides.excess());
-        least_area > 0.0
-            && area_sq > self.glance.area_sq
-            && area_sq > self.glance.sine_sq * (sides.long * sides.middle)
-            && excess * excess.abs() > self.glance.cosine_sq * (sides.short * sides.middle)
-            && sides.doubled_area + margin <= self.sure.doubled_area
+        // Each is positive where something is sure. The last is a number only if all are: it comes last, so that none is lost.
+        let Two(least) = least_area
+            .lesser(area_sq - self.glance.area_sq)
+            .lesser(area_sq - self.glance.sine_sq * (sides.long * sides.middle))
+            .lesser(excess * excess.abs() - self.glance.cosine_sq * (sides.short * sides.middle))
+            .lesser(self.glance.doubled_area - (sides.doubled_area + margin))
+            .lesser(Two::of(LARGE) - sides.long);
+        least.map(|least| least > 0.0)
     }
 
     /// Looks at a triangle with these corners, the newest first.
     pub(super) fn see(&mut self, f: FaceId, corners: [Point; 3]) {
-        let sides = Sides::of(corners.map(|p| Point::new(p.x * self.scale, p.y * self.scale)));
+        let sides = Sides::of(corners.map(|p| [p.x * self.scale, p.y * self.scale]));
         let (sine_sq, cosine_sq) = (sides.sine_sq(), sides.cosine_sq());
         if sine_sq < self.least_sine {
             (self.least_sine, self.sharpest) = (sine_sq, Some(f));
-            self.glance.sine_sq = sine_sq.max(self.sure.sine_sq) * (1.0 + SLACK);
+            self.glance.sine_sq = Two::of(sine_sq.max(self.sure.sine_sq) * (1.0 + SLACK));
         }
         if cosine_sq < self.least_cosine {
             (self.least_cosine, self.bluntest) = (cosine_sq, Some(f));
-            self.glance.cosine_sq = cosine_sq + SLACK;
+            self.glance.cosine_sq = Two::of(cosine_sq + SLACK);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extremes() -> Extremes {
+        let sure = SureBounds { sine_sq: 0.1, doubled_area: f64::INFINITY };
+        Extremes::new(Ruler::for_box(None), sure)
+    }
+
+    fn scaled(by: f64, corners: [[f64; 2]; 3]) -> [Point; 3] {
+        corners.map(|[x, y]| Point::new(x * by, y * by))
+    }
+
+    const EQUILATERAL: [[f64; 2]; 3] = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.7]];
+    const RIGHT: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+
+    #[test]
+    fn the_first_is_looked_at_closely_and_better_ones_are_not() {
+        let mut extremes = extremes();
+        let [first, better] = [scaled(1.0, RIGHT), scaled(1.0, EQUILATERAL)];
+        let two = [0, 1, 2].map(|i| [first[i], better[i]]);
+        assert_eq!(extremes.are_plain(two), [false; 2]);
+        extremes.see(FaceId(0), first);
+        assert_eq!(extremes.are_plain(two), [false, true], "one as sharp may come first elsewhere");
+        extremes.see(FaceId(1), better);
+        assert_eq!((extremes.sharpest, extremes.bluntest), (Some(FaceId(0)), Some(FaceId(0))));
+    }
+
+    #[test]
+    fn what_underflows_or_overflows_is_looked_at_closely() {
+        for seen in [false, true] {
+            let mut extremes = extremes();
+            if seen {
+                extremes.see(FaceId(0), scaled(1.0, RIGHT));
+            }
+            for by in [5e-324, 1e-300, 1e-170, 1e-90, 1e40, 1e100, 1e170, 8e307] {
+                let corners = scaled(by, EQUILATERAL);
+                assert_eq!(extremes.are_plain(corners.map(|p| [p, p])), [false; 2], "{by} {seen}");
+            }
         }
     }
 }

@@ -9,6 +9,7 @@ use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, Provenance};
 use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::triangulation::{TriangleInBlock, corners_of_two};
 
 /// What one look at every triangle tells.
 struct Survey {
@@ -47,27 +48,31 @@ impl Refinement {
     fn survey(&self) -> Survey {
         let extremes = Extremes::new(self.ruler, self.test.sure_bounds(&self.cdt.regions));
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
-        self.cdt.for_each_triangle(|t| {
-            if survey.extremes.is_plain(t.corners) {
-                debug_assert!(self.badness(t.face).is_none(), "a plain triangle is good");
+        self.cdt.for_each_two_triangles(|two, count| {
+            let are_plain = survey.extremes.are_plain(corners_of_two(two));
+            if are_plain == [true; 2] {
+                debug_assert!(two[..count].iter().all(|t| self.badness(t.face).is_none()), "a plain triangle is good");
             } else {
-                self.look_closely(t.face, &mut survey);
+                self.look_closely(&two[..count], are_plain, &mut survey);
             }
-            survey.triangles += 1;
+            survey.triangles += count;
         });
         survey
     }
 
-    /// Looks at a triangle that a glance left open.
+    /// Looks at those of two triangles that a glance left open.
     #[cold]
     #[inline(never)]
-    fn look_closely(&self, f: FaceId, survey: &mut Survey) {
-        let corners = self.cdt.corners_from_newest(f);
-        if self.badness(f).is_some() {
-            let min_angle_deg = triangle(corners).min_angle().degrees();
-            survey.leftovers.push(Leftover { triangle: survey.triangles, min_angle_deg, reason: self.reason_of(f) });
+    fn look_closely(&self, two: &[TriangleInBlock], are_plain: [bool; 2], survey: &mut Survey) {
+        for (t, k) in two.iter().zip(0..).filter(|&(_, k)| !are_plain[k]) {
+            let corners = self.cdt.corners_from_newest(t.face);
+            if self.badness(t.face).is_some() {
+                let min_angle_deg = triangle(corners).min_angle().degrees();
+                let reason = self.reason_of(t.face);
+                survey.leftovers.push(Leftover { triangle: survey.triangles + k, min_angle_deg, reason });
+            }
+            survey.extremes.see(t.face, corners);
         }
-        survey.extremes.see(f, corners);
     }
 
     /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
@@ -108,8 +113,11 @@ impl Refinement {
     /// # Source
     /// `[MillerPavWalkington03]`.
     pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
-        let on_segments = self.cdt.face_vertices(f).into_iter().filter(|&v| self.cdt.is_bound(v)).count();
-        if on_segments < 2 {
+        let vertices = self.cdt.face_vertices(f);
+        // Counted first: one question that may be guessed wrong instead of three.
+        let first = self.cdt.first_provenance;
+        let are_new = vertices.iter().map(|v| usize::from(v.index() >= first)).sum::<usize>() >= 2;
+        if !are_new || vertices.into_iter().filter(|&v| self.cdt.is_bound(v)).count() < 2 {
             return false;
         }
         let shortest = self.shortest_edge(f);

@@ -1,6 +1,6 @@
 //! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
 
-use super::bad_triangles::{Badness, Side, Test, sorted};
+use super::bad_triangles::{Badness, Everywhere, Side, Test, sorted};
 use super::chains::Chains;
 use super::queue::Queue;
 use super::refinement::{Refinement, ends_of};
@@ -8,6 +8,7 @@ use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
 use crate::geometry::Point;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.
 struct Looker<'a> {
@@ -24,39 +25,48 @@ impl Looker<'_> {
     /// Queues a face if it is bad.
     #[inline(never)]
     fn look_at(&mut self, f: FaceId) {
-        if self.is_bad(f, self.view.cdt.corners_from_newest(f)) {
-            self.queue_alone(f);
+        self.queue.pass(f);
+        let corners = self.view.cdt.corners_from_newest(f);
+        if self.is_bad(f, corners) {
+            self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
         }
     }
 
     /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn look_at_all(&mut self, order: Vec<VertexId>) {
-        let mut bad = Vec::new();
-        self.view.cdt.for_each_triangle(|t| {
-            if self.is_bad(t.face, t.corners_from_newest()) {
-                bad.push(t.face);
+        let cdt = self.view.cdt;
+        let everywhere = self.everywhere();
+        // Nobody can guess which are bad: each is written down, and the next one over it if it is not.
+        let (mut bad, mut count) = (vec![FaceId(0); cdt.face_slots()], 0);
+        cdt.for_each_two_triangles(|two, n| {
+            for (t, is_bad) in two[..n].iter().zip(everywhere.are_bad(corners_of_two(two))) {
+                bad[count] = t.face;
+                count += usize::from(is_bad.unwrap_or_else(|| self.is_bad(t.face, cdt.corners_from_newest(t.face))));
+                self.queue.pass(t.face);
             }
         });
-        self.queue.reserve(bad.len(), self.view.cdt.face_slots());
-        Chains::of(self.view.cdt, bad, order).for_each(self.view.cdt, |f| self.queue_alone(f));
+        bad.truncate(count);
+        self.queue.reserve(bad.len(), cdt.face_slots());
+        Chains::of(cdt, bad, order).for_each(cdt, |f| {
+            let corners = cdt.corners_from_newest(f);
+            self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
+        });
     }
 
-    /// Whether a face is to be queued; what waited in its slot is void.
-    #[inline(always)] // In the loop over all triangles.
-    fn is_bad(&mut self, f: FaceId, corners: [Point; 3]) -> bool {
-        self.queue.pass(f);
+    /// Whether a face with these corners is to be queued.
+    #[inline(never)]
+    fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
         !self.is_manual && self.test.badness(corners, self.view.cdt.region_rule(f)).is_some()
     }
 
-    /// Queues a bad face by its own corners.
-    #[inline(always)] // Once for each bad triangle.
-    fn queue_alone(&mut self, f: FaceId) {
-        let corners = self.view.cdt.corners_from_newest(f);
-        self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
+    /// What tells without more ado whether most faces are.
+    fn everywhere(&self) -> Everywhere {
+        let everywhere = self.test.everywhere();
+        if self.is_manual { everywhere.with_more() } else { everywhere }
     }
 
     /// Queues a bad face.
-    #[inline(always)] // As above.
+    #[inline(always)] // Once for each bad triangle.
     fn queue_bad(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
         let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
         *self.joined += 1;
@@ -78,26 +88,28 @@ impl Looker<'_> {
         let cavity = &self.view.cdt.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
-        bad.clear();
+        // Nobody can guess which are bad: each is written down, and the next one over it if it is not.
+        bad.resize(bad.len().max(faces.len()), 0);
+        let (mut count, mut turn) = (0, 0);
         let (mut first, mut lowest, mut newest, mut marks) = (0, VertexId::INFINITE, v, 0);
-        let mut spoke = Side::new(p, starts[0]);
+        let (everywhere, mut spoke) = (self.everywhere(), Side::new(p, starts[0]));
         for (k, ((&face, edge), ends)) in faces.iter().zip(rim).zip(starts.windows(2)).enumerate() {
-            (first, lowest) = if edge.from < lowest { (k, edge.from) } else { (first, lowest) };
+            (first, turn, lowest) = if edge.from < lowest { (k, count, edge.from) } else { (first, turn, lowest) };
             newest = newest.max(edge.from);
             marks |= edge.mark | edge.spoke;
             let next = Side::new(p, ends[1]);
-            if self.is_bad_between(face, [p, ends[0], ends[1]], [spoke, next]) {
-                bad.push(k);
-            } else {
-                self.queue.pass(face);
-            }
+            bad[count] = k;
+            let corners = [p, ends[0], ends[1]];
+            let is_bad = everywhere.is_bad(corners, [spoke, next]);
+            count += usize::from(is_bad.unwrap_or_else(|| self.is_bad(face, corners)));
+            self.queue.pass(face);
             spoke = next;
         }
         // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
-        if v == newest && !self.test.asks_caller() {
+        if v == newest {
             let patch = self.queue.patch_at(p);
-            let turn = bad.partition_point(|&k| k < first);
-            for &k in bad[turn..].iter().chain(&bad[..turn]) {
+            for i in turn..turn + count {
+                let k = bad[if i < count { i } else { i - count }];
                 self.queue_bad(faces[k], [p, starts[k], starts[k + 1]], patch);
             }
         } else {
@@ -107,13 +119,6 @@ impl Looker<'_> {
         if marks != 0 {
             self.add_subsegments_of_fan(subsegments);
         }
-    }
-
-    /// Whether a face between two spokes, with these corners, is to be queued; the caller's own test is not asked.
-    #[inline(always)] // In the loop over the triangles around a new vertex.
-    fn is_bad_between(&self, f: FaceId, corners: [Point; 3], spokes: [Side; 2]) -> bool {
-        let region = self.view.cdt.region_rule(f);
-        !self.is_manual && self.test.badness_of_sides(corners, spokes, region).is_some()
     }
 
     /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.

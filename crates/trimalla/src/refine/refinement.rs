@@ -173,7 +173,7 @@ impl Refinement {
             recover,
             region,
             ruler,
-            test: Test::new(&options.criteria),
+            test: Test::new(&options.criteria, &cdt),
             floor_sq: floor * floor,
             floor_reason,
             filling: FillStage::Done,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::event::InsertedKind;
 use super::options::Protect;
-use super::refinement::Refinement;
+use super::refinement::{Refinement, ends_of};
 use super::report::Reason;
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
@@ -58,15 +58,13 @@ impl Refinement {
 
     /// Queues every subsegment that needs a split now, in the order of their vertices.
     pub(super) fn queue_all_encroached(&mut self) {
-        let mut found: Vec<([VertexId; 2], HalfEdgeId)> = self
-            .cdt
-            .marked_edges()
-            .filter(|&h| self.prepare.needs_split(self.view(), h))
-            .map(|h| {
-                let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-                ([a.min(b), a.max(b)], h)
-            })
-            .collect();
+        let mut found = Vec::new();
+        // Not collected: edge by edge the nested iterators would be a machine of states.
+        self.cdt.marked_edges().for_each(|h| {
+            if self.prepare.needs_split(self.view(), h) {
+                found.push((ends_of(&self.cdt, h), h));
+            }
+        });
         found.sort_unstable();
         for (_, h) in found {
             // One that cannot be split stays encroached; triangles beside it get that as their reason.
@@ -169,8 +167,8 @@ impl Refinement {
     fn split_by_cavity(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
         let found = self.cdt.find_split(h, p).ok()?;
         self.insertions += 1;
-        let (nearest_sq, _) = self.look_at_rim(p);
-        if nearest_sq < self.floor_sq {
+        let (crowds, _) = self.look_at_rim(p);
+        if crowds {
             return None;
         }
         Some(if self.event.is_some() {
@@ -197,7 +195,7 @@ impl Refinement {
 
     /// Where `h` is split if there is room, or why it must not be.
     fn cut_at(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<Cut, Reason> {
-        let on_border = self.cdt.is_boundary(h) || self.cdt.is_boundary(self.cdt.twin(h));
+        let on_border = self.cdt.is_on_border(h);
         let protected = match self.options.protect {
             Protect::None => false,
             Protect::Boundary => on_border,

@@ -119,8 +119,8 @@ impl Refinement {
         if !self.cdt.find_cavity(point, locus) {
             return Err(Reason::PrecisionFloor);
         }
-        let (nearest_sq, marks) = self.look_at_rim(point);
-        if nearest_sq < self.floor_sq {
+        let (crowds, marks) = self.look_at_rim(point);
+        if crowds {
             return Err(self.floor_reason);
         }
         self.insertions += 1;
@@ -139,18 +139,17 @@ impl Refinement {
         Ok(())
     }
 
-    /// The square of the distance from a point to the nearest vertex on the rim of the cavity found last, and marks: 0 where no
-    /// edge of it is a subsegment.
+    /// Whether a vertex on the rim of the cavity found last is closer to a point than the length floor allows, and marks: 0 where
+    /// no edge of the rim is a subsegment.
     #[inline(always)] // Before each insertion.
-    pub(super) fn look_at_rim(&self, point: Point) -> (f64, u32) {
+    pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
         let cavity = &self.cdt.cavity;
-        let (mut nearest_sq, mut marks) = (f64::INFINITY, 0);
+        let (mut crowds, mut marks) = (false, 0);
         for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
-            let distance_sq = self.ruler.length_sq(point, start);
-            nearest_sq = if edge.from.is_finite() && distance_sq < nearest_sq { distance_sq } else { nearest_sq };
+            crowds |= edge.from.is_finite() & (self.ruler.length_sq(point, start) < self.floor_sq);
             marks |= edge.mark;
         }
-        (nearest_sq, marks)
+        (crowds, marks)
     }
 
     /// The subsegments on the rim of the cavity found last that a point encroaches upon.

@@ -4,9 +4,9 @@
 //! after the other waits for the corners of nearly each; those of a block, read before any of them is tested, arrive side by
 //! side.
 
-use super::triangulation::{Triangulation, from_newest};
+use super::triangulation::Triangulation;
 use crate::geometry::Point;
-use crate::mesh::{FaceId, VertexId};
+use crate::mesh::FaceId;
 
 /// Triangles in a block.
 const BLOCK: usize = 64;
@@ -15,38 +15,38 @@ const BLOCK: usize = 64;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TriangleInBlock {
     pub(crate) face: FaceId,
-    pub(crate) vertices: [VertexId; 3],
-    /// Where they lie.
+    /// Where its vertices lie.
     pub(crate) corners: [Point; 3],
 }
 
 impl TriangleInBlock {
-    const NONE: Self = Self { face: FaceId(0), vertices: [VertexId::DEAD; 3], corners: [Point::new(0.0, 0.0); 3] };
+    const NONE: Self = Self { face: FaceId(0), corners: [Point::new(0.0, 0.0); 3] };
+}
 
-    /// The corners from that of the newest vertex on, as [`Triangulation::corners_from_newest`].
-    #[inline(always)] // In the loop over all triangles.
-    pub(crate) fn corners_from_newest(&self) -> [Point; 3] {
-        from_newest(self.vertices, self.corners)
-    }
+/// The first, the second and the third corners of two triangles.
+#[inline(always)] // In loops over all triangles.
+pub(crate) fn corners_of_two([s, t]: &[TriangleInBlock; 2]) -> [[Point; 2]; 3] {
+    [0, 1, 2].map(|i| [s.corners[i], t.corners[i]])
 }
 
 impl Triangulation {
-    /// Calls `look` with every triangle, in the order of slots.
+    /// Calls `look` with every two triangles, in the order of slots, which can be measured side by side; and with how many there
+    /// are, for the last one may be alone, something else in the second's place.
     ///
     /// # Complexity
     /// Linear.
     #[inline]
-    pub(crate) fn for_each_triangle(&self, mut look: impl FnMut(&TriangleInBlock)) {
-        let mut block = [TriangleInBlock::NONE; BLOCK];
+    pub(crate) fn for_each_two_triangles(&self, mut look: impl FnMut(&[TriangleInBlock; 2], usize)) {
+        let mut block = [[TriangleInBlock::NONE; 2]; BLOCK / 2];
         let mut triangles = self.mesh.real_triangles();
         loop {
-            let mut read = 0;
-            for (place, (face, vertices)) in block.iter_mut().zip(&mut triangles) {
-                *place = TriangleInBlock { face, vertices, corners: vertices.map(|v| self.point(v)) };
+            let mut read = 0_usize;
+            for (place, (face, vertices)) in block.as_flattened_mut().iter_mut().zip(&mut triangles) {
+                *place = TriangleInBlock { face, corners: vertices.map(|v| self.point(v)) };
                 read += 1;
             }
-            for triangle in &block[..read] {
-                look(triangle);
+            for (k, two) in block[..read.div_ceil(2)].iter().enumerate() {
+                look(two, (read - 2 * k).min(2));
             }
             if read < BLOCK {
                 return;

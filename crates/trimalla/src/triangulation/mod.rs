@@ -18,6 +18,7 @@ mod operators;
 mod triangulation;
 mod undo;
 
+pub(crate) use blocks::{TriangleInBlock, corners_of_two};
 pub use check::Fault;
 pub use check_indexed::{MeshFault, MeshVertex, check_mesh, check_mesh_delaunay};
 pub(crate) use check_indexed::{Side, Sides, is_sound, vertex as mesh_vertex};

@@ -49,13 +49,13 @@ fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
 }
 
 /// What belongs to the three vertices of a face, that of the highest first.
-#[inline(always)] // In the loop over all triangles.
-pub(super) fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
+#[inline]
+fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
     turned_to(if c > a.max(b) { 2 } else { usize::from(b > a) }, of)
 }
 
 /// Three in their cyclic order, from that number on. Looked up, not branched on: which one it is nobody can guess.
-#[inline(always)] // As above.
+#[inline]
 fn turned_to<T: Copy>(first: usize, [a, b, c]: [T; 3]) -> [T; 3] {
     let around = [a, b, c, a, b];
     [around[first], around[first + 1], around[first + 2]]

@@ -1,5 +1,6 @@
 //! On which side of the circle through three points a fourth one lies.
 
+use super::super::lanes::{Number, Two};
 use super::super::{Point, lexicographically_less};
 use super::ROUNDING;
 use super::exact::{Difference, ExactSum};
@@ -8,7 +9,6 @@ use super::orient::{Orientation, orient2d};
 use super::safe_range::{self, all_within, coord};
 use super::wide::Wide;
 use core::cmp::Ordering;
-use core::ops::{Add, Mul, Sub};
 
 /// The side of a circle on which a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -123,7 +123,7 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
 /// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
 #[inline(always)]
 pub(crate) fn inside_two_circles(a: [Point; 2], b: [Point; 2], c: [Point; 2], d: Point) -> Option<[bool; 2]> {
-    let [a, b, c, d] = [a, b, c, [d; 2]].map(|[p, q]| [Two([p.x, q.x]), Two([p.y, q.y])]);
+    let [a, b, c, d] = [a, b, c, [d; 2]].map(Two::coordinates);
     let (Two(sine), Two(bound)) = sine_and_bound(a, b, c, d);
     let is_proved = sine[0].abs() > bound[0] && sine[1].abs() > bound[1];
     is_proved.then(|| sine.map(|sine| sine < 0.0))
@@ -139,74 +139,6 @@ fn sine_and_bound<N: Number>([ax, ay]: [N; 2], [bx, by]: [N; 2], [cx, cy]: [N; 2
     let [size_c, size_d] =
         [(sine_c, cosine_c), (sine_d, cosine_d)].map(|(s, c)| s.abs() + c.abs() + N::of(CIRCLE_GUARD));
     (sine_c * cosine_d + cosine_c * sine_d, N::of(CIRCLE_BOUND) * (size_c * size_d))
-}
-
-/// One number, or two that go through the same arithmetic side by side, as processors can.
-trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    fn of(number: f64) -> Self;
-    fn abs(self) -> Self;
-}
-
-impl Number for f64 {
-    #[inline(always)]
-    fn of(number: f64) -> Self {
-        number
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-}
-
-/// Two numbers.
-#[derive(Clone, Copy)]
-struct Two([f64; 2]);
-
-impl Two {
-    #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
-    }
-}
-
-impl Number for Two {
-    #[inline(always)]
-    fn of(number: f64) -> Self {
-        Self([number; 2])
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.map(f64::abs))
-    }
-}
-
-impl Add for Two {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.with(other, f64::add)
-    }
-}
-
-impl Sub for Two {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.with(other, f64::sub)
-    }
-}
-
-impl Mul for Two {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.with(other, f64::mul)
-    }
 }
 
 /// Decides what the filter left open.

@@ -21,8 +21,8 @@ mod safe_range;
 mod segments;
 mod wide;
 
-pub(crate) use angle_certificate::sides_angle_at_least;
 pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
+pub(crate) use angle_certificate::{angles_of_two, sides_angle_excess};
 pub(crate) use circle::inside_two_circles;
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
