@@ -234,10 +234,16 @@ impl ConstrainedDelaunay {
         v.index().checked_sub(self.first_provenance).map_or(Provenance::Input, |i| self.provenance.get(i))
     }
 
-    /// Whether a vertex was put on a segment, or where two cross: it is neither the input's nor free.
+    /// How many of three vertices were put on a segment, or where two cross: they are neither the input's nor free.
+    ///
+    /// Summed: which of them are nobody can guess.
     #[inline]
-    pub(crate) fn is_bound(&self, v: VertexId) -> bool {
-        v.index().checked_sub(self.first_provenance).is_some_and(|i| self.provenance.is_bound(i))
+    pub(crate) fn count_bound(&self, vertices: [VertexId; 3]) -> usize {
+        let is_bound = |v: VertexId| {
+            let i = v.index().saturating_sub(self.first_provenance);
+            (v.index() >= self.first_provenance) & self.provenance.is_bound(i)
+        };
+        vertices.into_iter().map(|v| usize::from(is_bound(v))).sum()
     }
 
     /// Whether refinement may delete a vertex: it is on no segment and did not come with the mesh that is refined.

@@ -91,14 +91,9 @@ impl LastInserted {
     #[inline(always)] // Before each walk.
     fn face_towards(&self, p: Point) -> FaceId {
         let is_left_of = |corner: Point| (corner - self.at).cross(p - self.at) > 0.0;
-        let [ab, bc, ca] = self.faces;
-        if is_left_of(self.b) {
-            bc
-        } else if is_left_of(self.a) {
-            ab
-        } else {
-            ca
-        }
+        let (is_after_a, is_after_b) = (is_left_of(self.a), is_left_of(self.b));
+        // Chosen, not branched on: which one it is nobody can guess.
+        self.faces[if is_after_b { 1 } else { 2 * usize::from(!is_after_a) }]
     }
 
     /// Notes a vertex that is about to be inserted at a locus. Nothing is freed in bulk: new faces come last.

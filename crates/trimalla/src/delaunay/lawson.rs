@@ -47,8 +47,14 @@ impl Lawson {
         j: &mut J,
     ) {
         let verdicts = edges.map(|e| is_illegal::<BULK>(t, e, q));
-        let illegal = edges.into_iter().zip(verdicts).filter(|&(_, illegal)| illegal);
-        self.stack.extend(illegal.map(|(e, _)| e));
+        // Nobody can guess which are illegal: each is written down, and the next one over it if it is not.
+        self.stack.extend(edges);
+        let mut height = 0;
+        for (e, is_illegal) in edges.into_iter().zip(verdicts) {
+            self.stack[height] = e;
+            height += usize::from(is_illegal);
+        }
+        self.stack.truncate(height);
         let mut waiting = self.stack.pop();
         while let Some(e) = waiting {
             let next = t.mesh.twin(e).next();

@@ -12,6 +12,10 @@ pub(crate) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Ou
     fn lesser(self, other: Self) -> Self;
     /// The greater one; `other` where they cannot be compared.
     fn greater(self, other: Self) -> Self;
+    /// The number where the magnitude of it is above `bound`, else zero.
+    fn if_above(self, bound: Self) -> Self;
+    /// The number where `other` lies between these bounds, else zero.
+    fn if_within(self, other: Self, bounds: [f64; 2]) -> Self;
 }
 
 impl Number for f64 {
@@ -33,6 +37,17 @@ impl Number for f64 {
     #[inline(always)]
     fn greater(self, other: Self) -> Self {
         if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn if_above(self, bound: Self) -> Self {
+        if self.abs() > bound { self } else { 0.0 }
+    }
+
+    #[inline(always)]
+    fn if_within(self, other: Self, [least, most]: [f64; 2]) -> Self {
+        // Not `&&`, which would be a branch.
+        if (other >= least) & (other <= most) { self } else { 0.0 }
     }
 }
 
@@ -72,6 +87,16 @@ impl Number for Two {
     #[inline(always)]
     fn greater(self, other: Self) -> Self {
         self.with(other, Number::greater)
+    }
+
+    #[inline(always)]
+    fn if_above(self, bound: Self) -> Self {
+        self.with(bound, Number::if_above)
+    }
+
+    #[inline(always)]
+    fn if_within(self, other: Self, bounds: [f64; 2]) -> Self {
+        self.with(other, |x, y| x.if_within(y, bounds))
     }
 }
 

@@ -46,6 +46,7 @@ impl Region {
         }
         let (u, v) = (ruler.vector(p, a), ruler.vector(p, b));
         let dot = u.dot(v);
-        dot < 0.0 && dot * dot >= self.cos_sq * u.length_sq() * v.length_sq()
+        // Not `&&`: nobody can guess which of the two fails.
+        (dot < 0.0) & (dot * dot >= self.cos_sq * u.length_sq() * v.length_sq())
     }
 }

@@ -113,11 +113,7 @@ impl Refinement {
     /// # Source
     /// `[MillerPavWalkington03]`.
     pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
-        let vertices = self.cdt.face_vertices(f);
-        // Counted first: one question that may be guessed wrong instead of three.
-        let first = self.cdt.first_provenance;
-        let are_new = vertices.iter().map(|v| usize::from(v.index() >= first)).sum::<usize>() >= 2;
-        if !are_new || vertices.into_iter().filter(|&v| self.cdt.is_bound(v)).count() < 2 {
+        if self.cdt.count_bound(self.cdt.face_vertices(f)) < 2 {
             return false;
         }
         let shortest = self.shortest_edge(f);

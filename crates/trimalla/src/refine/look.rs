@@ -122,17 +122,19 @@ impl Looker<'_> {
     }
 
     /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
-    #[cold]
+    #[inline(never)]
     fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = &self.view.cdt.cavity;
+        // Written down first, as above.
+        let mut count = subsegments.len();
+        subsegments.resize(count + 2 * cavity.faces().len() + 1, HalfEdgeId(0));
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
-            if edge.mark != 0 {
-                subsegments.push(face.half_edge(0));
-            }
-            if edge.spoke != 0 {
-                subsegments.push(face.half_edge(2));
-            }
+            subsegments[count] = face.half_edge(0);
+            count += usize::from(edge.mark != 0);
+            subsegments[count] = face.half_edge(2);
+            count += usize::from(edge.spoke != 0);
         }
+        subsegments.truncate(count);
     }
 }
 

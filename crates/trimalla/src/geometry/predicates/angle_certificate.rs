@@ -83,9 +83,10 @@ fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<
 /// square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice as long
 /// as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not matter.
 #[inline(always)]
-pub(crate) fn sides_angle_excess(doubled_area: f64, squares: [f64; 3], sine_sq: f64) -> f64 {
-    let (excess, longest) = excess_and_longest(doubled_area, squares, sine_sq);
-    if is_proved(excess, longest) { excess } else { 0.0 }
+pub(crate) fn sides_angle_excess<N: Number>(doubled_area: N, [u_sq, v_sq, w_sq]: [N; 3], sine_sq: f64) -> N {
+    let longest = (u_sq * v_sq).greater(v_sq * w_sq).greater(w_sq * u_sq);
+    let excess = doubled_area * doubled_area - N::of(sine_sq) * longest;
+    excess.if_above(N::of(ANGLE_BOUND) * longest).if_within(longest, [*SQUARES.start(), *SQUARES.end()])
 }
 
 /// The same of the triangles `a[i] b[i] c[i]`, computed side by side.
@@ -94,21 +95,8 @@ pub(crate) fn angles_of_two(a: [Point; 2], b: [Point; 2], c: [Point; 2], sine_sq
     let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(Two::coordinates);
     let (ux, uy, vx, vy, wx, wy) = (bx - ax, by - ay, cx - ax, cy - ay, cx - bx, cy - by);
     let squares = [ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy];
-    let (Two(excess), Two(longest)) = excess_and_longest(ux * vy - uy * vx, squares, sine_sq);
-    [0, 1].map(|i| if is_proved(excess[i], longest[i]) { excess[i] } else { 0.0 })
-}
-
-/// `d² - (1 - c) P`, rounded, and `P`, as above.
-#[inline(always)]
-fn excess_and_longest<N: Number>(doubled_area: N, [u_sq, v_sq, w_sq]: [N; 3], sine_sq: f64) -> (N, N) {
-    let longest = (u_sq * v_sq).greater(v_sq * w_sq).greater(w_sq * u_sq);
-    (doubled_area * doubled_area - N::of(sine_sq) * longest, longest)
-}
-
-/// Whether the sign of the excess is that of the exact one.
-#[inline(always)]
-fn is_proved(excess: f64, longest: f64) -> bool {
-    excess.abs() > ANGLE_BOUND * longest && SQUARES.contains(&longest)
+    let Two(excess) = sides_angle_excess(ux * vy - uy * vx, squares, sine_sq);
+    excess
 }
 
 /// Decides what the filter left open.
