@@ -89,8 +89,10 @@ pub fn build(
     let rule = if rule == DomainRule::Seeds && pslg.segments.is_empty() { DomainRule::Hull } else { rule };
     let outside = outside(&cdt, rule)?;
     let removed = remove_holes(&cdt, &pslg.holes, outside, &mut warnings)?;
-    let keep: Vec<bool> = removed.into_iter().map(|r| !r).collect();
-    cdt.carve(&keep, &mut NoJournal);
+    let mut kept: Vec<bool> = removed.into_iter().map(|r| !r).collect();
+    // Ghosts are outside by every rule, and nothing is in slots that are free.
+    cdt.free_faces().iter().for_each(|f| kept[f.index()] = false);
+    cdt.carve_real(&kept, &mut NoJournal);
     regions::assign(&mut cdt, &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))
 }

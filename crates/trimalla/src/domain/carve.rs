@@ -20,21 +20,26 @@ impl ConstrainedDelaunay {
         if keep.len() < self.face_slots() {
             return false;
         }
-        let kept = real_among(self, keep);
+        self.carve_real(&real_among(self, keep), j)
+    }
+
+    /// [`carve`](Self::carve), where `kept` names real faces alone.
+    pub(super) fn carve_real<J: Journal>(&mut self, kept: &[bool], j: &mut J) -> bool {
+        debug_assert!((0..kept.len()).all(|f| !kept[f] || self.is_real(FaceId::from_index(f))), "a real face");
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
-        let border = self.border_of(&kept);
-        self.crowded = crowded(self, &kept, &border, |h| whole_segment(self, h));
-        self.t.mesh.carve(&kept, &border, j);
+        let border = self.border_of(kept);
+        self.crowded = crowded(self, kept, &border, |h| whole_segment(self, h));
+        let ghosts = self.t.mesh.carve(kept, &border, j);
         self.t.set_state(2, Closure::Domain, None, j);
-        self.constrain_border(j);
+        self.constrain_border(&ghosts, j);
         self.last = FaceId::from_index(first);
         true
     }
 
     /// Makes border edges that no segment runs along segments of their own, named after all others in the order of
     /// their vertices, each from its lower end on: they are split and meet others like segments of the input.
-    fn constrain_border<J: Journal>(&mut self, j: &mut J) {
-        let bare = self.t.ghost_faces().filter_map(|f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g));
+    fn constrain_border<J: Journal>(&mut self, ghosts: &[FaceId], j: &mut J) {
+        let bare = ghosts.iter().filter_map(|&f| self.t.ghost_edge(f)).filter(|&g| !self.t.is_marked(g));
         let ends = |g| [self.t.origin(g).min(self.t.dest(g)), self.t.origin(g).max(self.t.dest(g))];
         let mut bare: Vec<_> = bare.map(|g| (ends(g), g)).collect();
         bare.sort_unstable();

@@ -47,10 +47,9 @@ impl Looker<'_> {
         });
         bad.truncate(count);
         self.queue.reserve(bad.len(), cdt.face_slots());
-        Chains::of(cdt, bad, order).for_each(cdt, |f| {
-            let corners = cdt.corners_from_newest(f);
-            self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
-        });
+        let mut in_order = Vec::with_capacity(bad.len());
+        Chains::of(cdt, bad, order).for_each(cdt, |f| in_order.push(f));
+        cdt.for_each_with_corners(&in_order, |f, corners| self.queue_bad(f, corners, self.queue.patch_at(corners[0])));
     }
 
     /// Whether a face with these corners is to be queued.

@@ -53,4 +53,18 @@ impl Triangulation {
             }
         }
     }
+
+    /// Calls `look` with real faces, in this order, and their corners from that of the newest vertex on.
+    #[inline]
+    pub(crate) fn for_each_with_corners(&self, faces: &[FaceId], mut look: impl FnMut(FaceId, [Point; 3])) {
+        let mut corners = [[Point::default(); 3]; BLOCK];
+        for block in faces.chunks(BLOCK) {
+            for (place, &f) in corners.iter_mut().zip(block) {
+                *place = self.corners_from_newest(f);
+            }
+            for (&corners, &f) in corners.iter().zip(block) {
+                look(f, corners);
+            }
+        }
+    }
 }

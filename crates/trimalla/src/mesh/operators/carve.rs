@@ -24,11 +24,11 @@ impl HalfEdgeMesh {
     /// ```
     ///
     /// A vertex where the border touches itself keeps one star: kept fan, two ghosts, kept fan, two
-    /// ghosts, … in the order in which the fans lay around it. Vertices outside become unused.
+    /// ghosts, … in the order in which the fans lay around it. Vertices outside become unused. Returns the ghosts.
     ///
     /// # Complexity
     /// Linear in all faces.
-    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], border: &Border, j: &mut J) {
+    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], border: &Border, j: &mut J) -> Vec<FaceId> {
         let marks: Vec<u32> = border.edges.iter().map(|&h| self.mark(h)).collect();
         // The lowest slot is freed last: it is used again first.
         for f in (0..self.face_slots()).rev().map(FaceId::from_index) {
@@ -39,7 +39,7 @@ impl HalfEdgeMesh {
                 self.free_face(f, j);
             }
         }
-        self.close_border(border, &marks, j);
+        self.close_border(border, &marks, j)
     }
 
     /// The border of kept faces, in the order of their slots.
@@ -55,8 +55,8 @@ impl HalfEdgeMesh {
         Border { edges, before }
     }
 
-    /// Hangs a ghost on each half-edge of a border, with its mark, and joins it to the ghost of the one before.
-    pub(crate) fn close_border<J: Journal>(&mut self, border: &Border, marks: &[u32], j: &mut J) {
+    /// Hangs a ghost on each half-edge of a border, with its mark, and joins it to the ghost of the one before; returns the ghosts.
+    pub(crate) fn close_border<J: Journal>(&mut self, border: &Border, marks: &[u32], j: &mut J) -> Vec<FaceId> {
         let ghosts: Vec<FaceId> = border.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
         for (&ghost, &b) in ghosts.iter().zip(&border.before) {
             // a→∞ of the ghost of a→b meets ∞→a of the ghost of c→a.
@@ -66,6 +66,7 @@ impl HalfEdgeMesh {
         for &h in &border.edges {
             self.set_outgoing(self.origin(h), h, j);
         }
+        ghosts
     }
 
     /// Ghost (b,a,∞) on border half-edge `h` = a→b.
