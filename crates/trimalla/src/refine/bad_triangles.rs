@@ -63,7 +63,7 @@ pub(super) struct Everywhere {
 }
 
 impl Everywhere {
-    /// Asks more of some triangles.
+    /// The same where more is asked of some triangles.
     pub(super) fn with_more(self) -> Self {
         Self { is_all: false, ..self }
     }
@@ -145,7 +145,7 @@ impl Test {
         }
     }
 
-    /// What is asked of every triangle.
+    /// What is asked of every triangle, and whether that is all.
     #[inline]
     pub(super) fn everywhere(&self) -> Everywhere {
         let asks_more = self.asked.is_some() || self.max_aspect_ratio < f64::INFINITY;

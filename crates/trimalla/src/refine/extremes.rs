@@ -13,7 +13,6 @@ use crate::mesh::FaceId;
 const SLACK: f64 = 1e-12;
 /// Products of four lengths from here on have lost nothing to underflow.
 const ORDINARY: f64 = 1e-280;
-
 /// No square of a side above this is glanced at: products of four of them are finite.
 const LARGE: f64 = 1e70;
 
@@ -116,7 +115,8 @@ impl Extremes {
         let margin = Two::of(SLACK) * sides.long;
         let least_area = sides.doubled_area - margin;
         let (area_sq, excess) = (least_area * least_area, sides.excess());
-        // Each is positive where something is sure. The last is a number only if all are: it comes last, so that none is lost.
+        // Each is positive where something is sure. What is no number is lost on the way, but the last one is none then, or
+        // negative: products of what is not large are numbers.
         let Two(least) = least_area
             .lesser(area_sq - self.glance.area_sq)
             .lesser(area_sq - self.glance.sine_sq * (sides.long * sides.middle))
