@@ -6,7 +6,7 @@ use std::path::Path;
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, Region, build};
-use trimalla::geometry::{Point, Triangle};
+use trimalla::geometry::{Orientation, Point, Triangle};
 use trimalla::mesh::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
@@ -150,6 +150,22 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
     assert!(cdt.real_faces().all(|f| !fine(triangle(&cdt, f), 0.0)));
     let coarse = cdt.real_faces().map(|f| triangle(&cdt, f).area()).fold(0.0, f64::max);
     assert!(coarse > 1.0, "below the axis triangles stay large");
+}
+
+/// A test of the caller's own is asked for triangles of the domain alone, also where border segments are split.
+#[test]
+fn a_test_of_the_caller_gets_triangles_of_the_domain() {
+    // Shifted, so that what is no vertex lies far outside.
+    let mut drawing = shape("key");
+    drawing.points.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
+    drawing.holes.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
+    let asked = |t: Triangle, _: f64| {
+        assert!(t.orientation() == Orientation::CounterClockwise && t.centroid().x > 5e3, "{t:?}");
+        t.area() > 0.5
+    };
+    let mut refinement = begun(&drawing, RefineOptions::default()).with_test(asked);
+    refinement.run(&mut NoObserver);
+    assert!(refinement.finish().1.segments_split > 10);
 }
 
 fn triangle(cdt: &ConstrainedDelaunay, f: FaceId) -> Triangle {

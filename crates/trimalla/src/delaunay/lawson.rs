@@ -2,6 +2,7 @@
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, inside_two_circles};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::push_if::push_if;
 use crate::triangulation::{Closure, Triangulation};
 
 /// A stack of edges to look at, kept between insertions so that none allocates.
@@ -47,14 +48,9 @@ impl Lawson {
         j: &mut J,
     ) {
         let verdicts = edges.map(|e| is_illegal::<BULK>(t, e, q));
-        // Nobody can guess which are illegal: each is written down, and the next one over it if it is not.
-        self.stack.extend(edges);
-        let mut height = 0;
         for (e, is_illegal) in edges.into_iter().zip(verdicts) {
-            self.stack[height] = e;
-            height += usize::from(is_illegal);
+            push_if(&mut self.stack, e, is_illegal);
         }
-        self.stack.truncate(height);
         let mut waiting = self.stack.pop();
         while let Some(e) = waiting {
             let next = t.mesh.twin(e).next();

@@ -8,6 +8,7 @@ use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
 use crate::geometry::Point;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::push_if::push_if;
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.
@@ -36,16 +37,14 @@ impl Looker<'_> {
     fn look_at_all(&mut self, order: Vec<VertexId>) {
         let cdt = self.view.cdt;
         let everywhere = self.everywhere();
-        // Nobody can guess which are bad: each is written down, and the next one over it if it is not.
-        let (mut bad, mut count) = (vec![FaceId(0); cdt.face_slots()], 0);
+        let mut bad = Vec::new();
         cdt.for_each_two_triangles(|two, n| {
             for (t, is_bad) in two[..n].iter().zip(everywhere.are_bad(corners_of_two(two))) {
-                bad[count] = t.face;
-                count += usize::from(is_bad.unwrap_or_else(|| self.is_bad(t.face, cdt.corners_from_newest(t.face))));
+                let is_bad = is_bad.unwrap_or_else(|| self.is_bad(t.face, cdt.corners_from_newest(t.face)));
+                push_if(&mut bad, t.face, is_bad);
                 self.queue.pass(t.face);
             }
         });
-        bad.truncate(count);
         self.queue.reserve(bad.len(), cdt.face_slots());
         let mut in_order = Vec::with_capacity(bad.len());
         Chains::of(cdt, bad, order).for_each(cdt, |f| in_order.push(f));
@@ -87,28 +86,26 @@ impl Looker<'_> {
         let cavity = &self.view.cdt.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
-        // Nobody can guess which are bad: each is written down, and the next one over it if it is not.
-        bad.resize(bad.len().max(faces.len()), 0);
-        let (mut count, mut turn) = (0, 0);
-        let (mut first, mut lowest, mut newest, mut marks) = (0, VertexId::INFINITE, v, 0);
+        bad.clear();
+        let (mut first, mut turn, mut lowest, mut newest, mut marks) = (0, 0, VertexId::INFINITE, v, 0);
         let (everywhere, mut spoke) = (self.everywhere(), Side::new(p, starts[0]));
         for (k, ((&face, edge), ends)) in faces.iter().zip(rim).zip(starts.windows(2)).enumerate() {
-            (first, turn, lowest) = if edge.from < lowest { (k, count, edge.from) } else { (first, turn, lowest) };
+            (first, turn, lowest) = if edge.from < lowest { (k, bad.len(), edge.from) } else { (first, turn, lowest) };
             newest = newest.max(edge.from);
             marks |= edge.mark | edge.spoke;
             let next = Side::new(p, ends[1]);
-            bad[count] = k;
             let corners = [p, ends[0], ends[1]];
             let is_bad = everywhere.is_bad(corners, [spoke, next]);
-            count += usize::from(is_bad.unwrap_or_else(|| self.is_bad(face, corners)));
+            let is_bad = is_bad.unwrap_or_else(|| self.view.cdt.is_real(face) && self.is_bad(face, corners));
+            push_if(bad, k, is_bad);
             self.queue.pass(face);
             spoke = next;
         }
         // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
         if v == newest {
             let patch = self.queue.patch_at(p);
-            for i in turn..turn + count {
-                let k = bad[if i < count { i } else { i - count }];
+            for i in turn..turn + bad.len() {
+                let k = bad[if i < bad.len() { i } else { i - bad.len() }];
                 self.queue_bad(faces[k], [p, starts[k], starts[k + 1]], patch);
             }
         } else {
@@ -124,16 +121,10 @@ impl Looker<'_> {
     #[inline(never)]
     fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = &self.view.cdt.cavity;
-        // Written down first, as above.
-        let mut count = subsegments.len();
-        subsegments.resize(count + 2 * cavity.faces().len() + 1, HalfEdgeId(0));
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
-            subsegments[count] = face.half_edge(0);
-            count += usize::from(edge.mark != 0);
-            subsegments[count] = face.half_edge(2);
-            count += usize::from(edge.spoke != 0);
+            push_if(subsegments, face.half_edge(0), edge.mark != 0);
+            push_if(subsegments, face.half_edge(2), edge.spoke != 0);
         }
-        subsegments.truncate(count);
     }
 }
 
