@@ -39,7 +39,6 @@ mod facade;
 pub mod geometry;
 pub mod locate;
 pub mod mesh;
-mod push_if;
 pub mod quality;
 pub mod refine;
 pub mod triangulation;

@@ -1,8 +1,7 @@
 //! Lawson's loop: flip what fails the circle test until nothing does.
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, inside_two_circles};
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
-use crate::push_if::push_if;
+use crate::mesh::{HalfEdgeId, Journal, VertexId, push_if};
 use crate::triangulation::{Closure, Triangulation};
 
 /// A stack of edges to look at, kept between insertions so that none allocates.

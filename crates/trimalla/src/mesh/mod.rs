@@ -26,6 +26,7 @@ mod half_edges;
 mod ids;
 mod journal;
 mod operators;
+mod push_if;
 mod side_table;
 mod slots;
 #[cfg(test)]
@@ -37,4 +38,5 @@ pub(crate) use half_edges::Named;
 pub use ids::{FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use operators::{Border, Half, Patch, RimEdge, Side, Triangle};
+pub(crate) use push_if::push_if;
 pub use side_table::SideTable;

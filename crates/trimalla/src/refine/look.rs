@@ -7,8 +7,7 @@ use super::refinement::{Refinement, ends_of};
 use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
 use crate::geometry::Point;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
-use crate::push_if::push_if;
+use crate::mesh::{FaceId, HalfEdgeId, VertexId, push_if};
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.
