@@ -20,7 +20,7 @@ use super::lawson::Lawson;
 use super::order;
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, Named, NoJournal, VertexId};
+use crate::mesh::{FaceId, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.
@@ -28,12 +28,12 @@ use crate::triangulation::Triangulation;
 /// Hands on the order of the vertices [`along_curve`](order::along_curve) too, where each is used: it costs nothing.
 pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> (Triangulation, Option<Vec<VertexId>>) {
     let chosen: Option<Vec<Point>> = subset.map(|s| s.iter().map(|v| points[v.index()]).collect());
-    let (curve, spare) = order::keyed_along_curve(chosen.as_deref().unwrap_or(points));
-    let caller = |i: u32| subset.map_or(VertexId(i), |s| s[i as usize]);
-    let names: Vec<Named> = curve.into_iter().map(|k| Named::new(caller(k.position))).collect();
+    let curve = order::sorted_along_curve(chosen.as_deref().unwrap_or(points));
     drop(chosen);
-    let mut t = Triangulation::in_bulk(names.iter().map(|v| points[v.name.index()]).collect());
-    t.mesh.reserve_faces(2 * t.points.len(), spare);
+    let caller = |i: u32| subset.map_or(VertexId(i), |s| s[i as usize]);
+    let names: Vec<VertexId> = curve.positions().map(caller).collect();
+    let mut t = Triangulation::in_bulk(names.iter().map(|v| points[v.index()]).collect());
+    t.mesh.reserve_faces(2 * t.points.len(), curve.into_memory());
     let same = insert_all(&mut t);
     let along_curve = name_vertices(&mut t, points, names, &same);
     let is_whole = subset.is_none() && same.is_empty();
@@ -162,20 +162,21 @@ fn chain(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
 fn name_vertices(
     t: &mut Triangulation,
     points: &[Point],
-    mut names: Vec<Named>,
+    mut names: Vec<VertexId>,
     same: &[(VertexId, VertexId)],
 ) -> Vec<VertexId> {
     for &(v, w) in same {
         // Whichever was inserted, the lowest id is used.
-        if names[v.index()].name < names[w.index()].name {
+        if names[v.index()] < names[w.index()] {
             names.swap(v.index(), w.index());
         }
     }
-    let name = |v: VertexId| names[v.index()].name;
+    let name = |v: VertexId| names[v.index()];
     t.lone = t.lone.map(name);
     t.duplicates = same.iter().map(|&(v, w)| (name(v), name(w))).collect();
     t.duplicates.sort_unstable();
     t.points.clear();
     t.points.extend_from_slice(points);
-    t.mesh.name_vertices(names, points.len())
+    t.mesh.name_vertices(&names, points.len());
+    names
 }

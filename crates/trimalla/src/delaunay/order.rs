@@ -27,22 +27,42 @@ const ROUND_SHIFT: u32 = 4;
 /// Below this many points rounds cost more than they save.
 const ROUNDS_FROM: usize = 2000;
 
+/// Points sorted along a Hilbert curve.
+pub(super) struct Curve {
+    /// The points in order, and behind them as many entries that the sort worked with.
+    keyed: Vec<Keyed>,
+}
+
+impl Curve {
+    /// The positions of the points, in order.
+    pub(super) fn positions(&self) -> impl Iterator<Item = u32> {
+        self.keyed[..self.keyed.len() / 2].iter().map(|k| k.position)
+    }
+
+    /// The memory, for whoever has a use for it.
+    pub(super) fn into_memory(self) -> Vec<Keyed> {
+        self.keyed
+    }
+}
+
 /// Points in the order of a Hilbert curve, named by their positions.
 ///
 /// # Complexity
 /// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement, and the points outside
 /// of a core, a quarter of all at most, one for each core.
 pub(crate) fn along_curve(points: &[Point]) -> Vec<VertexId> {
-    keyed_along_curve(points).0.into_iter().map(|k| VertexId(k.position)).collect()
+    sorted_along_curve(points).positions().map(VertexId).collect()
 }
 
-/// [`along_curve`] with the keys, and memory that the sort has no more use for.
-pub(super) fn keyed_along_curve(points: &[Point]) -> (Vec<Keyed>, Vec<Keyed>) {
-    let mut keyed = keys(points);
-    let mut spare = vec![Keyed::default(); keyed.len()];
-    sort_by_key(&mut keyed, &mut spare);
-    refine_crowded_cells(points, &mut keyed, &mut spare);
-    (keyed, spare)
+/// [`along_curve`], with what it was sorted in.
+pub(super) fn sorted_along_curve(points: &[Point]) -> Curve {
+    let mut keyed = Vec::with_capacity(2 * points.len());
+    keyed.extend(keys(points));
+    keyed.resize(2 * points.len(), Keyed::default());
+    let (sorted, spare) = keyed.split_at_mut(points.len());
+    sort_by_key(sorted, spare);
+    refine_crowded_cells(points, sorted, spare);
+    Curve { keyed }
 }
 
 /// Positions 0..n in the order in which a triangulation takes them.
@@ -85,9 +105,9 @@ fn chosen_child(block: u32, round: u32) -> u32 {
 
 /// The positions of all points with their keys.
 #[allow(clippy::cast_possible_truncation, reason = "bounded by the number of vertex ids")]
-fn keys(points: &[Point]) -> Vec<Keyed> {
+fn keys(points: &[Point]) -> impl Iterator<Item = Keyed> {
     let cells = CoreCells::over(points.len(), |i| points[i]);
-    points.iter().enumerate().map(|(i, &p)| Keyed { key: cells.key(p), position: i as u32 }).collect()
+    points.iter().enumerate().map(move |(i, &p)| Keyed { key: cells.key(p), position: i as u32 })
 }
 
 /// Sorts every crowded cell by a curve over its own points, and so on for its crowded cells.
@@ -154,7 +174,7 @@ mod tests {
         // A Kuzmin disc: half of it within 2 of the middle, the outermost at 100 000.
         let points = around_origin(100_000, |u| (1.0 / (u * u) - 1.0).sqrt());
         assert_orders_all(&points);
-        let mut keyed = keys(&points);
+        let mut keyed: Vec<Keyed> = keys(&points).collect();
         keyed.sort_by_key(|k| k.key);
         let crowded: Vec<usize> =
             keyed.chunk_by(|a, b| a.key == b.key).map(<[_]>::len).filter(|&n| n > CROWDED).collect();

@@ -15,21 +15,6 @@ impl HalfEdge {
     pub(super) const DEAD: Self = Self { origin: VertexId::DEAD, twin: HalfEdgeId::NONE };
 }
 
-/// A vertex of a bulk build: the id that it will have, and the half-edge that it will keep.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Named {
-    pub(crate) name: VertexId,
-    half_edge: HalfEdgeId,
-}
-
-impl Named {
-    /// A vertex without half-edges so far.
-    #[inline]
-    pub(crate) const fn new(name: VertexId) -> Self {
-        Self { name, half_edge: HalfEdgeId::NONE }
-    }
-}
-
 /// Triangles as triples of half-edges, closed to a sphere by ghost faces.
 ///
 /// # Shape
@@ -493,21 +478,17 @@ impl HalfEdgeMesh {
         true
     }
 
-    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own; returns the names.
+    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own.
     ///
     /// # Complexity
     /// Linear; one look-up a half-edge.
-    pub(crate) fn name_vertices(&mut self, mut named: Vec<Named>, vertices: usize) -> Vec<VertexId> {
+    pub(crate) fn name_vertices(&mut self, names: &[VertexId], vertices: usize) {
+        self.outgoing = vec![HalfEdgeId::NONE; vertices];
         for (i, h) in self.half_edges.iter_mut().enumerate() {
-            if let Some(vertex) = named.get_mut(h.origin.index()) {
-                vertex.half_edge = HalfEdgeId::from_index(i);
-                h.origin = vertex.name;
+            if let Some(&name) = names.get(h.origin.index()) {
+                h.origin = name;
+                self.outgoing[name.index()] = HalfEdgeId::from_index(i);
             }
         }
-        self.outgoing = vec![HalfEdgeId::NONE; vertices];
-        for vertex in &named {
-            self.outgoing[vertex.name.index()] = vertex.half_edge;
-        }
-        named.into_iter().map(|vertex| vertex.name).collect()
     }
 }

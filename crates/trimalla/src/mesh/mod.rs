@@ -34,7 +34,6 @@ mod tests;
 
 pub use circulators::{BoundaryLoop, Star};
 pub use half_edges::HalfEdgeMesh;
-pub(crate) use half_edges::Named;
 pub use ids::{FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use operators::{Border, Half, Patch, RimEdge, Side, Triangle};
