@@ -1,17 +1,17 @@
 //! Positions sorted by their keys on the curve.
 //!
-//! Up to some tens of thousands everything fits the cache: four passes of eight bits, the least digit first. Above, one
-//! pass by the most significant digit comes first; each of its buckets fits the cache, and three passes do the rest.
+//! Where keys are spread evenly, two digits tell nearly all of them apart: two passes, the lower digit first, and a few neighbours
+//! that agree in both. Elsewhere the bits below are a third digit, which comes before them.
+//!
+//! While everything fits the cache, the two digits are the upper 22 bits of a key. Above, one pass by the uppermost 8 comes first;
+//! each of its buckets fits the cache, and the digits there have 8 bits as well.
 
 /// Fewer than this are sorted by comparisons.
 const FEW: usize = 64;
 /// From so many on the passes over all would leave the cache.
-const BUCKETS_FROM: usize = 1 << 16;
-/// Bits of a digit.
-const BITS: u32 = 8;
-
-/// How many keys have each digit; then where the next one of them goes.
-type Digits = [u32; 1 << BITS];
+const BUCKETS_FROM: usize = 1 << 18;
+/// Keys are spread evenly where no value of their upper digit has more than so many times its share.
+const EVEN: usize = 4;
 
 /// A position and its place on the curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,10 +20,52 @@ pub(super) struct Keyed {
     pub(super) position: u32,
 }
 
-impl Keyed {
+/// A digit to sort by: as many bits of a key as tell `SLOTS` apart, above some others.
+#[derive(Clone, Copy)]
+struct Digit<const SLOTS: usize> {
+    shift: u32,
+}
+
+impl<const SLOTS: usize> Digit<SLOTS> {
+    const BITS: u32 = SLOTS.ilog2();
+
     #[inline(always)]
-    const fn digit(self, place: u32) -> usize {
-        (self.key >> (BITS * place) & 0xff) as usize
+    const fn of(self, k: Keyed) -> usize {
+        (k.key >> self.shift) as usize % SLOTS
+    }
+
+    /// The digit above this one.
+    const fn above(self) -> Self {
+        Self { shift: self.shift + Self::BITS }
+    }
+
+    /// How many there are of each value.
+    fn counts(self, keyed: &[Keyed]) -> [u32; SLOTS] {
+        let mut counts = [0; SLOTS];
+        for &k in keyed {
+            counts[self.of(k)] += 1;
+        }
+        counts
+    }
+
+    /// Copies in the order of the digit; equal ones keep their order.
+    fn distribute(self, from: &[Keyed], to: &mut [Keyed]) {
+        self.distribute_counted(from, to, self.counts(from));
+    }
+
+    /// The same where the [`counts`](Self::counts) are known. Returns where each value ends.
+    fn distribute_counted(self, from: &[Keyed], to: &mut [Keyed], counts: [u32; SLOTS]) -> [u32; SLOTS] {
+        let mut slots = counts;
+        let mut start = 0;
+        for slot in &mut slots {
+            start += std::mem::replace(slot, start);
+        }
+        for &k in from {
+            let slot = &mut slots[self.of(k)];
+            to[*slot as usize] = k;
+            *slot += 1;
+        }
+        slots
     }
 }
 
@@ -32,58 +74,46 @@ impl Keyed {
 /// # Complexity
 /// Linear.
 pub(super) fn sort_by_key(keyed: &mut [Keyed], spare: &mut [Keyed]) {
-    match keyed.len() {
-        0..FEW => keyed.sort_by_key(|k| k.key),
-        FEW..BUCKETS_FROM => sort_by_least_digits::<4>(keyed, spare),
-        _ => sort_by_buckets(keyed, spare),
+    if keyed.len() < BUCKETS_FROM {
+        sort_by_digits(keyed, spare, Digit::<{ 1 << 11 }> { shift: 10 });
+    } else {
+        sort_by_buckets(keyed, spare);
     }
 }
 
-/// By the most significant digit into `spare`, and back bucket by bucket.
+/// By the uppermost digit into `spare`, and back bucket by bucket.
 fn sort_by_buckets(keyed: &mut [Keyed], spare: &mut [Keyed]) {
-    let mut ends = [0; 1 << BITS];
-    for k in keyed.iter() {
-        ends[k.digit(3)] += 1;
-    }
-    distribute(keyed, spare, 3, &mut ends);
+    let uppermost = Digit::<{ 1 << 8 }> { shift: 24 };
+    let ends = uppermost.distribute_counted(keyed, spare, uppermost.counts(keyed));
     let mut start = 0;
     for end in ends {
         let bucket = start..end as usize;
         start = bucket.end;
         let (from, to) = (&mut spare[bucket.clone()], &mut keyed[bucket]);
-        if from.len() < FEW {
-            to.copy_from_slice(from);
-            to.sort_by_key(|k| k.key);
-        } else {
-            sort_by_least_digits::<3>(from, to);
-        }
+        to.copy_from_slice(from);
+        sort_by_digits(to, from, Digit::<{ 1 << 8 }> { shift: 8 });
     }
 }
 
-/// By so many digits, the least one first, to and fro: an odd number of passes leaves the result in `b`.
-fn sort_by_least_digits<'a, const PASSES: usize>(mut a: &'a mut [Keyed], mut b: &'a mut [Keyed]) {
-    let mut counts = [[0; 1 << BITS]; PASSES];
-    for k in a.iter() {
-        for (place, count) in (0..).zip(&mut counts) {
-            count[k.digit(place)] += 1;
-        }
+/// By a digit and the one above, and by the bits below, of which there are no more than in a digit. Bits above are the same in all.
+fn sort_by_digits<const SLOTS: usize>(keyed: &mut [Keyed], spare: &mut [Keyed], digit: Digit<SLOTS>) {
+    if keyed.len() < FEW {
+        keyed.sort_by_key(|k| k.key);
+        return;
     }
-    for (place, count) in (0..).zip(&mut counts) {
-        distribute(a, b, place, count);
-        std::mem::swap(&mut a, &mut b);
-    }
-}
-
-/// One pass: copies by one digit, of which the counts are given; leaves behind where each digit ends.
-fn distribute(from: &[Keyed], to: &mut [Keyed], place: u32, slots: &mut Digits) {
-    let mut start = 0;
-    for slot in slots.iter_mut() {
-        start += std::mem::replace(slot, start);
-    }
-    for &k in from {
-        let slot = &mut slots[k.digit(place)];
-        to[*slot as usize] = k;
-        *slot += 1;
+    let upper = digit.above();
+    let counts = upper.counts(keyed);
+    if counts.iter().all(|&count| count as usize <= EVEN * keyed.len().div_ceil(SLOTS)) {
+        digit.distribute(keyed, spare);
+        upper.distribute_counted(spare, keyed, counts);
+        let ties =
+            keyed.chunk_by_mut(|a, b| a.key >> digit.shift == b.key >> digit.shift).filter(|ties| ties.len() > 1);
+        ties.for_each(|ties| ties.sort_by_key(|k| k.key));
+    } else {
+        Digit::<SLOTS> { shift: 0 }.distribute(keyed, spare);
+        digit.distribute(spare, keyed);
+        upper.distribute_counted(keyed, spare, counts);
+        keyed.copy_from_slice(spare);
     }
 }
 

@@ -38,10 +38,19 @@ impl BoundingBox {
         let first = Self::around(points.next()?);
         let least = |a: f64, b: f64| if b < a { b } else { a };
         let greatest = |a: f64, b: f64| if b > a { b } else { a };
-        Some(points.fold(first, |Self { min, max }, p| Self {
+        let including = |Self { min, max }, p: Point| Self {
             min: Point::new(least(min.x, p.x), least(min.y, p.y)),
             max: Point::new(greatest(max.x, p.x), greatest(max.y, p.y)),
-        }))
+        };
+        // Four boxes, as each waits for itself.
+        let mut boxes = [first; 4];
+        'all: loop {
+            for b in &mut boxes {
+                let Some(p) = points.next() else { break 'all };
+                *b = including(*b, p);
+            }
+        }
+        Some(boxes.into_iter().fold(first, Self::united))
     }
 
     /// The smallest box that holds this one and a point.

@@ -483,12 +483,13 @@ impl HalfEdgeMesh {
     /// # Complexity
     /// Linear; one look-up a half-edge.
     pub(crate) fn name_vertices(&mut self, names: &[VertexId], vertices: usize) {
-        self.outgoing = vec![HalfEdgeId::NONE; vertices];
+        let mut outgoing = vec![HalfEdgeId::NONE; vertices];
         for (i, h) in self.half_edges.iter_mut().enumerate() {
             if let Some(&name) = names.get(h.origin.index()) {
                 h.origin = name;
-                self.outgoing[name.index()] = HalfEdgeId::from_index(i);
+                outgoing[name.index()] = HalfEdgeId::from_index(i);
             }
         }
+        self.outgoing = outgoing;
     }
 }
