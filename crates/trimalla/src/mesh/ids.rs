@@ -87,7 +87,8 @@ impl HalfEdgeId {
     #[must_use]
     #[inline]
     pub const fn next(self) -> Self {
-        if self.0 % 3 == 2 { Self(self.0 - 2) } else { Self(self.0 + 1) }
+        let after = self.0 + 1;
+        if after % 3 == 0 { Self(after - 3) } else { Self(after) }
     }
 
     /// The previous half-edge counter-clockwise around the face.
