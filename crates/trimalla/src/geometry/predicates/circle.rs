@@ -117,7 +117,9 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     let [a, b, c, d] = [a, b, c, d].map(|p| [p.x, p.y]);
     let (sine, bound) = sine_and_bound(a, b, c, d);
     let is_proved = sine.abs() > bound;
-    is_proved.then_some(if sine < 0.0 { CircleSide::Inside } else { CircleSide::Outside })
+    // What is proved is not zero: the sign bit says it all, and sooner than a comparison.
+    let is_negative = sine.to_bits().cast_signed() < 0;
+    is_proved.then_some(if is_negative { CircleSide::Inside } else { CircleSide::Outside })
 }
 
 /// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
