@@ -87,6 +87,7 @@ impl HalfEdgeId {
     #[must_use]
     #[inline]
     pub const fn next(self) -> Self {
+        // Asked like this, `next` and `prev` of one half-edge need no remainder: a product tells multiples of three.
         let after = self.0 + 1;
         if after % 3 == 0 { Self(after - 3) } else { Self(after) }
     }
