@@ -118,7 +118,8 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     let (sine, bound) = sine_and_bound(a, b, c, d);
     let is_proved = sine.abs() > bound;
     // What is proved is not zero: the sign bit says it all, and sooner than a comparison.
-    let is_negative = sine.to_bits().cast_signed() < 0;
+    #[allow(clippy::cast_possible_wrap, reason = "the sign bit is asked for")]
+    let is_negative = (sine.to_bits() as i64) < 0;
     is_proved.then_some(if is_negative { CircleSide::Inside } else { CircleSide::Outside })
 }
 
