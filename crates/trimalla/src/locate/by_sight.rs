@@ -4,7 +4,7 @@
 //! is the business of the exact walks.
 
 use super::walk::Locus;
-use crate::geometry::{Orientation, Point, Turn};
+use crate::geometry::{Point, Turn};
 use crate::mesh::FaceId;
 use crate::triangulation::Triangulation;
 
@@ -28,7 +28,7 @@ impl Triangulation {
             let (bc, ca) = (e.next(), e.prev());
             let Some(&c) = self.points.get(self.origin(ca).index()) else {
                 // The face is a ghost.
-                return if is_left(side) { Ok(Locus::Outside(e)) } else { Err(e.face()) };
+                return if side.is_surely_counter_clockwise() { Ok(Locus::Outside(e)) } else { Err(e.face()) };
             };
             let (side_of_bc, side_of_ca) = (Turn::of(b, c, p), Turn::of(c, a, p));
             if side_of_bc.seems_clockwise() {
@@ -36,7 +36,7 @@ impl Triangulation {
             } else if side_of_ca.seems_clockwise() {
                 (e, side, a, b) = (self.twin(ca), side_of_ca.reversed(), a, c);
             } else {
-                let is_inside = is_left(side) && is_left(side_of_bc) && is_left(side_of_ca);
+                let is_inside = [side, side_of_bc, side_of_ca].into_iter().all(Turn::is_surely_counter_clockwise);
                 return if is_inside { Ok(Locus::Face(e.face())) } else { Err(e.face()) };
             }
         }
@@ -55,7 +55,7 @@ impl Triangulation {
             let c = *self.points.get(self.origin(prev).index())?;
             let sides = [side, Turn::of(b, c, p), Turn::of(c, a, p)];
             let Some(exit) = self.exit(start, p, [e, next, prev], sides.map(Turn::seems_clockwise)) else {
-                return sides.into_iter().all(is_left).then_some(e.face());
+                return sides.into_iter().all(Turn::is_surely_counter_clockwise).then_some(e.face());
             };
             if self.is_marked(exit) {
                 return None;
@@ -71,17 +71,11 @@ impl Triangulation {
     }
 }
 
-/// Whether it is proved that the point lies left.
-#[inline(always)]
-fn is_left(side: Turn) -> bool {
-    side.proved() == Some(Orientation::CounterClockwise)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::delaunay::Delaunay;
-    use crate::geometry::orient2d;
+    use crate::geometry::{Orientation, orient2d};
 
     /// Points on lines, and points an ulp or so beside those that they make.
     fn near_lines() -> Vec<Point> {

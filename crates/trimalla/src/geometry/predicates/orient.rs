@@ -94,11 +94,22 @@ impl Turn {
 
     /// Which turn it is, if that is beyond rounding.
     #[inline(always)]
-    pub(crate) fn proved(self) -> Option<Orientation> {
+    fn proved(self) -> Option<Orientation> {
         let determinant = self.left - self.right;
-        let bound = TWO_PRODUCTS_BOUND * (self.left.abs() + self.right.abs()) + UNDERFLOW_GUARD;
         let turn = if determinant > 0.0 { Orientation::CounterClockwise } else { Orientation::Clockwise };
-        (determinant.abs() > bound).then_some(turn)
+        (determinant.abs() > self.bound()).then_some(turn)
+    }
+
+    /// Whether it is a left turn beyond rounding.
+    #[inline(always)]
+    pub(crate) fn is_surely_counter_clockwise(self) -> bool {
+        self.left - self.right > self.bound()
+    }
+
+    /// What rounding may do to the difference of the products.
+    #[inline(always)]
+    fn bound(self) -> f64 {
+        TWO_PRODUCTS_BOUND * (self.left.abs() + self.right.abs()) + UNDERFLOW_GUARD
     }
 }
 
