@@ -46,7 +46,7 @@ impl Lawson {
         q: Point,
         j: &mut J,
     ) {
-        let verdicts = edges.map(|e| is_illegal::<BULK>(t, e, q));
+        let verdicts = which_are_illegal::<BULK, N>(t, edges, q);
         for (e, is_illegal) in edges.into_iter().zip(verdicts) {
             push_if(&mut self.stack, e, is_illegal);
         }
@@ -97,6 +97,23 @@ impl Lawson {
 #[inline(always)]
 fn is_illegal<const BULK: bool>(t: &Triangulation, e: HalfEdgeId, q: Point) -> bool {
     may_be_flipped::<BULK>(t, e) && conflicts(t, e, t.mesh.twin(e), q)
+}
+
+/// [`is_illegal`] for some edges, two at a time.
+#[inline(always)]
+fn which_are_illegal<const BULK: bool, const N: usize>(
+    t: &Triangulation,
+    edges: [HalfEdgeId; N],
+    q: Point,
+) -> [bool; N] {
+    let mut verdicts = [false; N];
+    for i in (1..N).step_by(2) {
+        [verdicts[i - 1], verdicts[i]] = are_illegal::<BULK>(t, [edges[i - 1], edges[i]], q);
+    }
+    if N % 2 == 1 {
+        verdicts[N - 1] = is_illegal::<BULK>(t, edges[N - 1], q);
+    }
+    verdicts
 }
 
 /// [`is_illegal`] for two edges, tested together.
