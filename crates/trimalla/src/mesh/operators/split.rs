@@ -48,7 +48,9 @@ impl HalfEdgeMesh {
         self.set_twin(at_c.twin, t0, j);
         self.set_vertices_and_twins(s, [at_b.origin, at_c.origin, q], [at_b.twin, t2, h1], j);
         self.set_vertices_and_twins(t, [at_c.origin, at_a.origin, q], [at_c.twin, h2, s1], j);
-        self.set_vertices_and_twins(f, [at_a.origin, at_b.origin, q], [at_a.twin, s2, t1], j);
+        self.set_twin(h1, s2, j);
+        self.set_origin(h2, q, j);
+        self.set_twin(h2, t1, j);
         [f, s, t]
     }
 
