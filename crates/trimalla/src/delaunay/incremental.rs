@@ -50,16 +50,27 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
     let mut lawson = Lawson::default();
     let mut last = LastInserted::none();
     // Not a `for` loop: the rounds are nested loops where they call, and a machine of states where they are called.
-    order.filter(|v| !first.contains(v)).for_each(|v| {
-        let locus = t.locate_from(last.face_towards(t.point(v)), t.point(v));
-        if let Locus::Vertex(w) = locus {
-            same.push((v, w));
-            return;
-        }
-        last.note(t, v, locus);
-        insert_at::<true, _>(t, v, locus, &mut lawson, &mut NoJournal);
-    });
+    order.filter(|v| !first.contains(v)).for_each(|v| insert(t, v, &mut last, &mut lawson, &mut same));
     same
+}
+
+/// Inserts a vertex; where another one lies already, the two are noted instead.
+#[inline(never)] // On its own it knows that nothing else looks at the mesh.
+fn insert(
+    t: &mut Triangulation,
+    v: VertexId,
+    last: &mut LastInserted,
+    lawson: &mut Lawson,
+    same: &mut Vec<(VertexId, VertexId)>,
+) {
+    let p = t.point(v);
+    let locus = t.locate_from(last.face_towards(p), p);
+    if let Locus::Vertex(w) = locus {
+        same.push((v, w));
+        return;
+    }
+    last.note(t, v, locus);
+    insert_at::<true, _>(t, v, locus, lawson, &mut NoJournal);
 }
 
 /// The vertex inserted last, from which the walk to the next one starts: that is near, as a rule.
