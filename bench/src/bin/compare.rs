@@ -17,7 +17,7 @@ usage: bench/run.sh [OPTIONS]
   --only LIST      families (points, constrained, channel, polygons, refinement) or workloads, separated by commas;
                    a workload has a size, as u250k or w5c-50k, and a refinement an angle, as w6b-10k:30
   --programs LIST  trimalla, triangle, cgal, spade, delaunator, cdt, earcut, i_triangle, ... (all that could be built)
-  --runs N         runs of each program [5]; of inputs of ten million points, at most 2
+  --runs N         runs of each program [5]; of inputs of ten million points, at most 3
   --limit S        seconds after which a run is ended [60]
   --output STEM    where the report goes [bench/target/report]
   --list           names the workloads and programs";
@@ -137,7 +137,7 @@ fn chosen(only: Option<String>) -> Outcome<Vec<Job>> {
 fn measure_job(job: &Job, options: &Options) -> Outcome<Results> {
     let (inputs, binaries) = (options.target.join("workloads"), options.target.join("bin"));
     let points = input(job, &inputs, &options.a_poly)?;
-    let runs = if points >= 5_000_000 { options.runs.min(2) } else { options.runs };
+    let runs = if points >= 5_000_000 { options.runs.min(3) } else { options.runs };
     let programs = options.programs.iter().filter(|p| p.does(job));
     let mut all: Vec<Runs> = programs.map(|&program| Runs { program, runs: Vec::new(), failure: None }).collect();
     for round in 0..runs {
