@@ -103,7 +103,7 @@ impl LastInserted {
     fn face_towards(&self, p: Point) -> FaceId {
         let is_left_of = |corner: Point| (corner - self.at).cross(p - self.at) > 0.0;
         let (is_after_a, is_after_b) = (is_left_of(self.a), is_left_of(self.b));
-        // Chosen, not branched on: which one it is nobody can guess.
+        // Of the last two one is chosen. That of b is branched on: without, each walk would wait for the answer.
         self.faces[if is_after_b { 1 } else { 2 * usize::from(!is_after_a) }]
     }
 
