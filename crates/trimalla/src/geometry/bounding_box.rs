@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn the_box_of_finite_points_is_the_box() {
         let points: Vec<Point> =
-            (0..40_u8).map(|i| Point::new(f64::from(i * 7 % 11), -f64::from(i * 5 % 13))).collect();
+            (0..40_u16).map(|i| Point::new(f64::from(i * 7 % 11), -f64::from(i * 5 % 13))).collect();
         for start in 0..20 {
             for end in start..points.len() {
                 let some = points[start..end].iter().copied();
