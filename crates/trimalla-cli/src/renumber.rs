@@ -104,6 +104,16 @@ impl Renumber for InputFault {
                 ends.renumber(first);
                 stop.renumber(first);
             }
+            Self::VertexPassedBy { segment, ends, vertex } | Self::VertexBeside { segment, ends, vertex } => {
+                segment.renumber(first);
+                ends.renumber(first);
+                vertex.renumber(first);
+            }
+            Self::SegmentCrossesBoundary { segment, ends, edge } => {
+                segment.renumber(first);
+                ends.renumber(first);
+                edge.renumber(first);
+            }
             _ => {}
         }
     }

@@ -1,25 +1,22 @@
 //! The checker of the constrained layer.
 
 use super::constrained::{ConstrainedDelaunay, SegmentId};
-use crate::geometry::{Orientation, Point, Segment, math, orient2d};
+use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, on_segment};
 use crate::mesh::VertexId;
 use crate::triangulation::{Closure, Fault};
-
-/// Splits and crossings bend a segment by their rounding: this many units in the last place of its largest coordinate are
-/// allowed.
-const BEND_ULPS: f64 = 16.0;
 
 impl ConstrainedDelaunay {
     /// Every broken invariant: those of the triangulation, the constrained circle test, and the chains of segments.
     ///
     /// # Complexity
-    /// Linear, and the degrees of the vertices on segments.
+    /// Linear, n log n in the input vertices, and the degrees of the vertices on segments.
     #[must_use]
     pub fn check(&self) -> Vec<Fault> {
         let mut faults = self.t.check_delaunay();
         if faults.is_empty() {
+            let places = InputPlaces::of(self);
             for segment in 0..self.segments.len() as SegmentId {
-                faults.extend(self.segment_fault(segment));
+                faults.extend(self.segment_fault(segment, &places));
             }
         }
         faults
@@ -31,25 +28,50 @@ impl ConstrainedDelaunay {
         self.t.check()
     }
 
-    /// I13: a segment is a chain of edges from its start to its end, along it. In a carved domain parts may be missing.
-    fn segment_fault(&self, segment: SegmentId) -> Option<Fault> {
+    /// I13: a segment is a chain of edges from its start to its end, by the rule of [`Strip`]. In a carved domain parts may
+    /// be missing.
+    fn segment_fault(&self, segment: SegmentId, places: &InputPlaces) -> Option<Fault> {
         let [a, b] = self.segments[segment as usize];
         let chain = self.chain(segment);
-        let end = chain.last().map_or(a, |&h| self.dest(h));
-        if end != b && self.closure() == Closure::Hull && !chain.is_empty() {
+        let mut vertices = vec![a];
+        vertices.extend(chain.iter().map(|&h| self.dest(h)));
+        let is_whole = vertices.last() == Some(&b);
+        if !is_whole && self.closure() == Closure::Hull && !chain.is_empty() {
             return Some(Fault::SegmentBroken(segment));
         }
-        let ends = [a, b].map(|v| self.point(v));
-        let inner = chain.iter().map(|&h| self.dest(h)).filter(|&v| v != b);
-        let off = inner.into_iter().find(|&v| !self.lies_along(ends, v));
-        off.map(|vertex| Fault::OffSegment { segment, vertex })
+        let line = self.segment_points(segment);
+        let strip = Strip::new(line, Strip::LAST_PLACES);
+        let ahead = |pair: &[VertexId]| strip.order(self.point(pair[0]), self.point(pair[1])).is_lt();
+        let off = vertices.windows(2).find(|pair| !ahead(pair) || pair[1] != b && !strip.contains(self.point(pair[1])));
+        if let Some(pair) = off {
+            return Some(Fault::OffSegment { segment, vertex: pair[1] });
+        }
+        if !is_whole || a == b {
+            return None;
+        }
+        vertices.sort_unstable();
+        let passed_by = places.exactly_on(line).find(|v| vertices.binary_search(v).is_err());
+        passed_by.map(|vertex| Fault::PassesBy { segment, vertex })
+    }
+}
+
+/// Where the input vertices that are used lie.
+struct InputPlaces {
+    vertices: Vec<(VertexId, Point)>,
+    tree: BoxTree,
+}
+
+impl InputPlaces {
+    fn of(cdt: &ConstrainedDelaunay) -> Self {
+        let used = cdt.used_vertices().filter(|v| v.index() < cdt.input_points);
+        let vertices: Vec<_> = used.map(|v| (v, cdt.point(v))).collect();
+        let tree = BoxTree::new(vertices.iter().map(|&(_, p)| BoundingBox::around(p)).collect());
+        Self { vertices, tree }
     }
 
-    /// Exactly on the segment, or as near as the rounding of a split or crossing allows (which may fall on a vertex).
-    fn lies_along(&self, ends: [Point; 2], v: VertexId) -> bool {
-        let p = self.point(v);
-        let segment = Segment::new(ends[0], ends[1]);
-        orient2d(ends[0], ends[1], p) == Orientation::Collinear
-            || segment.distance(p) <= BEND_ULPS * math::last_place(segment.largest_coordinate())
+    /// Those exactly on a segment, its ends too.
+    fn exactly_on(&self, line: Segment) -> impl Iterator<Item = VertexId> + '_ {
+        let near = self.tree.near(line, [0.0, 0.0]).into_iter().map(|i| self.vertices[i as usize]);
+        near.filter(move |&(_, p)| on_segment(line.start, line.end, p)).map(|(v, _)| v)
     }
 }

@@ -22,7 +22,6 @@ mod recover;
 mod remove_segment;
 mod split_crossings;
 mod split_subsegment;
-mod straighten;
 #[cfg(test)]
 mod tests;
 

@@ -128,7 +128,11 @@ impl ConstrainedDelaunay {
         }
         let start = self.t.outgoing(piece.from).map_or(self.last, HalfEdgeId::face);
         match self.t.locate_from(start, p) {
-            Locus::Vertex(v) => Some((v, false)).filter(|_| v != piece.from && v != piece.to),
+            // An input vertex that is not exactly on the way, or the plan had ended there, is not on the segment.
+            Locus::Vertex(v) => {
+                let may_part = v != piece.from && v != piece.to && v.index() >= self.input_points;
+                may_part.then_some((v, false))
+            }
             Locus::Edge(h) if self.t.is_marked(h) => None,
             locus @ (Locus::Face(_) | Locus::Edge(_)) => {
                 let v = self.insert_vertex_at(p, locus, j);

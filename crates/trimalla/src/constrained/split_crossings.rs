@@ -2,35 +2,40 @@
 //!
 //! The work is a list of pieces still to be put in:
 //!
-//! 1. Take a piece. Plan it up to the first vertex on its way; the rest goes back on the list.
+//! 1. Take a piece. Plan it up to the first vertex exactly on its way; the rest goes back on the list. So vertices exactly
+//!    on a segment split it before any crossing does, and what crosses it between two of them bends no more than that part.
 //! 2. If the plan crosses no constraint, apply it.
 //! 3. Otherwise look at the first constraint crossed. If one of the four ends lies within the reach of rounding of the
 //!    other edge, that vertex is where they meet: the other edge is led through it.
 //! 4. Else compute the crossing point, rounded, release the constraint and insert the point where it lies. Both the
-//!    constraint and the piece go back on the list, parted at that vertex.
+//!    constraint and the piece go back on the list, split at that vertex.
 //!
-//! Rounding bends what is parted by an ulp, and a bent piece may cross what its straight one did not: the list takes
+//! Rounding bends what is split by an ulp, and a bent piece may cross what its straight one did not: the list takes
 //! care of that too. Step 3 keeps this from going on: no vertex is made nearer than that reach to an edge that already
 //! has a vertex there, so crossings of nearly parallel pieces do not creep along them. A bound on the steps ends the
 //! work in any case.
 //!
+//! # Invariants
+//! A vertex splits a piece only if it lies in the strip of [`Strip::PARTING_PLACES`] of every input segment of its class,
+//! and its foot strictly between those of the ends: see [`Strip`] for the rule. Bends do not add up, then, and the pieces
+//! of a segment are always one monotone path from its start to its end. Where no vertex and no rounded point is so, the
+//! segments are too close to one another for coordinates, and the pair is named in an error.
+//!
 //! # Source
 //! Leading an edge through a vertex within rounding of it is the hot-pixel rule of snap rounding `[Hobby99]`, used here
 //! for edges that cross, and never moving a vertex.
-
-use std::collections::BTreeSet;
 
 use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
 use super::insert_segment::crossing_of;
 use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Point, Segment, math};
+use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
-/// The reach of rounding, in units of the largest coordinate's last place: twice the error of a crossing point.
-const REACH_ULPS: f64 = 4.0;
+/// The reach of rounding, in last places of the coordinates of the edge: the error of a crossing point.
+const REACH_PLACES: f64 = 4.0;
 
 /// A stretch of constraint that is still to be put in.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +46,7 @@ pub(crate) struct Piece {
     pub(crate) mark: u32,
 }
 
-/// Where two edges that cross are parted.
+/// Where two edges that cross are split.
 enum Meeting {
     /// At an end of the constraint: the piece is led through it.
     EndOfConstraint(VertexId),
@@ -49,13 +54,6 @@ enum Meeting {
     EndOfPiece(VertexId),
     /// At a point far from all four ends.
     Point(Point),
-}
-
-/// Whether a vertex was there before.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Vertex {
-    Old,
-    New,
 }
 
 impl ConstrainedDelaunay {
@@ -69,8 +67,6 @@ impl ConstrainedDelaunay {
         let bound = self.step_bound();
         let mut work = vec![first];
         let mut steps = 0;
-        // Classes led through a vertex beside them: they may have come by it twice.
-        let mut led: BTreeSet<u32> = BTreeSet::new();
         while let Some(piece) = work.pop() {
             steps += 1;
             if piece.from == piece.to {
@@ -82,25 +78,19 @@ impl ConstrainedDelaunay {
                 to: self.t.point(piece.to),
             };
             self.t.plan_into(&mut self.plan, piece.from, piece.to).map_err(|_| leaves)?;
+            let first_stop = self.plan.to;
+            work.push(Piece { from: first_stop, ..piece });
+            let piece = Piece { to: first_stop, ..piece };
             match self.plan.constrained.first() {
-                None => {
-                    work.push(Piece { from: self.plan.to, ..piece });
-                    self.apply_plan(piece.mark, Before::Any, j);
-                }
+                None => self.apply_plan(piece.mark, Before::Any, j),
                 Some(&h) => {
-                    if steps > bound {
-                        return Err(ConstraintError::CrossingsExhausted { pair: self.pair_at(h, piece), steps });
-                    }
-                    let marks = [self.t.mark(h), piece.mark];
-                    if self.part(h, piece, &mut work, j) == Vertex::Old {
-                        led.extend(marks);
-                    }
+                    let meeting = self.meeting(h, piece).filter(|_| steps <= bound);
+                    let pair = || ConstraintError::CrossingsExhausted { pair: self.pair_at(h, piece), steps };
+                    let meeting = meeting.ok_or_else(pair)?;
+                    self.split_at_meeting(h, piece, meeting, &mut work, j);
                 }
             }
         }
-        let segments: BTreeSet<SegmentId> =
-            led.into_iter().flat_map(|mark| self.constraints.segments(mark)).copied().collect();
-        segments.into_iter().for_each(|s| self.straighten(s, j));
         Ok(())
     }
 
@@ -116,9 +106,7 @@ impl ConstrainedDelaunay {
         CrossingPair { segments: [a.min(b), a.max(b)], at }
     }
 
-    /// Parts constraint `h` and the piece that crosses it at one vertex; what is parted goes back on the list.
-    ///
-    /// Says whether the vertex was there already.
+    /// Splits constraint `h` and the piece that crosses it at one vertex; what is split goes back on the list.
     ///
     /// ```text
     ///            y                       y
@@ -127,82 +115,107 @@ impl ConstrainedDelaunay {
     ///            | h                     |                 is as good as on the other edge
     ///            x                       x
     /// ```
-    fn part<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, work: &mut Vec<Piece>, j: &mut J) -> Vertex {
+    fn split_at_meeting<J: Journal>(
+        &mut self,
+        h: HalfEdgeId,
+        piece: Piece,
+        meeting: Meeting,
+        work: &mut Vec<Piece>,
+        j: &mut J,
+    ) {
         let [x, y] = [self.t.origin(h), self.t.dest(h)];
         let mark = self.t.mark(h);
-        let (v, age) = match self.meeting(h, piece) {
-            Meeting::EndOfConstraint(v) => (v, Vertex::Old),
+        let v = match meeting {
+            Meeting::EndOfConstraint(v) => v,
             Meeting::EndOfPiece(v) => {
                 self.release(x, y, j);
-                (v, Vertex::Old)
+                v
             }
-            Meeting::Point(at) => self.part_at(h, piece, at, j),
+            Meeting::Point(at) => self.vertex_at_crossing(h, piece, at, j),
         };
         let pieces = [(x, v, mark), (v, y, mark), (v, piece.to, piece.mark), (piece.from, v, piece.mark)];
         let whole = |&(from, to, _): &(VertexId, VertexId, u32)| [from, to] == [x, y];
         work.extend(pieces.into_iter().filter(|p| !whole(p)).map(|(from, to, mark)| Piece { from, to, mark }));
-        age
     }
 
-    /// Where constraint `h` and the piece that crosses it are parted: the nearest of the four ends, if rounding reaches
-    /// from it to the other edge.
-    fn meeting(&self, h: HalfEdgeId, piece: Piece) -> Meeting {
-        let at = |v| self.t.point(v);
-        let (edge, line) = ([self.t.origin(h), self.t.dest(h)], [piece.from, piece.to]);
-        let [p, q] = edge.map(at);
-        let [a, b] = line.map(at);
-        let reach =
-            |ends: [Point; 2]| REACH_ULPS * math::last_place(Segment::new(ends[0], ends[1]).largest_coordinate());
-        let nearest = |ends: [VertexId; 2], line: [Point; 2]| {
-            let [d, e] = ends.map(|v| Segment::new(line[0], line[1]).distance(at(v)));
-            let (d, v) = if e < d || e == d && ends[1] < ends[0] { (e, ends[1]) } else { (d, ends[0]) };
-            (d <= reach(line)).then_some((d, v))
+    /// Where constraint `h` and the piece that crosses it are split: at the nearest of the four ends, if rounding reaches
+    /// from it to the other edge, or where they cross. `None` where every such place would break the rule.
+    fn meeting(&self, h: HalfEdgeId, piece: Piece) -> Option<Meeting> {
+        let [edge, line] = [[self.t.origin(h), self.t.dest(h)], [piece.from, piece.to]];
+        let [of_edge, of_line] = [Stretch::new(self, edge, self.t.mark(h)), Stretch::new(self, line, piece.mark)];
+        let nearest = |ends: [VertexId; 2], other: &Stretch, reach: Option<f64>| {
+            let good = ends
+                .into_iter()
+                .filter(|&v| other.is_split_by(self.t.point(v)) && other.reaches(reach, self.t.point(v)));
+            let measured = good.map(|v| (other.ends.distance(self.t.point(v)), v));
+            measured.min_by(|(d, v), (e, w)| d.total_cmp(e).then(v.cmp(w)))
         };
-        // Leading an edge through a vertex bends it: by no more than its own rounding.
-        match (nearest(edge, [a, b]), nearest(line, [p, q])) {
-            (Some((d, v)), Some((e, _))) if d <= e => Meeting::EndOfConstraint(v),
-            (Some((_, v)), None) => Meeting::EndOfConstraint(v),
-            (_, Some((_, w))) => Meeting::EndOfPiece(w),
-            (None, None) => Meeting::Point(self.crossing_at(h, piece)),
-        }
+        let at_an_end = |reach| match (nearest(edge, &of_line, reach), nearest(line, &of_edge, reach)) {
+            (Some((d, v)), Some((e, _))) if d <= e => Some(Meeting::EndOfConstraint(v)),
+            (Some((_, v)), None) => Some(Meeting::EndOfConstraint(v)),
+            (_, Some((_, w))) => Some(Meeting::EndOfPiece(w)),
+            (None, None) => None,
+        };
+        let splits_both = |p: &Point| of_edge.is_split_by(*p) && of_line.is_split_by(*p);
+        at_an_end(Some(REACH_PLACES))
+            .or_else(|| self.crossings(h, piece).into_iter().flatten().find(splits_both).map(Meeting::Point))
+            .or_else(|| at_an_end(None))
     }
 
-    /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, as long
-    /// as that is within both.
+    /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, if that
+    /// is within both, and that of the edges themselves.
     ///
     /// Pieces are bent by rounding. Crossings computed from pieces of pieces drift; those of the segments themselves are
     /// one point each.
-    fn crossing_at(&self, h: HalfEdgeId, piece: Piece) -> Point {
+    fn crossings(&self, h: HalfEdgeId, piece: Piece) -> [Option<Point>; 2] {
         let ends = [piece.from, piece.to].map(|v| self.t.point(v));
         let edge = self.t.edge_points(h);
-        let whole = |mark| self.finest_segment(mark).map(|s| self.segments[s as usize].map(|v| self.t.point(v)));
+        let whole = |mark| self.finest_segment(mark).map(|s| self.segment_points(s));
         let within = |[a, b]: [Point; 2], p| BoundingBox::of([a, b]).is_some_and(|bounds| bounds.contains(p));
         let of_segments = match (whole(piece.mark), whole(self.t.mark(h))) {
-            (Some([a, b]), Some([c, d])) => Segment::new(a, b).crossing_point(Segment::new(c, d)),
+            (Some(one), Some(two)) => one.crossing_point(two),
             _ => None,
         };
-        of_segments.filter(|&p| within(ends, p) && within(edge, p)).unwrap_or_else(|| crossing_of(ends, edge))
+        [of_segments.filter(|&p| within(ends, p) && within(edge, p)), Some(crossing_of(ends, edge))]
     }
 
-    /// The vertex at a crossing point: the one that is there, or a new one. Constraint `h` is released, as long as the
-    /// vertex is none of its ends.
-    fn part_at<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, at: Point, j: &mut J) -> (VertexId, Vertex) {
-        let [x, y] = [self.t.origin(h), self.t.dest(h)];
+    /// The vertex at a crossing point: the one that is there, or a new one. Constraint `h` is released.
+    fn vertex_at_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, at: Point, j: &mut J) -> VertexId {
+        let x = self.t.origin(h);
         let pair = self.pair_at(h, piece);
-        let there = match self.t.locate_from(h.face(), at) {
-            Locus::Vertex(v) => Some(v),
-            _ => None,
-        };
-        if there.is_none_or(|v| v != x && v != y) {
-            self.release(x, y, j);
-        }
-        if let Some(v) = there {
-            return (v, Vertex::Old);
+        let there = self.t.locate_from(h.face(), at);
+        self.release(x, self.t.dest(h), j);
+        if let Locus::Vertex(v) = there {
+            return v;
         }
         let start = self.t.outgoing(x).map_or(h.face(), HalfEdgeId::face);
         let locus = self.t.locate_from(start, at);
         let v = self.insert_vertex_at(at, locus, j);
         self.set_provenance(v, Provenance::Crossing { segments: pair.segments.map(|s| s as u32) }, j);
-        (v, Vertex::New)
+        v
+    }
+}
+
+/// An edge or piece, and the strips of the input segments that it is part of.
+struct Stretch {
+    ends: Segment,
+    strips: Vec<Strip>,
+}
+
+impl Stretch {
+    fn new(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], mark: u32) -> Self {
+        let [a, b] = ends.map(|v| cdt.t.point(v));
+        Self { ends: Segment::new(a, b), strips: cdt.strips(mark, Strip::PARTING_PLACES).collect() }
+    }
+
+    /// Whether a vertex there may split it.
+    fn is_split_by(&self, p: Point) -> bool {
+        let Segment { start, end } = self.ends;
+        self.strips.iter().all(|strip| strip.is_between(start, p, end) && strip.contains(p))
+    }
+
+    /// Whether a point is no farther off than so many last places, if that counts.
+    fn reaches(&self, places: Option<f64>, p: Point) -> bool {
+        places.is_none_or(|places| Strip::new(self.ends, places).contains(p))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::constrained::ConstrainedDelaunay;
 use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Point, Segment};
+use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
 /// Why a subsegment cannot be split at a parameter.
@@ -19,8 +19,9 @@ impl ConstrainedDelaunay {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
     /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of the
-    /// subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where crossings have bent
-    /// the segment so far that this is no point between the subsegment's own ends, from those.
+    /// subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where crossings
+    /// have bent the segment so far that this is no point between the subsegment's own ends, it is computed from those.
+    /// Either keeps the rule of [`Strip`]; where neither does, the point is an end, at which nothing can be split.
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
@@ -30,37 +31,49 @@ impl ConstrainedDelaunay {
     /// [`point_on_subsegment`](Self::point_on_subsegment) without the provenance, which
     /// [`provenance_on`](Self::provenance_on) tells later.
     pub(crate) fn place_on_subsegment(&self, h: HalfEdgeId, t: f64) -> Point {
-        let finest = self.finest_segment(self.t.mark(h));
-        self.place_between(self.t.origin(h), self.t.dest(h), finest, t)
+        self.place_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
     }
 
-    /// The same for two vertices on segments of class `mark`, whether there is an edge between them or not.
+    /// The point at parameter `t` between two vertices on segments of class `mark`, whether there is an edge between them
+    /// or not, with its provenance.
     pub(super) fn point_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> (Point, Provenance) {
-        let finest = self.finest_segment(mark);
-        let point = self.place_between(a, b, finest, t);
-        (point, self.provenance_along(finest, point))
+        let point = self.place_between(a, b, mark, t);
+        (point, self.provenance_along(self.finest_segment(mark), point))
     }
 
-    /// The point at parameter `t` between two vertices, on a segment if there is one.
-    fn place_between(&self, a: VertexId, b: VertexId, segment: Option<u32>, t: f64) -> Point {
+    /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the rule.
+    fn place_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> Point {
         let [p, q] = [a, b].map(|v| self.t.point(v));
-        let Some(segment) = segment else { return Point::lerp(p, q, t) };
+        let straight = Point::lerp(p, q, t);
+        let Some(segment) = self.finest_segment(mark) else { return straight };
         let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
         let along = ta + (tb - ta) * t;
-        let [start, end] = self.segments[segment as usize].map(|v| self.t.point(v));
-        let on_segment = Point::lerp(start, end, along);
-        let between = BoundingBox::around(p).including(q).contains(on_segment);
-        if between { on_segment } else { Point::lerp(p, q, t) }
+        let on_segment = self.segment_points(segment).at(along);
+        let bounds = BoundingBox::around(p).including(q);
+        let keeps_rule = |m: &Point| {
+            let mut strips = self.strips(mark, Strip::LAST_PLACES);
+            bounds.contains(*m) && strips.all(|strip| strip.is_between(p, *m, q) && strip.contains(*m))
+        };
+        // Both ends keep the rule; points between that are confined to their box stay as near as the farther one.
+        [on_segment, straight, bounds.clamp(on_segment)].into_iter().find(keeps_rule).unwrap_or(p)
+    }
+
+    /// The strips of the input segments of a class.
+    pub(super) fn strips(&self, mark: u32, last_places: f64) -> impl Iterator<Item = Strip> + '_ {
+        self.constraints.segments(mark).iter().map(move |&s| Strip::new(self.segment_points(s), last_places))
+    }
+
+    /// The ends of an input segment.
+    pub(super) fn segment_points(&self, segment: u32) -> Segment {
+        let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
+        Segment::new(a, b)
     }
 
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
     ///
     /// Where segments overlap their common points are as good as those of the finest.
     pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
-        let extent = |s: &u32| {
-            let [a, b] = self.segments[*s as usize].map(|v| self.t.point(v));
-            Segment::new(a, b).largest_coordinate()
-        };
+        let extent = |s: &u32| self.segment_points(*s).largest_coordinate();
         let class = self.constraints.segments(mark);
         if let [only] = class {
             Some(*only)

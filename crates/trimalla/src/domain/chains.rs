@@ -3,10 +3,10 @@
 //! A file lists subsegments, not the segments they are pieces of. But splits are computed from a segment's original
 //! ends, and the rule for small angles asks which segment a vertex lies on. Two ways lead back:
 //!
-//! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it: exactly, or
-//! off by the few last places that rounding a split or crossing costs. Of several ways that with the fewest edges counts,
-//! of equal ones that through the lowest vertices, as where segments are inserted. Where a segment leaves the domain, it
-//! is followed from both ends as far as it goes; edges between two such gaps are looked for one by one.
+//! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it, by the rule
+//! of [`Strip`](crate::geometry::Strip): see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
+//! that through the lowest vertices. Where a segment leaves the domain, it is followed from both ends as far as it goes;
+//! edges between two such gaps are looked for one by one.
 //!
 //! *Without it.* Subsegments are joined at every vertex where just two meet, have one marker and go straight on:
 //!
@@ -18,15 +18,15 @@
 //! A run that goes straight on everywhere and still bends from end to end, as a circle of short pieces does, is cut at
 //! the vertex farthest from the line of its ends, and again, until every piece is straight.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::course::{Adjacency, Beside, Course, Courses};
+use super::pslg::Pslg;
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::{Point, Segment, math, on_segment};
 use crate::mesh::{HalfEdgeId, VertexId};
 
-/// How far a chain may be off a segment of the drawing, in last places of its largest coordinate: what the checker of
-/// constrained triangulations allows a split or crossing.
-const OFF_SEGMENT_ULPS: f64 = 16.0;
 /// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
 const JOINT_ULPS: f64 = 4.0;
 
@@ -67,94 +67,133 @@ fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
 /// # Complexity
 /// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges that are
 /// left without a name.
-pub(super) fn follow(cdt: &ConstrainedDelaunay, segments: &[[VertexId; 2]], locked: &Locked) -> Names {
+pub(super) fn follow(cdt: &ConstrainedDelaunay, drawing: &Pslg, segments: &[[VertexId; 2]], locked: &Locked) -> Names {
+    let courses = Courses::new(cdt.points(), drawing.points.len(), &drawing.segments, |v| cdt.is_used(VertexId(v)));
+    let edges = EdgeLists::new(cdt, locked);
     let mut names = Names::default();
-    let mut partial: Vec<u32> = Vec::new();
+    let mut partial: Vec<(u32, Course)> = Vec::new();
     for (segment, &ends) in (0..).zip(segments) {
-        if ends[0] == ends[1] {
+        if ends[0] == ends[1] || ends.into_iter().any(|v| !cdt.is_used(v)) {
             continue;
         }
-        let (edges, whole) = edges_along(cdt, ends, locked);
-        edges.into_iter().for_each(|edge| names.add(edge, segment));
+        let course = courses.course(ends.map(|v| v.0));
+        let (found, whole) = edges.along(&courses, &course);
+        found.into_iter().for_each(|edge| names.add(edge, segment));
         if !whole {
-            partial.push(segment);
+            partial.push((segment, course));
         }
     }
     for &edge in locked.keys() {
         if !partial.is_empty() && !names.has(edge) {
-            let along = partial.iter().filter(|&&s| runs_along(cdt, segments[s as usize], edge));
-            along.for_each(|&s| names.add(edge, s));
+            let along = partial.iter().filter(|(_, course)| runs_along(cdt, &courses, course, edge));
+            along.for_each(|&(s, _)| names.add(edge, s));
         }
     }
     names
 }
 
-/// Whether an edge runs along the segment between two vertices.
-fn runs_along(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], edge: HalfEdgeId) -> bool {
-    let segment = Segment::new(cdt.point(ends[0]), cdt.point(ends[1]));
-    let [p, q] = cdt.edge_points(edge);
-    [p, q].into_iter().all(|p| lies_along(segment, p, OFF_SEGMENT_ULPS))
-        && segment.nearest_parameter(p) != segment.nearest_parameter(q)
+/// Whether an edge runs along a course, strictly inside it.
+fn runs_along(cdt: &ConstrainedDelaunay, courses: &Courses<'_>, course: &Course, edge: HalfEdgeId) -> bool {
+    let (first, last) = (course.stops[0], course.stops[course.stops.len() - 1]);
+    let ends = [cdt.origin(edge).0, cdt.dest(edge).0];
+    ends.into_iter().all(|v| courses.is_along(course, [first, v, last]))
+        && courses.order(course, ends[0], ends[1]).is_ne()
 }
 
-/// The edges along the segment between two vertices, and whether they lead from one to the other.
-///
-/// Locked edges come first: others are followed only from where those lead no further.
-fn edges_along(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], locked: &Locked) -> (Vec<HalfEdgeId>, bool) {
-    let mut found: BTreeSet<HalfEdgeId> = BTreeSet::new();
-    let mut from = ends;
-    let is_locked = |edge: HalfEdgeId| locked.contains_key(&edge);
-    for wanted in [&is_locked as &dyn Fn(HalfEdgeId) -> bool, &|_| true] {
-        for (side, ends) in [ends, [ends[1], ends[0]]].into_iter().enumerate() {
-            let (path, reached) = path(cdt, ends, from[side], wanted);
-            found.extend(path);
-            if reached == ends[1] {
-                return (found.into_iter().collect(), true);
-            }
-            from[side] = reached;
-        }
-    }
-    (found.into_iter().collect(), false)
+/// Edges by their ends.
+struct EdgeList {
+    ends: Adjacency,
+    edges: Vec<HalfEdgeId>,
 }
 
-/// The way with the fewest wanted edges along a segment, from a vertex on it to its end or as far as they lead, and where
-/// that is.
-fn path(
-    cdt: &ConstrainedDelaunay,
-    [start, end]: [VertexId; 2],
-    from: VertexId,
-    wanted: &dyn Fn(HalfEdgeId) -> bool,
-) -> (Vec<HalfEdgeId>, VertexId) {
-    let segment = Segment::new(cdt.point(start), cdt.point(end));
-    let mut came_by: BTreeMap<VertexId, HalfEdgeId> = BTreeMap::new();
-    let (mut farthest, mut reach) = (from, segment.nearest_parameter(cdt.point(from)));
-    let mut next = VecDeque::from([(farthest, reach)]);
-    while let Some((v, t)) = next.pop_front() {
-        let ahead = cdt.edges_around(v).filter(|&h| wanted(edge_of(cdt, h))).filter_map(|h| {
-            let w = cdt.dest(h);
-            let s = if w == end { 1.0 } else { segment.nearest_parameter(cdt.point(w)) };
-            let on = w == end || s >= t && lies_along(segment, cdt.point(w), OFF_SEGMENT_ULPS);
-            (on && w != from).then_some((w, s, h))
-        });
-        let mut ahead: Vec<(VertexId, f64, HalfEdgeId)> = ahead.collect();
-        ahead.sort_unstable_by_key(|&(w, ..)| w);
-        for (w, s, h) in ahead {
-            if came_by.contains_key(&w) {
-                continue;
-            }
-            came_by.insert(w, h);
-            next.push_back((w, s));
-            if s > reach || w == end {
-                (farthest, reach) = (w, s);
-            }
-        }
-        if came_by.contains_key(&end) {
-            farthest = end;
-            break;
-        }
+impl EdgeList {
+    fn new(cdt: &ConstrainedDelaunay, edges: Vec<HalfEdgeId>) -> Self {
+        let ends: Vec<[u32; 2]> = edges.iter().map(|&h| [cdt.origin(h).0, cdt.dest(h).0]).collect();
+        Self { ends: Adjacency::new(cdt.points().len(), &ends), edges }
     }
-    let back = std::iter::successors(came_by.get(&farthest).copied(), |&h| came_by.get(&cdt.origin(h)).copied());
-    (back.map(|h| edge_of(cdt, h)).collect(), farthest)
+
+    /// Adds the edges between neighbours on a path.
+    fn add_path(&self, path: &[u32], found: &mut BTreeSet<HalfEdgeId>) {
+        let along = path.windows(2).filter_map(|pair| self.ends.edge_between(pair[0], pair[1]));
+        found.extend(along.map(|edge| self.edges[edge as usize]));
+    }
+}
+
+/// The locked edges of a mesh, and all, which are listed when they are first asked for.
+struct EdgeLists<'a> {
+    cdt: &'a ConstrainedDelaunay,
+    locked: EdgeList,
+    all: OnceCell<EdgeList>,
+}
+
+impl<'a> EdgeLists<'a> {
+    fn new(cdt: &'a ConstrainedDelaunay, locked: &Locked) -> Self {
+        Self { cdt, locked: EdgeList::new(cdt, locked.keys().copied().collect()), all: OnceCell::new() }
+    }
+
+    fn all(&self) -> &EdgeList {
+        let cdt = self.cdt;
+        let is_finite = |h: &HalfEdgeId| cdt.origin(*h).is_finite() && cdt.dest(*h).is_finite();
+        let list = || EdgeList::new(cdt, cdt.edges().filter(is_finite).map(|h| edge_of(cdt, h)).collect());
+        self.all.get_or_init(list)
+    }
+
+    /// The edges along a course, and whether they lead from its start to its end.
+    ///
+    /// Locked edges come first: others are followed only from where those lead no further.
+    fn along(&self, courses: &Courses<'_>, course: &Course) -> (Vec<HalfEdgeId>, bool) {
+        let mut found: BTreeSet<HalfEdgeId> = BTreeSet::new();
+        let mut whole = true;
+        for pair in course.stops.windows(2) {
+            let ends = [pair[0], pair[1]];
+            whole &= self.whole_leg(courses, course, ends, &mut found)
+                || self.partial_leg(courses, course, ends, &mut found);
+        }
+        (found.into_iter().collect(), whole)
+    }
+
+    /// Adds the edges of a leg, if any lead from end to end.
+    fn whole_leg(
+        &self,
+        courses: &Courses<'_>,
+        course: &Course,
+        ends: [u32; 2],
+        found: &mut BTreeSet<HalfEdgeId>,
+    ) -> bool {
+        for only_locked in [true, false] {
+            for beside in [Beside::Refused, Beside::Allowed] {
+                if beside == Beside::Allowed && courses.beside() == Beside::Refused {
+                    continue;
+                }
+                let edges = if only_locked { &self.locked } else { self.all() };
+                let leg = courses.leg(course, ends, &edges.ends, beside);
+                if leg.is_whole() {
+                    edges.add_path(&leg.path(), found);
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// Adds the edges of a leg from both ends as far as they lead; says that it is not whole.
+    fn partial_leg(
+        &self,
+        courses: &Courses<'_>,
+        course: &Course,
+        ends: [u32; 2],
+        found: &mut BTreeSet<HalfEdgeId>,
+    ) -> bool {
+        let mut from = ends;
+        for edges in [&self.locked, self.all()] {
+            for side in [0, 1] {
+                let leg = courses.leg(course, [from[side], ends[1 - side]], &edges.ends, courses.beside());
+                edges.add_path(&leg.path(), found);
+                from[side] = leg.farthest;
+            }
+        }
+        false
+    }
 }
 
 /// Subsegments that were joined: the vertices from the lower end to the other, and the marker.

@@ -179,7 +179,7 @@ fn name_segments(
 ) -> Vec<i32> {
     let of_drawing = input.map_or(&[][..], |pslg| &pslg.segments);
     let ends: Vec<[VertexId; 2]> = of_drawing.iter().map(|s| s.map(|v| cdt.representative(VertexId(v)))).collect();
-    let names = follow(cdt, &ends, locked);
+    let names = input.map(|pslg| follow(cdt, pslg, &ends, locked)).unwrap_or_default();
     let known = if input.is_some() { cdt.input_points } else { 0 };
     let chains = rejoin(cdt, locked, &names, |v| v.index() >= known);
     note_chains(cdt, &chains, input.is_some(), warnings);

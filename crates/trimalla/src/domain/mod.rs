@@ -18,6 +18,7 @@ mod build;
 mod carve;
 mod chains;
 mod contours;
+mod course;
 mod crowded;
 mod error;
 mod flood;
@@ -33,6 +34,7 @@ mod tests;
 
 pub use build::{DomainRule, build, triangulate};
 pub use contours::Contours;
+pub(crate) use course::{Adjacency, Beside, Course, Courses, Leg};
 pub use error::{DomainError, OpenEnd, Warning};
 pub use from_mesh::{FromMesh, from_mesh};
 pub use given::Given;

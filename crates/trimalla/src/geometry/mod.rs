@@ -6,6 +6,7 @@
 //! platform and does not overflow where its result is representable, and whoever builds on it must prove it again.
 mod angle;
 mod bounding_box;
+mod box_tree;
 mod circle;
 mod containment;
 mod frame;
@@ -17,10 +18,12 @@ mod point;
 pub mod predicates;
 mod ring;
 mod segment;
+mod strip;
 mod triangle;
 
 pub use angle::Angle;
 pub use bounding_box::BoundingBox;
+pub(crate) use box_tree::BoxTree;
 pub use circle::Circle;
 pub use containment::Containment;
 pub use hilbert::{hilbert_key_16, hilbert_key_32};
@@ -34,4 +37,5 @@ pub use predicates::{
 pub(crate) use predicates::{Turn, angles_of_two, inside_two_circles, sides_angle_excess};
 pub use ring::Ring;
 pub use segment::Segment;
+pub use strip::Strip;
 pub use triangle::Triangle;

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::frame::Frame;
 use super::math;
 use super::predicates::{SegmentContact, crossing_parameter, on_segment, segment_contact};
-use super::{BoundingBox, Point, Vector, lexicographically_less};
+use super::{BoundingBox, Point, Strip, Vector, lexicographically_less};
 
 /// A straight segment between two points, which may coincide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -123,7 +123,8 @@ impl Segment {
     ///
     /// # Guarantees
     /// `None` exactly if the segments share no point or more than one; that decision is exact. The result has the same
-    /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both.
+    /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both. It is
+    /// within 8 last places of both, coordinate by coordinate, as [`Strip`] measures it.
     ///
     /// # Source
     /// The parameter is the exact ratio of the distances of the ends from the other line, rounded once.
@@ -138,18 +139,34 @@ impl Segment {
 
     /// The crossing of two segments that cross in a point inside both.
     ///
-    /// It is a point of the segment with the smaller coordinates, whose last places are finer: being off along that one
-    /// by a last place of the other's costs nothing.
+    /// The point is first taken on the segment with the smaller coordinates, whose last places are finer. Where that is too
+    /// far off the other segment, as one segment may have the finer x and the other the finer y, each coordinate is taken
+    /// from the segment on which it is finer.
     fn proper_crossing(self, other: Self) -> Point {
-        let (one, two) = (self.sorted(), other.sorted());
-        let finer = match two.largest_coordinate().total_cmp(&one.largest_coordinate()) {
+        let [one, two] = Self::finer_first(self.sorted(), other.sorted(), Self::largest_coordinate);
+        let on = |line: Self, across: Self| line.at(crossing_parameter(across.ends(), line.ends()));
+        let confined = |p: Point| two.bounding_box().clamp(one.bounding_box().clamp(p));
+        let point = confined(on(one, two));
+        if Strip::new(two, Self::CROSSING_PLACES).contains(point) {
+            return point;
+        }
+        let [by_x, across_x] = Self::finer_first(one, two, |s| s.start.x.abs().max(s.end.x.abs()));
+        let [by_y, across_y] = Self::finer_first(one, two, |s| s.start.y.abs().max(s.end.y.abs()));
+        confined(Point::new(on(by_x, across_x).x, on(by_y, across_y).y))
+    }
+
+    /// How far a crossing may be off either segment, in last places: more than the error of a crossing in the coordinates
+    /// of the segment on which it was computed, so that it seldom has to be computed on both.
+    const CROSSING_PLACES: f64 = 8.0;
+
+    /// Two sorted segments, that with the smaller magnitude first; of equal ones that with the lower start.
+    fn finer_first(one: Self, two: Self, magnitude: impl Fn(Self) -> f64) -> [Self; 2] {
+        let two_is_finer = match magnitude(two).total_cmp(&magnitude(one)) {
             Ordering::Less => true,
             Ordering::Equal => lexicographically_less(two.start, one.start),
             Ordering::Greater => false,
         };
-        let (one, two) = if finer { (two, one) } else { (one, two) };
-        let point = one.at(crossing_parameter(two.ends(), one.ends()));
-        two.bounding_box().clamp(one.bounding_box().clamp(point))
+        if two_is_finer { [two, one] } else { [one, two] }
     }
 
     /// The end that lies on the other segment, of two segments that touch.

@@ -15,6 +15,7 @@ mod against_input;
 mod angle_ceiling;
 mod angle_floor;
 mod below_bound;
+mod cover;
 mod histogram;
 mod measure;
 mod pieces;

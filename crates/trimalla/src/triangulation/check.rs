@@ -61,6 +61,13 @@ pub enum Fault {
         /// The vertex.
         vertex: VertexId,
     },
+    /// I13: an input vertex lies exactly on an input segment and is none of its chain.
+    PassesBy {
+        /// The input segment.
+        segment: u32,
+        /// The vertex.
+        vertex: VertexId,
+    },
 }
 
 impl fmt::Display for Fault {
@@ -83,6 +90,9 @@ impl fmt::Display for Fault {
             Self::NotDelaunay(h) => write!(f, "edge {h} fails the circle test"),
             Self::SegmentBroken(s) => write!(f, "the edges of segment {s} are not one chain"),
             Self::OffSegment { segment, vertex } => write!(f, "vertex {vertex} is out of place on segment {segment}"),
+            Self::PassesBy { segment, vertex } => {
+                write!(f, "segment {segment} passes by vertex {vertex}, which is on it")
+            }
             Self::GhostInRegion(t) => write!(f, "ghost face {t} lies in a region"),
             Self::BoundaryNotConstrained(h) => write!(f, "boundary edge {h} is not constrained"),
         }

@@ -28,12 +28,12 @@ pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
 pub(in crate::geometry) use exact::{Difference, ExactSum};
 pub(crate) use orient::Turn;
-pub(in crate::geometry) use orient::crossing_parameter;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
+pub(in crate::geometry) use orient::{TWO_PRODUCTS_BOUND, crossing_parameter};
 pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
 /// More than all underflow errors of a filter can add up to, and less than any determinant of ordinary input.
-const UNDERFLOW_GUARD: f64 = f64::from_bits((1023 - 1000) << 52); // 2^-1000
+pub(in crate::geometry) const UNDERFLOW_GUARD: f64 = f64::from_bits((1023 - 1000) << 52); // 2^-1000

@@ -43,7 +43,7 @@ impl Orientation {
 }
 
 /// Relative error bound of the rounded determinant of orientation against its sum of magnitudes.
-pub(super) const TWO_PRODUCTS_BOUND: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
+pub(in crate::geometry) const TWO_PRODUCTS_BOUND: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
 
 /// Tells how `a`, `b`, `c` turn: counter-clockwise where `c` lies left of the directed line from `a` to `b`.
 ///

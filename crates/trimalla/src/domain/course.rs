@@ -1,0 +1,272 @@
+//! The courses of a drawing's segments through the edges of a mesh.
+//!
+//! [`Strip`] says which chains of edges count as a segment; here they are looked for, by whoever needs them: the comparison
+//! of a mesh with its drawing and the reading of a mesh that is refined again. So both accept the same meshes.
+//!
+//! A *course* has stops: the two ends of the segment and the input vertices exactly on it, in order. A *leg* leads from
+//! one stop to another over edges whose vertices lie in the strip and advance strictly, so it has no loops.
+
+use std::cell::OnceCell;
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+use crate::constrained::crossing_pairs;
+use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, on_segment};
+
+/// Which vertices an edge joins to each vertex.
+#[derive(Clone, Debug)]
+pub(crate) struct Adjacency {
+    /// Where the spokes of each vertex begin; one entry more than there are vertices.
+    begin: Vec<usize>,
+    /// By origin, then by destination: the destination, and which of the edges it is.
+    spokes: Vec<(u32, u32)>,
+}
+
+impl Adjacency {
+    /// That of some edges between so many vertices.
+    ///
+    /// # Complexity
+    /// Linear, and n log n in the degree of each vertex.
+    pub(crate) fn new(vertices: usize, edges: &[[u32; 2]]) -> Self {
+        let mut begin = vec![0_usize; vertices + 1];
+        edges.iter().flatten().for_each(|&v| begin[v as usize + 1] += 1);
+        for v in 0..vertices {
+            begin[v + 1] += begin[v];
+        }
+        let (mut next, mut spokes) = (begin.clone(), vec![(0, 0); begin[vertices]]);
+        for (edge, &[a, b]) in (0..).zip(edges) {
+            for (from, to) in [(a, b), (b, a)] {
+                spokes[next[from as usize]] = (to, edge);
+                next[from as usize] += 1;
+            }
+        }
+        for v in 0..vertices {
+            spokes[begin[v]..begin[v + 1]].sort_unstable();
+        }
+        Self { begin, spokes }
+    }
+
+    fn spokes(&self, v: u32) -> &[(u32, u32)] {
+        let v = v as usize;
+        if v + 1 < self.begin.len() { &self.spokes[self.begin[v]..self.begin[v + 1]] } else { &[] }
+    }
+
+    /// The edge between two vertices, by its place in the list.
+    pub(crate) fn edge_between(&self, a: u32, b: u32) -> Option<u32> {
+        let (from, to) = if self.spokes(a).len() <= self.spokes(b).len() { (a, b) } else { (b, a) };
+        let spokes = self.spokes(from);
+        spokes.get(spokes.partition_point(|s| s.0 < to)).filter(|s| s.0 == to).map(|s| s.1)
+    }
+}
+
+/// Whether input vertices beside a segment, within rounding, may be on its chain: see rule 4 of [`Strip`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beside {
+    /// Only those exactly on it.
+    Refused,
+    /// Where edges that cross were led through them.
+    Allowed,
+}
+
+/// The vertices of a mesh and the drawing that it was made from.
+pub(crate) struct Courses<'a> {
+    points: &'a [Point],
+    /// The drawing's vertices come first.
+    known: usize,
+    segments: &'a [[u32; 2]],
+    /// The drawing's vertices that the mesh uses, where they lie.
+    used: Vec<u32>,
+    places: BoxTree,
+    crosses: OnceCell<bool>,
+}
+
+/// The course of one segment.
+#[derive(Clone, Debug)]
+pub(crate) struct Course {
+    segment: Segment,
+    strip: Strip,
+    parting: Strip,
+    /// The ends and the input vertices exactly between them, from start to end.
+    pub(crate) stops: Vec<u32>,
+}
+
+impl<'a> Courses<'a> {
+    /// Vertices of a mesh, the first of which are those of a drawing with these segments.
+    ///
+    /// # Complexity
+    /// n log n in the vertices of the drawing.
+    pub(crate) fn new(
+        points: &'a [Point],
+        known: usize,
+        segments: &'a [[u32; 2]],
+        is_used: impl Fn(u32) -> bool,
+    ) -> Self {
+        let used: Vec<u32> =
+            (0..).zip(&points[..known]).filter(|&(v, p)| p.is_finite() && is_used(v)).map(|(v, _)| v).collect();
+        let places = BoxTree::new(used.iter().map(|&v| BoundingBox::around(points[v as usize])).collect());
+        Self { points, known, segments, used, places, crosses: OnceCell::new() }
+    }
+
+    /// The course of the segment between two used vertices of the drawing.
+    pub(crate) fn course(&self, [a, b]: [u32; 2]) -> Course {
+        let [p, q] = [a, b].map(|v| self.points[v as usize]);
+        let segment = Segment::new(p, q);
+        let strip = Strip::new(segment, Strip::LAST_PLACES);
+        let found = self.places.near(segment, [0.0, 0.0]).into_iter().map(|i| self.used[i as usize]);
+        let is_inner = |&v: &u32| {
+            let m = self.points[v as usize];
+            m != p && m != q && on_segment(p, q, m)
+        };
+        let mut stops: Vec<u32> = found.filter(is_inner).collect();
+        stops.sort_unstable_by(|&v, &w| strip.order(self.points[v as usize], self.points[w as usize]).then(v.cmp(&w)));
+        stops.insert(0, a);
+        stops.push(b);
+        Course { segment, strip, parting: Strip::new(segment, Strip::PARTING_PLACES), stops }
+    }
+
+    /// Whether input vertices beside segments may be on chains: if any two segments cross where there is no vertex.
+    pub(crate) fn beside(&self) -> Beside {
+        let crosses = || !crossing_pairs(&self.points[..self.known], self.segments).is_empty();
+        if *self.crosses.get_or_init(crosses) { Beside::Allowed } else { Beside::Refused }
+    }
+
+    /// Whether a vertex may be on a course, between two others.
+    fn admits(&self, course: &Course, [from, v, to]: [u32; 3], beside: Beside) -> bool {
+        let [a, p, b] = [from, v, to].map(|v| self.points[v as usize]);
+        let is_known = (v as usize) < self.known;
+        let strip = if is_known { &course.parting } else { &course.strip };
+        p.is_finite()
+            && !(is_known && beside == Beside::Refused)
+            && strip.contains(p)
+            && course.strip.is_between(a, p, b)
+    }
+
+    /// Whether a vertex lies in the strip of a course, strictly between two others along it.
+    pub(crate) fn is_along(&self, course: &Course, [from, v, to]: [u32; 3]) -> bool {
+        let [a, p, b] = [from, v, to].map(|v| self.points[v as usize]);
+        p.is_finite() && course.strip.contains(p) && course.strip.is_between(a, p, b)
+    }
+
+    /// Whether a vertex is one of the drawing.
+    pub(crate) fn is_known(&self, v: u32) -> bool {
+        (v as usize) < self.known
+    }
+
+    /// The ways from one vertex of a course to another, or as far as edges lead.
+    ///
+    /// An edge between the two is the only way where there is one. The search starts at the end where fewer edges are.
+    ///
+    /// # Complexity
+    /// The degrees of the vertices on the way, that of the end with the more edges left out where the way is whole.
+    pub(crate) fn leg(&self, course: &Course, [from, to]: [u32; 2], edges: &Adjacency, beside: Beside) -> Leg {
+        if edges.edge_between(from, to).is_some() {
+            return Leg {
+                ends: [from, to],
+                came_by: BTreeMap::from([(to, from)]),
+                arcs: vec![[from, to]],
+                farthest: to,
+            };
+        }
+        if edges.spokes(to).len() < edges.spokes(from).len() {
+            let back = self.search(course, [to, from], edges, beside);
+            if back.is_whole() {
+                return back;
+            }
+        }
+        self.search(course, [from, to], edges, beside)
+    }
+
+    /// Breadth first, lower vertices first.
+    fn search(&self, course: &Course, [from, to]: [u32; 2], edges: &Adjacency, beside: Beside) -> Leg {
+        let mut leg = Leg { ends: [from, to], came_by: BTreeMap::new(), arcs: Vec::new(), farthest: from };
+        let mut next = VecDeque::from([from]);
+        while let Some(v) = next.pop_front() {
+            for &(w, _) in edges.spokes(v) {
+                if w != to && !self.admits(course, [v, w, to], beside) {
+                    continue;
+                }
+                leg.arcs.push([v, w]);
+                if leg.came_by.contains_key(&w) {
+                    continue;
+                }
+                leg.came_by.insert(w, v);
+                if w != to {
+                    next.push_back(w);
+                }
+                if w == to || leg.farthest != to && self.is_farther(course, [from, leg.farthest, w]) {
+                    leg.farthest = w;
+                }
+            }
+        }
+        leg
+    }
+
+    /// Whether `w` is farther from a vertex of a course than `v`.
+    fn is_farther(&self, course: &Course, [from, v, w]: [u32; 3]) -> bool {
+        v == from || {
+            let [a, p, q] = [from, v, w].map(|v| self.points[v as usize]);
+            course.strip.is_between(a, p, q)
+        }
+    }
+
+    /// Orders vertices along a course.
+    pub(crate) fn order(&self, course: &Course, v: u32, w: u32) -> Ordering {
+        course.strip.order(self.points[v as usize], self.points[w as usize])
+    }
+}
+
+impl Course {
+    /// The segment itself.
+    pub(crate) const fn segment(&self) -> Segment {
+        self.segment
+    }
+
+    /// Twice how far a point of the strip may be off the line in x, and in y.
+    pub(crate) fn reach(&self) -> [f64; 2] {
+        self.strip.reach().map(|reach| 2.0 * reach)
+    }
+
+    /// Whether a point lies in the strip.
+    pub(crate) fn is_in_strip(&self, p: Point) -> bool {
+        self.strip.contains(p)
+    }
+}
+
+/// The ways between two vertices of a course.
+#[derive(Clone, Debug)]
+pub(crate) struct Leg {
+    ends: [u32; 2],
+    came_by: BTreeMap<u32, u32>,
+    arcs: Vec<[u32; 2]>,
+    /// Where the longest way ends: the end of the leg, if it is whole.
+    pub(crate) farthest: u32,
+}
+
+impl Leg {
+    /// Whether there is a way from end to end.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.farthest == self.ends[1]
+    }
+
+    /// The vertices on the way with the fewest edges to the farthest vertex; of equal ones through the lowest vertices.
+    pub(crate) fn path(&self) -> Vec<u32> {
+        std::iter::successors(Some(self.farthest), |v| self.came_by.get(v).copied()).collect()
+    }
+
+    /// The edges on all ways to the farthest vertex.
+    pub(crate) fn edges(&self) -> Vec<[u32; 2]> {
+        let mut backwards: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        self.arcs.iter().for_each(|&[v, w]| backwards.entry(w).or_default().push(v));
+        let mut seen = BTreeSet::from([self.farthest]);
+        let (mut open, mut found) = (vec![self.farthest], Vec::new());
+        while let Some(w) = open.pop() {
+            for &v in backwards.get(&w).into_iter().flatten() {
+                found.push([v.min(w), v.max(w)]);
+                if seen.insert(v) {
+                    open.push(v);
+                }
+            }
+        }
+        found
+    }
+}
