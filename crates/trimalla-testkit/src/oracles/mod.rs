@@ -9,6 +9,7 @@
 //! vertex id comes first, the list sorted ([`canonical`]).
 
 mod area;
+mod chains;
 mod check;
 mod constrained;
 mod contacts;
@@ -18,6 +19,7 @@ mod exact;
 mod hull;
 
 pub use area::{RBig, covers_hull, doubled_area, doubled_ring_area};
+pub use chains::chain_faults;
 pub use check::{DelaunayRule, check_indexed, check_indexed_with};
 pub use constrained::brute_force_cdt;
 pub use contacts::{Contacts, contacts, crossing_pairs};

@@ -3,7 +3,7 @@
 use super::error::{DomainError, OpenEnd, Warning};
 use super::flood::{depths, flood};
 use super::pslg::Pslg;
-use super::regions;
+use super::{regions, seeds};
 use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::geometry::Point;
@@ -172,11 +172,11 @@ pub(super) enum SeedPlace {
 
 pub(super) fn seed_face(cdt: &ConstrainedDelaunay, at: Point) -> SeedPlace {
     match cdt.locate(at) {
-        Locus::Face(f) => SeedPlace::Face(f),
-        Locus::Edge(h) if cdt.is_marked(h) => SeedPlace::OnSegment,
+        Locus::Face(f) => seeds::in_face(cdt, at, f),
+        Locus::Edge(h) if cdt.is_marked(h) => seeds::on_edge(cdt, at, h),
         Locus::Edge(h) if cdt.is_ghost(h.face()) => SeedPlace::Face(cdt.twin(h).face()),
         Locus::Edge(h) => SeedPlace::Face(h.face()),
-        Locus::Vertex(v) if cdt.star(v).any(|h| cdt.is_marked(h)) => SeedPlace::OnSegment,
+        Locus::Vertex(v) if cdt.star(v).any(|h| cdt.is_marked(h)) => seeds::on_vertex(cdt, at, v),
         Locus::Vertex(v) => cdt.faces_around(v).next().map_or(SeedPlace::Outside, SeedPlace::Face),
         _ => SeedPlace::Outside,
     }

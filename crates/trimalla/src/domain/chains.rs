@@ -73,7 +73,7 @@ pub(super) fn follow(cdt: &ConstrainedDelaunay, drawing: &Pslg, segments: &[[Ver
     let mut names = Names::default();
     let mut partial: Vec<(u32, Course)> = Vec::new();
     for (segment, &ends) in (0..).zip(segments) {
-        if ends[0] == ends[1] || ends.into_iter().any(|v| !cdt.is_used(v)) {
+        if ends[0] == ends[1] {
             continue;
         }
         let course = courses.course(ends.map(|v| v.0));

@@ -28,6 +28,7 @@ mod indexed;
 mod mesh_error;
 mod pslg;
 mod regions;
+mod seeds;
 mod shells;
 #[cfg(test)]
 mod tests;

@@ -62,8 +62,7 @@ impl<'a> Cover<'a> {
 
     /// What is wrong with a segment; its edges are added to those that are covered.
     pub(super) fn fault(&mut self, segment: usize, ends: [u32; 2]) -> Option<InputFault> {
-        let place = |v: u32| self.mesh.points[v as usize];
-        let is_lost = |v: u32| !self.sides.is_used(v) || !place(v).is_finite();
+        let is_lost = |v: u32| !self.mesh.points[v as usize].is_finite();
         if ends[0] == ends[1] || ends.into_iter().any(is_lost) {
             return None;
         }
@@ -118,18 +117,20 @@ impl<'a> Cover<'a> {
         let mut starts = self.along_boundary(course, ends);
         starts.insert(0, ends[0]);
         starts.push(ends[1]);
-        let last = starts.len() - 1;
         let mut outermost = ends;
-        for (i, &start) in starts.iter().enumerate() {
-            for (k, to) in
-                [ends[1], ends[0]].into_iter().enumerate().filter(|&(k, _)| i != if k == 0 { last } else { 0 })
+        for start in starts {
+            for (from, to) in
+                [(0, 1), (1, 0)].map(|(from, to)| (from, ends[to])).into_iter().filter(|&(_, to)| start != to)
             {
-                let stop = self.leg(course, [start, to], self.courses.beside()).farthest;
-                if self.runs_into_triangle(course, stop, k == 1) {
-                    return Some(Breach::StopsAt(stop));
+                let leg = self.leg(course, [start, to], self.courses.beside());
+                if leg.farthest == to {
+                    continue;
                 }
-                if start == ends[k] {
-                    outermost[k] = stop;
+                if self.runs_into_triangle(course, leg.farthest, from == 1) {
+                    return Some(Breach::StopsAt(leg.farthest));
+                }
+                if start == ends[from] {
+                    outermost[from] = leg.farthest;
                 }
             }
         }
@@ -145,6 +146,9 @@ impl<'a> Cover<'a> {
             p.is_finite() && !course.is_in_strip(p) && orient2d(a, b, p) == side
         };
         let star = self.sides.from(from);
+        if star.is_empty() {
+            return false; // An end outside the mesh.
+        }
         let is_open = star.iter().any(|s: &Side| self.sides.find(s.dest, from).is_none());
         let is_cut = |s: &Side| lies(s.dest, Orientation::Clockwise) && lies(s.apex, Orientation::CounterClockwise);
         !is_open || star.iter().any(is_cut)

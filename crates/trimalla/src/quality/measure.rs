@@ -30,7 +30,8 @@ impl Spread {
     /// The spread of some values; `None` of no values.
     ///
     /// # Guarantees
-    /// The mean of finite values is finite: it is carried along, not divided at the end.
+    /// The mean of finite values is finite: it is carried along, not divided at the end. Where a value is infinite, so is
+    /// the mean.
     #[must_use]
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut values = values.into_iter();
@@ -38,7 +39,11 @@ impl Spread {
         let start = Self { min: first, mean: first, max: first };
         Some(values.zip(2_u64..).fold(start, |s, (v, n)| Self {
             min: s.min.min(v),
-            mean: s.mean + (v / n as f64 - s.mean / n as f64),
+            mean: if v.is_infinite() || s.mean.is_infinite() {
+                v + s.mean
+            } else {
+                s.mean + (v / n as f64 - s.mean / n as f64)
+            },
             max: s.max.max(v),
         }))
     }

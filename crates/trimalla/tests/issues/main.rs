@@ -5,6 +5,7 @@
 //! after when it was found.
 
 mod earlier;
+mod judge;
 
 use std::path::Path;
 
