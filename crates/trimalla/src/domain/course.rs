@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::constrained::crossing_pairs;
-use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, on_segment};
+use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, lexicographic, on_segment};
 
 /// Which vertices an edge joins to each vertex.
 #[derive(Clone, Debug)]
@@ -117,9 +117,14 @@ impl<'a> Courses<'a> {
             let m = self.points[v as usize];
             m != p && m != q && on_segment(p, q, m)
         };
-        let mut stops: Vec<u32> = found.filter(is_inner).collect();
-        stops.sort_unstable_by(|&v, &w| strip.order(self.points[v as usize], self.points[w as usize]).then(v.cmp(&w)));
-        stops.insert(0, a);
+        let mut inner: Vec<(Point, u32)> = found.filter(is_inner).map(|v| (self.points[v as usize], v)).collect();
+        inner.sort_unstable_by(|v, w| lexicographic(v.0, w.0).then(v.1.cmp(&w.1)));
+        if lexicographic(p, q).is_gt() {
+            inner.reverse();
+        }
+        let mut stops: Vec<u32> = Vec::with_capacity(inner.len() + 2);
+        stops.push(a);
+        stops.extend(inner.into_iter().map(|(_, v)| v));
         stops.push(b);
         Course { segment, strip, parting: Strip::new(segment, Strip::PARTING_PLACES), stops }
     }

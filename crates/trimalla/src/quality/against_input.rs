@@ -6,8 +6,6 @@
 //!    off by more. The decision is exact. [`from_mesh`](crate::domain::from_mesh()) looks for the same chains.
 //! 3. A segment may be absent where it is outside the mesh: see `cover.rs`.
 
-use std::collections::BTreeSet;
-
 use super::cover::Cover;
 use crate::domain::Pslg;
 use crate::geometry::{Point, lexicographic};
@@ -120,7 +118,7 @@ pub fn against_input(mesh: &IndexedMesh, input: &Pslg) -> Comparison {
             None => found.faults.extend(cover.fault(segment, named.map(|v| stand_ins[v as usize]))),
         }
     }
-    found.covered = BTreeSet::from_iter(cover.into_edges()).into_iter().collect();
+    found.covered = cover.into_edges();
     found
 }
 

@@ -29,7 +29,8 @@ pub(super) struct Cover<'a> {
     courses: Courses<'a>,
     edges: Adjacency,
     boundary: OnceCell<Boundary>,
-    covered: Vec<[u32; 2]>,
+    /// Whether each of the edges covers a segment.
+    covered: Vec<bool>,
 }
 
 /// The boundary edges of a mesh, where they lie.
@@ -51,13 +52,17 @@ impl<'a> Cover<'a> {
     pub(super) fn new(mesh: &'a IndexedMesh, input: &'a Pslg, sides: &'a Sides) -> Self {
         let courses = Courses::new(&mesh.points, input.points.len(), &input.segments, |v| sides.is_used(v));
         let edges: Vec<[u32; 2]> = sides.edges().map(|s| [s.origin, s.dest]).collect();
+        let covered = vec![false; edges.len()];
         let edges = Adjacency::new(mesh.points.len(), &edges);
-        Self { mesh, sides, courses, edges, boundary: OnceCell::new(), covered: Vec::new() }
+        Self { mesh, sides, courses, edges, boundary: OnceCell::new(), covered }
     }
 
-    /// The edges met along all segments, lower vertex first; some twice.
+    /// The edges met along all segments, lower vertex first, sorted.
     pub(super) fn into_edges(self) -> Vec<[u32; 2]> {
-        self.covered
+        let covering = self.sides.edges().zip(self.covered).filter(|(_, covers)| *covers);
+        let mut edges: Vec<[u32; 2]> = covering.map(|(s, _)| [s.origin.min(s.dest), s.origin.max(s.dest)]).collect();
+        edges.sort_unstable();
+        edges
     }
 
     /// What is wrong with a segment; its edges are added to those that are covered.
@@ -81,8 +86,7 @@ impl<'a> Cover<'a> {
     /// What is wrong with the leg to a stop of a course from the one before.
     fn breach(&mut self, course: &Course, to: usize) -> Option<Breach> {
         let ends = [course.stops[to - 1], course.stops[to]];
-        let exact = self.leg(course, ends, Beside::Refused);
-        if exact.is_whole() {
+        if self.cover(ends) || self.leg(course, ends, Beside::Refused).is_whole() {
             return None;
         }
         let beside = self.leg(course, ends, Beside::Allowed);
@@ -97,8 +101,19 @@ impl<'a> Cover<'a> {
     /// Follows a leg and notes its edges.
     fn leg(&mut self, course: &Course, ends: [u32; 2], beside: Beside) -> Leg {
         let leg = self.courses.leg(course, ends, &self.edges, beside);
-        self.covered.extend(leg.edges());
+        for ends in leg.edges() {
+            self.cover(ends);
+        }
         leg
+    }
+
+    /// Notes the edge between two vertices, if there is one; says whether there is.
+    fn cover(&mut self, [a, b]: [u32; 2]) -> bool {
+        let edge = self.edges.edge_between(a, b);
+        if let Some(edge) = edge {
+            self.covered[edge as usize] = true;
+        }
+        edge.is_some()
     }
 
     /// Whether edges lead past one of the two stops of a leg that is not covered.

@@ -8,7 +8,7 @@ use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::{Limits, Prepare, Recipe, RefineOptions};
 use trimalla::refine_mesh;
 use trimalla::triangulation::{IndexedMesh, check_mesh};
-use trimalla_testkit::generators::{PslgKind, moved_to_utm, noisy, pslg, rotated, scaled};
+use trimalla_testkit::generators::{PslgKind, SplitMix64, moved_to_utm, noisy, pslg, rotated, scaled};
 use trimalla_testkit::oracles::{chain_faults, crossing_pairs};
 
 use super::{issue, refined};
@@ -154,6 +154,37 @@ fn all_judges_agree_on_meshes_of_drawings_that_cross() {
         }
     }
     assert!(tried > 80, "only {tried} drawings could be meshed");
+}
+
+/// Segments between points whose coordinates are zero or of a few magnitudes, hundreds of decades apart.
+fn over_decades(seed: u64) -> Pslg {
+    let mut rng = SplitMix64::new(seed);
+    let magnitudes: Vec<f64> = (0..3).map(|_| 10.0_f64.powi(rng.below(500) as i32 - 250)).collect();
+    let mut coordinate = || {
+        let magnitude = magnitudes[rng.below(3)];
+        let near = if rng.below(2) == 0 { 1.0 } else { rng.range(-1.0, 1.0) };
+        if rng.below(5) == 0 { 0.0 } else { magnitude * near * (1.0 + f64::EPSILON * rng.below(40) as f64) }
+    };
+    let points = (0..12).map(|_| Point::new(coordinate(), coordinate())).collect();
+    Pslg { points, segments: (0..6).map(|i| [2 * i, 2 * i + 1]).collect(), ..Pslg::default() }
+}
+
+#[test]
+fn segments_over_decades_keep_their_chains() {
+    let mut split = 0;
+    for seed in 0..150 {
+        let drawing = over_decades(seed);
+        let Ok(cdt) = ConstrainedDelaunay::new(&drawing.points, &drawing.segments, Crossings::Split) else { continue };
+        if cdt.dimension() < 2 {
+            continue;
+        }
+        split += 1;
+        assert_eq!(cdt.check(), [], "seed {seed}");
+        let mesh = cdt.to_indexed(&drawing);
+        assert_eq!(against_input(&mesh, &drawing).faults, [], "seed {seed}");
+        assert_eq!(chain_faults(&mesh, &drawing, crosses(&drawing)), [""; 0], "seed {seed}");
+    }
+    assert!(split > 100, "only {split} drawings could be split");
 }
 
 /// A refined square with a slanted segment, and the edges along that.
