@@ -12,6 +12,7 @@
 //! | a drawing, and a path | [`write_pslg`] |
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
 //! | several outputs, all of them or none | [`Outputs`] |
+//! | any other text file, within bounds | [`read_bytes`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
 //! | measurements, and a chart of them | [`chart::draw`] |
 //! | what came of a refinement, and bar charts of it | [`bars::of_report`] |
@@ -42,6 +43,7 @@
 //!   a value or record too many is a fault as much as one too few.
 //! * What a header promises is never allocated before the bytes are there. Memory stays below 64 MiB + 64 times the size of the files.
 //! * Numbers are written with the fewest digits that read back to the same bits.
+//! * What grows while it is read, has no end, or delivers nothing for ten seconds is an error, not endless work.
 //! * Files are written whole or not at all, and those of a mesh together.
 //!
 //! # Example
@@ -64,6 +66,7 @@
 pub mod area;
 mod atomic;
 pub mod bars;
+mod bytes;
 pub mod chart;
 mod columns;
 pub mod edge;
@@ -85,6 +88,7 @@ mod topology;
 pub mod vtu;
 mod write;
 
+pub use bytes::read_bytes;
 pub use error::{Fault, IoError, Place};
 pub use format::Format;
 pub use numbers::VertexRange;

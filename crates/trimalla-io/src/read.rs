@@ -1,13 +1,14 @@
 //! From a path to a drawing or a mesh.
 
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 
 use crate::area::{self, Areas};
+use crate::bytes::{self, LONGEST_FILE};
 use crate::error::IoError;
 use crate::format::{Format, companion};
 use crate::node::{self, Nodes};
@@ -41,7 +42,7 @@ pub fn read_pslg(path: impl AsRef<Path>) -> Result<Pslg, IoError> {
 pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoError> {
     let path = path.as_ref();
     if path == Path::new("-") {
-        let bytes = fill(io::stdin().lock(), LONGEST_STREAM).map_err(|source| unreadable(path, source))?;
+        let bytes = bytes::of_stream(io::stdin().lock()).map_err(|source| unreadable(path, source))?;
         let poly = poly::read_unnamed(&bytes, "-")?;
         return Ok(Numbered { first_index: poly.nodes.first_index, value: poly.into_pslg(), files: Vec::new() });
     }
@@ -154,7 +155,7 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
         Err(_) => None,
         Ok(_) => poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?,
     };
-    files.extend(sections.is_some().then_some(drawing));
+    files.extend(fs::symlink_metadata(&drawing).is_ok().then_some(drawing));
     let Sections { segments, segment_markers, holes, .. } = sections.unwrap_or_default();
     let mesh = IndexedMesh {
         triangles: elements.triangles,
@@ -181,51 +182,9 @@ fn name_of(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// The bytes of a file.
 fn read_file(path: &Path, needed_by: Option<&Path>) -> Result<Vec<u8>, IoError> {
-    let file = File::open(path).map_err(|source| match source.kind() {
-        io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: needed_by.map(Path::to_owned) },
-        _ => unreadable(path, source),
-    })?;
-    let found = file.metadata().map_err(|source| unreadable(path, source))?;
-    if found.is_dir() {
-        return Err(unreadable(path, io::ErrorKind::IsADirectory.into()));
-    }
-    let longest = if found.is_file() { LONGEST_FILE } else { LONGEST_STREAM };
-    fill(file, longest).map_err(|source| unreadable(path, source))
+    bytes::read(path, needed_by, LONGEST_FILE)
 }
-
-/// The bytes of a stream, up to the first block with a NUL byte: what has one is no text, and may be a device without end.
-/// No size that a file system reports is trusted, and memory that is not there is an error.
-fn fill(mut stream: impl Read, longest: u64) -> io::Result<Vec<u8>> {
-    let mut block = vec![0; BLOCK];
-    let mut bytes = Vec::new();
-    loop {
-        let length = match stream.read(&mut block) {
-            Ok(0) => return Ok(bytes),
-            Ok(length) => length,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(error) => return Err(error),
-        };
-        let new = &block[..length];
-        if (bytes.len() + length) as u64 > longest {
-            return Err(io::ErrorKind::FileTooLarge.into());
-        }
-        bytes.try_reserve(length).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-        bytes.extend_from_slice(new);
-        if new.contains(&0) {
-            return Ok(bytes);
-        }
-    }
-}
-
-const BLOCK: usize = 1 << 16;
-
-/// No text that 32-bit indices can describe comes near this many bytes.
-const LONGEST_FILE: u64 = 1 << 38;
-
-/// A pipe or device that has not ended here is taken for one that never will.
-const LONGEST_STREAM: u64 = 1 << 31;
 
 fn unreadable(path: &Path, source: io::Error) -> IoError {
     IoError::Unreadable { path: path.to_owned(), source }

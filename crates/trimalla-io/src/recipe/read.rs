@@ -1,7 +1,5 @@
 //! From text to a recipe.
 
-use std::fs;
-use std::io;
 use std::ops::Range;
 use std::path::Path;
 use std::str;
@@ -14,6 +12,7 @@ use trimalla::refine::{
 };
 
 use super::{CRITERIA, KEYS, LIMITS, RecipeFile};
+use crate::bytes::read_bytes;
 use crate::error::{Fault, IoError, Place, quote};
 
 /// No recipe is larger: what is, is no recipe.
@@ -25,15 +24,7 @@ const LARGEST: u64 = 1 << 20;
 /// [`IoError::Missing`], [`IoError::Unreadable`], and those of [`read`].
 pub fn read_file(path: impl AsRef<Path>) -> Result<RecipeFile, IoError> {
     let path = path.as_ref();
-    let unreadable = |source| IoError::Unreadable { path: path.to_owned(), source };
-    let found = fs::metadata(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: None },
-        _ => unreadable(error),
-    })?;
-    if found.len() > LARGEST {
-        return Err(unreadable(io::Error::new(io::ErrorKind::InvalidData, "too large for a recipe")));
-    }
-    read(&fs::read(path).map_err(unreadable)?, &path.to_string_lossy())
+    read(&read_bytes(path, LARGEST)?, &path.to_string_lossy())
 }
 
 /// Reads a recipe; `name` is what errors call the file.
