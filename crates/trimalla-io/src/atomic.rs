@@ -1,51 +1,56 @@
-//! Files written whole or not at all.
+//! Files that appear together or not at all.
 //!
-//! Each file of a group is first written to a temporary file in the directory of its target, flushed and synced. Only
-//! when all of them are complete are they renamed onto their targets. Until then every error, and a panic too, removes the
-//! temporary files and leaves the old files as they were. A rename that fails after another of the same group has succeeded,
-//! or a machine that stops between two renames, leaves each file whole, though some of them old and some new.
+//! ```text
+//!   stage     .trimalla-77-0.lock     held while the group is at work; says that .trimalla-77-0-* belong to a live process
+//!             .trimalla-77-0-0.tmp    the new m.node, complete and synced
+//!             .trimalla-77-0-1.tmp    the new m.ele, complete and synced
+//!   record    .trimalla-77-0.lock     now lists which temporary goes where: from here on the group will be whole
+//!   keep      .trimalla-77-0-0.old    a second name of the old m.node, in case a rename fails
+//!   rename    .tmp onto m.node, .tmp onto m.ele, one right after the other
+//!   clear     .old and .lock are removed
+//! ```
+//! Each file of a group is written to a temporary file in the directory of its target, flushed and synced. Only when all of
+//! them are complete are they renamed onto their targets.
+//!
+//! * An error or a panic before the renames removes the temporary files and leaves the old files as they were.
+//! * A rename that fails undoes those before it, where the file system has hard links or there was no old file.
+//! * A process that is killed leaves its temporary files; [`recover`] finds them, because nobody holds their lock any more. A group
+//!   without a record is removed. A group with a record is completed, unless somebody has changed a target since.
+//! * A machine that stops leaves each file whole. Of a group, some files may be old and others new until [`recover`].
 //!
 //! Symbolic links are followed, so the link stays and the file behind it is replaced. The permissions of a replaced
-//! file are kept, and one that is marked read-only is not replaced. What is no regular file (a pipe, a device, `-` for standard
-//! output) is written directly.
+//! file are kept, and a file that may not be written is not replaced. What is no regular file (a pipe, a device, `-` for standard
+//! output) is written directly. A folder of [`Pictures`] is replaced as a whole, and only if it holds nothing else.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+mod claim;
+mod draft;
+mod moves;
+mod pictures;
+mod place;
+mod record;
+mod recover;
+
+use std::fs::File;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
 
 use crate::error::IoError;
 
-const BUFFER: usize = 1 << 16;
-const MOST_LINKS: usize = 40;
-const MOST_NAMES: usize = 1000;
+use claim::Claim;
+use moves::{Move, carry_out};
+use place::{Destination, destination, directory_of};
+
+pub use draft::Draft;
+pub use pictures::Pictures;
+pub use recover::{Recovered, recover};
 
 /// Files that appear together or not at all.
 #[derive(Debug, Default)]
 pub(crate) struct Group {
-    staged: Vec<Staged>,
-}
-
-/// A complete temporary file and where it shall go.
-#[derive(Debug)]
-struct Staged {
-    temporary: PathBuf,
-    target: PathBuf,
-}
-
-impl Drop for Staged {
-    /// Removes what has not been renamed; after the rename there is nothing under this name.
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.temporary);
-    }
-}
-
-/// Where output goes.
-enum Destination {
-    Stdout,
-    Special,
-    File(PathBuf),
+    moves: Vec<Move>,
+    /// One for each directory that a file of the group goes to.
+    claims: Vec<Arc<Claim>>,
 }
 
 impl Group {
@@ -55,27 +60,85 @@ impl Group {
         path: &Path,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), IoError> {
-        self.try_add(path, write).map_err(|source| unwritable(path, source))
+        let mut draft = self.begin(path)?;
+        write(&mut draft).map_err(|source| unwritable(path, source))?;
+        self.end(draft)
     }
 
-    fn try_add(&mut self, path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    /// Begins one file of the group.
+    pub(crate) fn begin(&mut self, path: &Path) -> Result<Draft, IoError> {
+        self.try_begin(path).map_err(|source| unwritable(path, source))
+    }
+
+    fn try_begin(&mut self, path: &Path) -> io::Result<Draft> {
         match destination(path)? {
-            Destination::Stdout => write_through(io::stdout().lock(), write),
-            Destination::Special => write_through(OpenOptions::new().write(true).open(path)?, write),
+            Destination::Stdout => Ok(Draft::stdout(path)),
+            Destination::Special => Draft::special(path),
             Destination::File(target) => {
-                self.staged.push(stage(target, write)?);
-                Ok(())
+                let (claim, target) = self.claim(&target)?;
+                Draft::file(path, claim, target)
             }
         }
     }
 
-    /// Moves all files to their targets.
+    /// Takes a file that is complete.
+    pub(crate) fn end(&mut self, draft: Draft) -> Result<(), IoError> {
+        let path = draft.path().to_owned();
+        let finished = draft.finish().map_err(|source| unwritable(&path, source))?;
+        self.moves.extend(finished);
+        Ok(())
+    }
+
+    /// Begins a folder of pictures.
+    pub(crate) fn begin_pictures(&mut self, path: &Path) -> Result<Pictures, IoError> {
+        let claimed = pictures::target(path).and_then(|target| self.claim(&target));
+        let begun = claimed.and_then(|(claim, target)| Pictures::new(path, claim, target));
+        begun.map_err(|source| unwritable(path, source))
+    }
+
+    /// Takes a folder that is complete.
+    pub(crate) fn end_pictures(&mut self, pictures: Pictures) -> Result<(), IoError> {
+        let path = pictures.path().to_owned();
+        self.moves.push(pictures.finish().map_err(|source| unwritable(&path, source))?);
+        Ok(())
+    }
+
+    /// Moves everything to its target.
     pub(crate) fn commit(self) -> Result<(), IoError> {
-        for staged in &self.staged {
-            fs::rename(&staged.temporary, &staged.target).map_err(|source| unwritable(&staged.target, source))?;
-            sync_directory(&staged.target);
+        if let Err(source) = self.record() {
+            let target = self.moves.first().map_or(Path::new(""), Move::target);
+            return Err(unwritable(target, source));
+        }
+        carry_out(&self.moves).map_err(|(failed, source)| unwritable(failed.target(), source))?;
+        for claim in &self.claims {
+            sync_directory(claim.directory());
         }
         Ok(())
+    }
+
+    /// Says in the lock files what goes where, so that a group is completed even if this process is killed between two
+    /// renames. The last one written makes the difference: it holds the list, and the others name it.
+    fn record(&self) -> io::Result<()> {
+        let is_atomic = self.moves.len() < 2 && self.moves.iter().all(|m| !m.is_folder());
+        let Some((head, others)) = self.claims.split_first().filter(|_| !is_atomic) else { return Ok(()) };
+        for other in others {
+            other.record(&record::member(head))?;
+        }
+        head.record(&record::head(head, others, &self.moves))
+    }
+
+    /// The claim on the directory of a target, and the target by its absolute name.
+    fn claim(&mut self, target: &Path) -> io::Result<(Arc<Claim>, PathBuf)> {
+        let no_file = || io::Error::new(io::ErrorKind::InvalidInput, "the path names no file");
+        let name = target.file_name().ok_or_else(no_file)?;
+        let directory = directory_of(target).canonicalize()?;
+        let target = directory.join(name);
+        if let Some(claim) = self.claims.iter().find(|claim| claim.directory() == directory) {
+            return Ok((Arc::clone(claim), target));
+        }
+        let claim = Arc::new(Claim::on(&directory)?);
+        self.claims.push(Arc::clone(&claim));
+        Ok((claim, target))
     }
 }
 
@@ -83,84 +146,12 @@ fn unwritable(path: &Path, source: io::Error) -> IoError {
     IoError::Unwritable { path: path.to_owned(), source }
 }
 
-/// Whether a path is written directly, and which file is behind it if not.
-fn destination(path: &Path) -> io::Result<Destination> {
-    if path == Path::new("-") || path == Path::new("/dev/stdout") {
-        return Ok(Destination::Stdout);
-    }
-    match fs::metadata(path) {
-        Ok(found) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        Ok(found) if !found.is_file() => Ok(Destination::Special),
-        Ok(found) if found.permissions().readonly() => {
-            Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"))
-        }
-        _ => follow_links(path).map(Destination::File),
-    }
-}
-
-/// The file behind a chain of symbolic links, whether it exists or not.
-fn follow_links(path: &Path) -> io::Result<PathBuf> {
-    let mut target = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        match fs::symlink_metadata(&target) {
-            Ok(found) if found.file_type().is_symlink() => {
-                let next = fs::read_link(&target)?;
-                target = directory_of(&target).join(next);
-            }
-            _ => return Ok(target),
-        }
-    }
-    Err(io::Error::other("too many symbolic links"))
-}
-
-fn directory_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    }
-}
-
-/// Writes, flushes and syncs a temporary file in the directory of `target`.
-fn stage(target: PathBuf, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Staged> {
-    if target.file_name().is_none() {
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
-    }
-    let (temporary, file) = create_temporary(directory_of(&target))?;
-    let staged = Staged { temporary, target };
-    let mut buffer = BufWriter::with_capacity(BUFFER, file);
-    write(&mut buffer)?;
-    let file = buffer.into_inner().map_err(io::IntoInnerError::into_error)?;
-    if let Ok(old) = fs::metadata(&staged.target) {
-        file.set_permissions(old.permissions())?;
-    }
-    file.sync_all()?;
-    Ok(staged)
-}
-
-/// Creates a file under a name that no other file, thread or process has.
-fn create_temporary(directory: &Path) -> io::Result<(PathBuf, File)> {
-    static COUNTER: AtomicU64 = AtomicU64::new(0);
-    for _ in 0..MOST_NAMES {
-        let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-        let path = directory.join(format!(".trimalla-{}-{number}.tmp", process::id()));
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(file) => return Ok((path, file)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no free name for a temporary file"))
-}
-
-fn write_through(out: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let mut buffer = BufWriter::with_capacity(BUFFER, out);
-    write(&mut buffer)?;
-    buffer.flush()
-}
-
-/// Makes a rename last. Not every system can sync a directory, and the file is whole either way, so failure is no error.
-fn sync_directory(target: &Path) {
-    if let Ok(directory) = File::open(directory_of(target)) {
+/// Makes renames last. Not every system can sync a directory, and the files are whole either way, so failure is no error.
+fn sync_directory(directory: &Path) {
+    if let Ok(directory) = File::open(directory) {
         let _ = directory.sync_all();
     }
 }
+
+#[cfg(test)]
+mod tests;

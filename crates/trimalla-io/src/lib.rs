@@ -11,7 +11,8 @@
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
 //! | a drawing, and a path | [`write_pslg`] |
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
-//! | several outputs, all of them or none | [`Outputs`] |
+//! | several outputs, all of them or none | [`Outputs`]; [`Draft`] and [`Pictures`] for what is written piece by piece |
+//! | a directory in which a process was killed while writing | [`recover`] |
 //! | any other text file, within bounds | [`read_bytes`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
 //! | measurements, and a chart of them | [`chart::draw`] |
@@ -88,6 +89,7 @@ mod topology;
 pub mod vtu;
 mod write;
 
+pub use atomic::{Draft, Pictures, Recovered, recover};
 pub use bytes::read_bytes;
 pub use error::{Fault, IoError, Place};
 pub use format::Format;

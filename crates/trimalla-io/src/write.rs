@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 
-use crate::atomic::Group;
+use crate::atomic::{Draft, Group, Pictures};
 use crate::columns::Points;
 use crate::error::IoError;
 use crate::format::{Format, companion};
@@ -145,6 +145,54 @@ impl Outputs {
     /// [`IoError::Unwritable`].
     pub fn add_text(&mut self, path: impl AsRef<Path>, text: &str) -> Result<(), IoError> {
         self.group.add(path.as_ref(), |out| out.write_all(text.as_bytes()))
+    }
+
+    /// Begins a file that is written piece by piece; [hand it back](Self::end) when it is complete.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    ///
+    /// # Examples
+    /// ```no_run
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// use std::io::Write as _;
+    ///
+    /// let mut outputs = trimalla_io::Outputs::default();
+    /// let mut log = outputs.begin("steps.txt")?;
+    /// for step in 1..=3 {
+    ///     writeln!(log, "step {step}")?;
+    /// }
+    /// outputs.end(log)?;
+    /// outputs.commit()?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn begin(&mut self, path: impl AsRef<Path>) -> Result<Draft, IoError> {
+        self.group.begin(path.as_ref())
+    }
+
+    /// Takes a file that is complete.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    pub fn end(&mut self, draft: Draft) -> Result<(), IoError> {
+        self.group.end(draft)
+    }
+
+    /// Begins a folder of numbered pictures; [hand it back](Self::end_pictures) when it is complete.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`]; a folder that holds anything else than such pictures, or in which the process runs, is one.
+    pub fn begin_pictures(&mut self, path: impl AsRef<Path>) -> Result<Pictures, IoError> {
+        self.group.begin_pictures(path.as_ref())
+    }
+
+    /// Takes a folder that is complete.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`].
+    pub fn end_pictures(&mut self, pictures: Pictures) -> Result<(), IoError> {
+        self.group.end_pictures(pictures)
     }
 
     /// Puts every file in its place. Without this call, old files stay as they are and nothing new appears.
