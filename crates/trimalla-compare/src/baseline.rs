@@ -4,13 +4,15 @@
 //! `priority`, `program` and `comment` are used where they are there. Empty counts are runs that gave no mesh. A comment that begins with
 //! `impossible` marks a row that no mesh can have.
 
-use std::fs;
 use std::path::Path;
 
-use trimalla_io::{Fault, IoError, Place};
+use trimalla_io::{Fault, IoError, Place, read_bytes};
 
 use crate::error::CompareError;
 use crate::sheet::{Cell, Column};
+
+/// No published table is longer.
+const LONGEST: u64 = 1 << 28;
 
 /// The rows of the tables.
 #[derive(Debug)]
@@ -36,10 +38,7 @@ impl Baseline {
     /// # Errors
     /// [`CompareError::Io`], with line and column.
     pub fn read(path: &Path) -> Result<Self, CompareError> {
-        let bytes = fs::read(path).map_err(|source| match source.kind() {
-            std::io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: None },
-            _ => IoError::Unreadable { path: path.to_owned(), source },
-        })?;
+        let bytes = read_bytes(path, LONGEST)?;
         Ok(Self::of_text(&String::from_utf8_lossy(&bytes), &path.to_string_lossy())?)
     }
 
