@@ -7,7 +7,8 @@
 //! | [`input`] | drawings and meshes with the names that their files give to things |
 //! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
 //! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
-//! | [`outputs`] | what goes where, checked before any work |
+//! | [`outputs`], [`targets`] | what goes where, checked before any work; what killed runs have left |
+//! | [`trace`], [`frames`] | every step as a line, and as a picture |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the five steps as options, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | what came of it, for people and for programs |
@@ -30,6 +31,7 @@ mod recipe_options;
 mod records;
 mod refining;
 mod renumber;
+mod targets;
 mod text;
 mod trace;
 

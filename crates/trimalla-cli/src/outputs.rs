@@ -1,78 +1,119 @@
 //! What goes where. Everything that can be known about outputs before the work is checked before the work.
 
+use std::collections::BTreeSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 use trimalla_io::bars::BarChart;
-use trimalla_io::{self as io, Format, IoError, RecipeFile, SvgOptions, WriteOptions, files_of_mesh};
+use trimalla_io::{self as io, IoError, RecipeFile, SvgOptions, WriteOptions};
 
 use crate::args::{OutputOptions, ReportOptions};
-use crate::console::{Stream, shown};
-use crate::exit::{Failure, Status};
+use crate::console::{self, Stream, count, shown};
+use crate::exit::Failure;
 use crate::input::Input;
 use crate::recipe_file::RecipeFileOptions;
+use crate::targets::{Target, directory_of, is_stdout, place_of};
+use crate::trace::TraceOptions;
 
 /// Where the results of a run go, all of them or none.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Outputs {
+    /// What was read, and is never written.
+    inputs: Vec<PathBuf>,
     targets: Vec<Target>,
     /// Where the recipe is saved, if it is.
     recipe: Option<Target>,
-}
-
-#[derive(Debug)]
-struct Target {
-    path: PathBuf,
-    options: WriteOptions,
-    /// The files that are replaced; for a group, three.
-    files: Vec<PathBuf>,
+    /// Where the steps are told, if they are.
+    trace: Option<Target>,
+    /// Where the steps are drawn, if they are.
+    frames: Option<Target>,
+    /// A folder that is made if it is not there.
+    folder: Option<PathBuf>,
 }
 
 impl Outputs {
-    /// Checks the outputs against each other, against the input and against the file system.
+    /// Outputs that leave these files alone.
+    pub(crate) fn sparing(inputs: impl IntoIterator<Item = PathBuf>) -> Self {
+        Self { inputs: inputs.into_iter().collect(), ..Self::default() }
+    }
+
+    /// Checks the outputs of a run that reads nothing else.
     pub(crate) fn plan<T>(options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
+        Self::sparing(input.files.clone()).with_results(options, input)
+    }
+
+    /// Checks where meshes and drawings go.
+    pub(crate) fn with_results<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
         let base = WriteOptions::default()
             .with_first_index(input.first_index)
             .with_svg(SvgOptions::default().with_title(input.title()));
-        let mut targets: Vec<Target> = Vec::new();
         for path in &options.output {
-            let target = Target::plan(path, options.format, &base)?;
-            target.spare_inputs(&input.files)?;
-            target.spare_outputs(&targets)?;
-            target.try_places()?;
-            targets.push(target);
+            let target = self.checked(Target::of_result(path, options.format, &base)?)?;
+            self.targets.push(target);
         }
-        targets.sort_by_key(Target::is_stream); // Streams last: they cannot be taken back.
-        Ok(Self { targets, recipe: None })
+        self.targets.sort_by_key(Target::is_stream); // Streams last: they cannot be taken back.
+        Ok(self)
     }
 
-    /// Checks files of text against each other, against the files that are read and against the file system.
-    pub(crate) fn plan_texts(paths: &[PathBuf], inputs: &[PathBuf]) -> Result<Self, Failure> {
-        let mut targets: Vec<Target> = Vec::new();
+    /// Checks where files of text go; the folder, if any, is made later.
+    pub(crate) fn with_texts(mut self, paths: &[PathBuf], folder: Option<&Path>) -> Result<Self, Failure> {
+        self.folder = folder.map(Path::to_owned);
         for path in paths {
-            let target = Target::of_text(path);
-            target.spare_inputs(inputs)?;
-            target.spare_outputs(&targets)?;
-            target.try_places()?;
-            targets.push(target);
+            let target = self.checked(Target::of_text(path))?;
+            self.targets.push(target);
         }
-        Ok(Self { targets, recipe: None })
+        Ok(self)
+    }
+
+    /// Checks where the recipe is saved.
+    pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions) -> Result<Self, Failure> {
+        let target = options.save_recipe.as_deref().map(Target::of_text);
+        self.recipe = target.map(|target| self.checked(target)).transpose()?;
+        Ok(self)
+    }
+
+    /// Checks where the steps are recorded.
+    pub(crate) fn with_trace(mut self, options: &TraceOptions) -> Result<Self, Failure> {
+        let target = options.trace.as_deref().map(Target::of_text);
+        self.trace = target.map(|target| self.checked(target)).transpose()?;
+        let target = options.frames.as_deref().map(Target::of_pictures);
+        self.frames = target.map(|target| self.checked(target)).transpose()?;
+        Ok(self)
+    }
+
+    /// Checks a target against what is read, against the targets before it and against the file system.
+    fn checked(&self, target: Target) -> Result<Target, Failure> {
+        self.spare(&target)?;
+        match self.folder.as_deref() {
+            Some(folder) if !folder.exists() && directory_of(&target.path) == folder => {}
+            _ => target.try_places()?,
+        }
+        Ok(target)
+    }
+
+    /// Refuses a file that is read, or that another output goes to.
+    pub(crate) fn spare(&self, target: &Target) -> Result<(), Failure> {
+        target.spare_inputs(&self.inputs)?;
+        target.spare_outputs(self.all())
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Target> {
+        self.targets.iter().chain(&self.recipe).chain(&self.trace).chain(&self.frames)
     }
 
     /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.
     pub(crate) fn prepare_texts(&self, texts: &[String]) -> Result<Prepared, Failure> {
-        let mut prepared = io::Outputs::default();
+        let made = self.folder.as_deref().map(MadeFolders::of).transpose()?;
+        let mut prepared = Prepared { outputs: io::Outputs::default(), made };
         let mut pairs: Vec<_> = self.targets.iter().zip(texts).collect();
         pairs.sort_by_key(|(target, _)| target.is_stream()); // Streams last: they cannot be taken back.
         for (target, text) in pairs {
-            match prepared.add_text(&target.path, text) {
-                Err(error) if target.is_stdout() && is_broken_pipe(&error) => {}
-                added => added?,
-            }
+            or_reader_left(&target.path, prepared.outputs.add_text(&target.path, text))?;
         }
-        Ok(Prepared(prepared))
+        Ok(prepared)
     }
 
     /// The first output that is a file.
@@ -80,21 +121,15 @@ impl Outputs {
         self.targets.iter().find(|target| !target.is_stream()).map(|target| target.path.as_path())
     }
 
-    /// Checks where the recipe is saved, too.
-    pub(crate) fn with_recipe<T>(mut self, options: &RecipeFileOptions, input: &Input<T>) -> Result<Self, Failure> {
-        if let Some(path) = &options.save_recipe {
-            let target = Target::of_text(path);
-            target.spare_inputs(&input.files)?;
-            target.spare_outputs(&self.targets)?;
-            target.try_places()?;
-            self.recipe = Some(target);
-        }
-        Ok(self)
-    }
-
-    /// Writes a mesh everywhere, in pictures with these charts; files appear when what is returned is committed.
-    pub(crate) fn prepare_mesh(&self, mesh: &IndexedMesh, charts: &[BarChart]) -> Result<Prepared, Failure> {
-        self.prepare(|out, target| {
+    /// Writes a mesh everywhere, in pictures with these charts, beside what was written before; files appear when what is returned
+    /// is committed.
+    pub(crate) fn prepare_mesh(
+        &self,
+        before: io::Outputs,
+        mesh: &IndexedMesh,
+        charts: &[BarChart],
+    ) -> Result<Prepared, Failure> {
+        self.prepare(before, |out, target| {
             let svg = target.options.svg.clone().with_charts(charts.to_vec());
             out.add_mesh(&target.path, mesh, &target.options.clone().with_svg(svg))
         })
@@ -102,29 +137,29 @@ impl Outputs {
 
     /// Writes a drawing everywhere; files appear when what is returned is committed.
     pub(crate) fn prepare_drawing(&self, pslg: &Pslg) -> Result<Prepared, Failure> {
-        self.prepare(|out, target| out.add_pslg(&target.path, pslg, &target.options))
+        self.prepare(io::Outputs::default(), |out, target| out.add_pslg(&target.path, pslg, &target.options))
     }
 
-    fn prepare(&self, add: impl Fn(&mut io::Outputs, &Target) -> Result<(), IoError>) -> Result<Prepared, Failure> {
-        let mut prepared = io::Outputs::default();
+    fn prepare(
+        &self,
+        mut outputs: io::Outputs,
+        add: impl Fn(&mut io::Outputs, &Target) -> Result<(), IoError>,
+    ) -> Result<Prepared, Failure> {
         for target in &self.targets {
-            match add(&mut prepared, target) {
-                Err(error) if target.is_stdout() && is_broken_pipe(&error) => {}
-                added => added?,
-            }
+            or_reader_left(&target.path, add(&mut outputs, target))?;
         }
-        Ok(Prepared(prepared))
+        Ok(Prepared { outputs, made: None })
     }
 
     /// The files that appear, for the report.
     pub(crate) fn files(&self) -> Vec<String> {
-        let files = self.targets.iter().chain(&self.recipe).filter(|t| !t.is_stream());
-        files.flat_map(|t| &t.files).map(|f| shown(f)).collect()
+        let files = self.all().filter(|target| !target.is_stream());
+        files.flat_map(|target| &target.files).map(|file| shown(file)).collect()
     }
 
-    /// Where the report goes: not where a mesh goes.
+    /// Where the report goes: not where an output goes.
     pub(crate) fn report_stream(&self, report: &ReportOptions) -> Result<Stream, Failure> {
-        let taken = self.targets.iter().chain(&self.recipe).any(Target::is_stdout);
+        let taken = self.all().any(Target::is_stdout);
         match (report.json, report.quiet, taken) {
             (true, _, true) => {
                 Err(Failure::wrong_use("both --json and an output want standard output")
@@ -140,128 +175,79 @@ impl Outputs {
 /// Complete outputs that wait for the last thing that may fail. Dropped, they leave no trace.
 #[derive(Debug)]
 #[must_use]
-pub(crate) struct Prepared(io::Outputs);
+pub(crate) struct Prepared {
+    outputs: io::Outputs,
+    /// Dropped after the outputs in them.
+    made: Option<MadeFolders>,
+}
 
 impl Prepared {
     /// Writes the recipe as well, if it is to be saved.
     pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions, asked: &RecipeFile) -> Result<Self, Failure> {
         if let Some(path) = &options.save_recipe {
-            self.0.add_recipe(path, asked)?;
+            or_reader_left(path, self.outputs.add_recipe(path, asked))?;
         }
         Ok(self)
     }
 
     /// Puts the files in their places.
     pub(crate) fn commit(self) -> Result<(), Failure> {
-        Ok(self.0.commit()?)
-    }
-}
-
-impl Target {
-    fn plan(path: &Path, format: Option<Format>, base: &WriteOptions) -> Result<Self, Failure> {
-        let mut options = base.clone();
-        options.format = Format::from_path(path).or(format);
-        if options.format.is_none() && is_stdout(path) {
-            return Err(Failure::wrong_use("standard output needs --format to say what to write")
-                .hint("for example: -o - --format poly"));
-        }
-        if options.format.is_none() {
-            return Err(IoError::UnknownOutput { path: path.to_owned(), expected: io::MESH_ENDINGS }.into());
-        }
-        let files = files_of_mesh(path, &options);
-        Ok(Self { path: path.to_owned(), options, files })
-    }
-
-    /// One file of text.
-    pub(crate) fn of_text(path: &Path) -> Self {
-        Self { path: path.to_owned(), options: WriteOptions::default(), files: vec![path.to_owned()] }
-    }
-
-    fn is_stdout(&self) -> bool {
-        is_stdout(&self.path)
-    }
-
-    /// Whether it is written directly, and replaces nothing.
-    fn is_stream(&self) -> bool {
-        self.is_stdout() || fs::metadata(&self.path).is_ok_and(|found| !found.is_file() && !found.is_dir())
-    }
-
-    /// Refuses to overwrite what was read, through links too.
-    fn spare_inputs(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
-        if self.is_stream() {
-            return Ok(());
-        }
-        let same = |file: &&PathBuf| inputs.iter().any(|input| place_of(input) == place_of(file));
-        match self.files.iter().find(same) {
-            None => Ok(()),
-            Some(file) => Err(Failure::wrong_use(format!(
-                "output {} would overwrite the input {}",
-                shown(&self.path),
-                shown(file)
-            ))
-            .hint("give the output another stem, such as 'key.1.ele' for 'key.poly'")),
-        }
-    }
-
-    /// Refuses to write one file twice.
-    fn spare_outputs(&self, earlier: &[Self]) -> Result<(), Failure> {
-        let clash = earlier.iter().find(|other| {
-            let one = self.files.iter().map(|f| place_of(f));
-            let mut pairs = one.flat_map(|a| other.files.iter().map(move |b| (a.clone(), place_of(b))));
-            pairs.any(|(a, b)| a == b)
-        });
-        match clash {
-            None => Ok(()),
-            Some(other) => Err(Failure::wrong_use(format!(
-                "outputs {} and {} would overwrite one another",
-                shown(&other.path),
-                shown(&self.path)
-            ))
-            .hint("'.ele' stands for the files .node, .ele and .poly of its stem")),
-        }
-    }
-
-    /// Finds out before the work what would fail after it.
-    fn try_places(&self) -> Result<(), Failure> {
-        let files = self.files.iter().filter(|_| !self.is_stream());
-        for file in files {
-            if let Some(reason) = why_unwritable(file) {
-                let message = format!("cannot write {}: {reason}", shown(file));
-                return Err(Failure::new(Status::Unwritable, message));
-            }
-        }
+        let Self { outputs, made } = self;
+        outputs.commit()?;
+        drop(made); // None of them is empty now, so that they stay.
         Ok(())
     }
 }
 
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-") || path == Path::new("/dev/stdout")
-}
+/// Folders that were made for outputs; those that are empty in the end are removed.
+#[derive(Debug)]
+struct MadeFolders(Vec<PathBuf>);
 
-fn why_unwritable(file: &Path) -> Option<&'static str> {
-    match fs::metadata(file) {
-        Ok(found) if found.is_dir() => Some("it is a directory"),
-        Ok(found) if found.permissions().readonly() => Some("the file is read-only"),
-        Ok(_) => None,
-        Err(_) if directory_of(file).is_dir() => None,
-        Err(_) => Some("there is no such directory"),
+impl MadeFolders {
+    /// Makes a folder, and those around it that are not there.
+    fn of(folder: &Path) -> Result<Self, Failure> {
+        let missing: Vec<_> =
+            folder.ancestors().take_while(|path| !path.as_os_str().is_empty() && !path.exists()).collect();
+        let made = Self(missing.into_iter().map(Path::to_owned).collect());
+        match fs::create_dir_all(folder) {
+            Ok(()) => Ok(made),
+            Err(source) => Err(IoError::Unwritable { path: folder.to_owned(), source }.into()),
+        }
     }
 }
 
-/// The place that a path names, whether there is a file or not; links are followed.
-fn place_of(path: &Path) -> PathBuf {
-    let directory = || fs::canonicalize(directory_of(path)).ok();
-    let beside = || Some(directory()?.join(path.file_name()?));
-    fs::canonicalize(path).ok().or_else(beside).unwrap_or_else(|| path.to_owned())
-}
-
-fn directory_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
+impl Drop for MadeFolders {
+    fn drop(&mut self) {
+        for folder in &self.0 {
+            let _ = fs::remove_dir(folder); // Fails where there is something in it.
+        }
     }
 }
 
-fn is_broken_pipe(error: &IoError) -> bool {
-    matches!(error, IoError::Unwritable { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+/// Takes a reader of standard output that goes away for one that has had enough.
+pub(crate) fn or_reader_left(path: &Path, written: Result<(), IoError>) -> Result<(), IoError> {
+    match written {
+        Err(IoError::Unwritable { source, .. }) if is_stdout(path) && source.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// Completes or removes what runs that were killed have left where these outputs go, and says so.
+pub(crate) fn recover<'a>(outputs: impl IntoIterator<Item = &'a PathBuf>, is_quiet: bool) {
+    let outputs = outputs.into_iter().filter(|path| !is_stdout(path));
+    let directories: BTreeSet<PathBuf> = outputs.map(|path| directory_of(&place_of(path)).to_owned()).collect();
+    for directory in directories {
+        let left = io::recover(&directory);
+        if is_quiet {
+            continue;
+        }
+        if !left.completed.is_empty() {
+            let files: Vec<_> = left.completed.iter().map(|file| shown(file)).collect();
+            let files = files.join(", ");
+            console::note("warning", &format!("a run was killed while its files appeared; all are there now: {files}"));
+        } else if !left.removed.is_empty() {
+            let removed = count(left.removed.len(), "temporary file");
+            console::note("warning", &format!("{}: removed {removed} of a run that was killed", shown(&directory)));
+        }
+    }
 }

@@ -116,6 +116,7 @@ impl Watch {
 
 impl Observer for Watch {
     fn begins(&mut self, refinement: &mut Refinement) {
+        be_patient(); // From here on temporary files may be there.
         self.is_void = !self.picks.pick(refinement);
     }
 
@@ -125,7 +126,8 @@ impl Observer for Watch {
             self.line.set_message(HumanCount(progress.waiting as u64).to_string());
             self.line.set_position(progress.vertices as u64);
         }
-        !self.is_void && !INTERRUPTED.load(Ordering::SeqCst)
+        let is_of_use = self.trace.as_ref().is_none_or(|trace| !trace.has_failed());
+        is_of_use && !self.is_void && !INTERRUPTED.load(Ordering::SeqCst)
     }
 
     fn clock(&self) -> Option<Clock> {

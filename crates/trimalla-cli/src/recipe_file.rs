@@ -17,7 +17,7 @@ pub(crate) struct RecipeFileOptions {
     /// The file may hold the steps, the criteria and the limits, each by the name of its option. --algorithm replaces all
     /// steps of the file at once.
     #[arg(long, value_name = "FILE", help_heading = "Refinement")]
-    recipe: Option<PathBuf>,
+    pub(crate) recipe: Option<PathBuf>,
 
     /// Write everything that was asked of the refinement to this TOML file, for --recipe and for compare --recipes
     #[arg(long, value_name = "FILE", help_heading = "Output")]

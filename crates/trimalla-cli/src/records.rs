@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use trimalla::domain::Pslg;
+use trimalla_io::read_bytes;
 
 use crate::input::Input;
 
@@ -42,7 +43,7 @@ impl Records {
 
 fn read(file: &Path) -> Option<String> {
     let is_file = fs::metadata(file).ok()?.is_file(); // A pipe cannot be read twice.
-    let bytes = is_file.then(|| fs::read(file).ok()).flatten()?;
+    let bytes = is_file.then(|| read_bytes(file, u64::MAX).ok()).flatten()?;
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 

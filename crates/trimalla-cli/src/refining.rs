@@ -12,7 +12,7 @@ use crate::args::{OutputOptions, ReportOptions, one_of};
 use crate::console;
 use crate::exit::{Failure, Status};
 use crate::input::Input;
-use crate::outputs::Outputs;
+use crate::outputs::{self, Outputs};
 use crate::picks::PickOptions;
 use crate::progress::{self, Watch};
 use crate::recipe_file::{self, RecipeFileOptions};
@@ -121,14 +121,25 @@ impl RefiningOptions {
 
     /// The outputs, checked before any work.
     pub(crate) fn outputs<T>(&self, input: &Input<T>) -> Result<Outputs, Failure> {
-        Outputs::plan(&self.output, input)?.with_recipe(&self.recipe_file, input)
+        let read = input.files.iter().cloned().chain(self.recipe_file.recipe.clone());
+        Outputs::sparing(read)
+            .with_results(&self.output, input)?
+            .with_recipe(&self.recipe_file)?
+            .with_trace(&self.trace)
+    }
+
+    /// Completes or removes what runs that were killed have left where the outputs go.
+    pub(crate) fn recover(&self) {
+        let Self { output, recipe_file, trace, report, .. } = self;
+        let single = [&recipe_file.save_recipe, &trace.trace, &trace.frames];
+        outputs::recover(output.output.iter().chain(single.into_iter().flatten()), report.quiet);
     }
 
     /// From what was read to files and report.
     pub(crate) fn run(&self, asked: &RecipeFile, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
-        let trace = self.trace.begin()?;
+        let trace = self.trace.begin();
         let picks = self.pick.of(read.first_index, read.triangles)?;
         let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone()).timed(self.details);
         let mut made = (read.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
@@ -137,10 +148,11 @@ impl RefiningOptions {
         let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;
+        let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
-        let prepared = outputs.prepare_mesh(mesh, &charts)?.with_recipe(&self.recipe_file, asked)?;
+        let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.recipe_file, asked)?;
         if self.report.json {
             let mut object = json::of_meshing(&made, &recipe_file::title(asked), seconds);
             if let Some(statistics) = &details {
@@ -163,9 +175,6 @@ impl RefiningOptions {
                 .chain(&charts)
                 .for_each(|chart| lines.heading(format_args!("\n{}", chart.to_string().trim_end())));
             console::write(stream, &lines.into_text())?;
-        }
-        if let Some(trace) = trace {
-            trace.finish()?;
         }
         prepared.commit()?;
         if report.complete() {

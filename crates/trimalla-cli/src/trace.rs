@@ -1,7 +1,8 @@
 //! `--trace` and `--frames`: every step of a refinement as a line of JSON, and as a picture.
 
 use std::cell::RefCell;
-use std::fs;
+use std::io::Write as _;
+use std::mem;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -11,84 +12,117 @@ use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::Point;
 use trimalla::mesh::VertexId;
 use trimalla::refine::{Candidate, Event, Name, StepOutcome};
+use trimalla_io::{Draft, IoError, Outputs, Pictures};
 
-use crate::console::shown;
-use crate::exit::{Failure, Status};
+use crate::exit::Failure;
 use crate::frames::Frame;
+use crate::outputs::or_reader_left;
 
 /// What is recorded of every step.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct TraceOptions {
     /// Write every step to this file, a JSON object a line
+    ///
+    /// The file appears with the other outputs, or not at all. '-' is standard output, where lines come as steps are done.
     #[arg(long, value_name = "FILE", help_heading = "Output")]
-    trace: Option<PathBuf>,
+    pub(crate) trace: Option<PathBuf>,
 
-    /// Draw every step into this directory, an SVG file each
+    /// Draw every step into this directory, an SVG file each: 000001.svg and so on
+    ///
+    /// The directory appears with the other outputs, or not at all. One that exists is replaced as a whole, and only if it is
+    /// empty or holds nothing but such pictures.
     #[arg(long, value_name = "DIR", help_heading = "Output")]
-    frames: Option<PathBuf>,
+    pub(crate) frames: Option<PathBuf>,
 }
 
 /// Records steps; clones share what is recorded.
 #[derive(Clone, Debug)]
-pub(crate) struct Trace {
-    options: TraceOptions,
-    state: Rc<RefCell<State>>,
-}
+pub(crate) struct Trace(Rc<RefCell<State>>);
 
 #[derive(Debug, Default)]
 struct State {
-    lines: String,
-    /// The first fault of a picture.
-    failure: Option<String>,
+    options: TraceOptions,
+    outputs: Outputs,
+    lines: Option<Draft>,
+    pictures: Option<Pictures>,
+    /// The first fault; nothing is recorded after it.
+    failure: Option<IoError>,
 }
 
 impl TraceOptions {
-    /// What records, if anything is to be; the directory of pictures is made.
-    pub(crate) fn begin(&self) -> Result<Option<Trace>, Failure> {
-        if let Some(dir) = &self.frames {
-            fs::create_dir_all(dir).map_err(|e| unwritable(dir, &e))?;
-        }
+    /// What records, if anything is to be.
+    pub(crate) fn begin(&self) -> Option<Trace> {
         let is_wanted = self.trace.is_some() || self.frames.is_some();
-        Ok(is_wanted.then(|| Trace { options: self.clone(), state: Rc::default() }))
+        let state = State { options: self.clone(), ..State::default() };
+        is_wanted.then(|| Trace(Rc::new(RefCell::new(state))))
     }
 }
 
 impl Trace {
     /// Records a step.
     pub(crate) fn record(&self, event: &Event, cdt: &ConstrainedDelaunay) {
-        let mut state = self.state.borrow_mut();
-        if self.options.trace.is_some() {
-            state.lines += &line(event);
-            state.lines.push('\n');
-        }
-        if let (Some(dir), None) = (&self.options.frames, &state.failure) {
-            let file = dir.join(format!("{:06}.svg", event.number));
-            if let Err(e) = fs::write(&file, Frame::new(event, cdt).to_svg()) {
-                state.failure = Some(format!("cannot write {}: {e}", shown(&file)));
-            }
+        let mut state = self.0.borrow_mut();
+        if state.failure.is_none() {
+            state.failure = state.record(event, cdt).err();
         }
     }
 
-    /// Puts the file in its place: whole, or not at all.
-    pub(crate) fn finish(&self) -> Result<(), Failure> {
-        let state = self.state.borrow();
-        if let Some(failure) = &state.failure {
-            return Err(Failure::new(Status::Unwritable, failure.clone()));
+    /// Whether there is a fault, so that going on is of no use.
+    pub(crate) fn has_failed(&self) -> bool {
+        self.0.borrow().failure.is_some()
+    }
+
+    /// What was recorded, as outputs to which others can be added.
+    pub(crate) fn finish(&self) -> Result<Outputs, Failure> {
+        let mut state = self.0.borrow_mut();
+        match state.failure.take() {
+            Some(failure) => Err(failure.into()),
+            None => Ok(state.finish()?),
         }
-        let Some(path) = &self.options.trace else { return Ok(()) };
-        let mut part = path.as_os_str().to_owned();
-        part.push(".part");
-        let part = PathBuf::from(part);
-        let written = fs::write(&part, &state.lines).and_then(|()| fs::rename(&part, path));
-        written.map_err(|e| {
-            let _ = fs::remove_file(&part);
-            unwritable(path, &e)
-        })
     }
 }
 
-fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::new(Status::Unwritable, format!("cannot write {}: {error}", shown(path)))
+impl State {
+    /// Begins what is not begun yet: not before the first step, as until then Ctrl-C ends the program at once.
+    fn begin(&mut self) -> Result<(), IoError> {
+        let Self { options: TraceOptions { trace, frames }, outputs, lines, pictures, .. } = self;
+        if let (Some(path), None) = (trace, &lines) {
+            *lines = Some(outputs.begin(path)?);
+        }
+        if let (Some(path), None) = (frames, &pictures) {
+            *pictures = Some(outputs.begin_pictures(path)?);
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, event: &Event, cdt: &ConstrainedDelaunay) -> Result<(), IoError> {
+        self.begin()?;
+        if let (Some(lines), Some(path)) = (&mut self.lines, &self.options.trace) {
+            let written = writeln!(lines, "{}", line(event)).map_err(|source| unwritable(path, source));
+            or_reader_left(path, written)?;
+        }
+        if let (Some(pictures), Some(path)) = (&mut self.pictures, &self.options.frames) {
+            let drawn = pictures.add(event.number, &Frame::new(event, cdt).to_svg());
+            drawn.map_err(|source| unwritable(path, source))?;
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Result<Outputs, IoError> {
+        self.begin()?; // There may have been no step.
+        let mut outputs = mem::take(&mut self.outputs);
+        if let (Some(lines), Some(path)) = (self.lines.take(), &self.options.trace) {
+            or_reader_left(path, outputs.end(lines))?;
+        }
+        if let Some(pictures) = self.pictures.take() {
+            outputs.end_pictures(pictures)?;
+        }
+        Ok(outputs)
+    }
+}
+
+fn unwritable(path: &Path, source: std::io::Error) -> IoError {
+    IoError::Unwritable { path: path.to_owned(), source }
 }
 
 /// A step as one JSON object; vertices are counted from 0 in the order of creation.

@@ -23,9 +23,10 @@ use crate::console::{self, shown};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
 use crate::names::Names;
-use crate::outputs::Outputs;
+use crate::outputs::{self, Outputs};
 use crate::progress;
 use crate::recipe_file::{named, title};
+use crate::targets::Target;
 
 const HELP: &str = "\
 Examples:
@@ -219,16 +220,18 @@ impl Options {
         }
     }
 
-    /// The files that come of it, in the order of [`Self::texts`]; the folder of plots is made where there is none.
+    /// The folder of plots, if there is to be one.
+    fn folder(&self) -> Option<&Path> {
+        self.svg.as_deref().filter(|svg| !is_one_file(svg))
+    }
+
+    /// The files that come of it, in the order of [`Self::texts`].
     fn targets(&self, experiment: &Experiment) -> Result<Vec<PathBuf>, Failure> {
         let single = [self.csv.as_deref(), self.markdown()?, self.json.as_deref()];
         let mut targets: Vec<PathBuf> = single.into_iter().flatten().map(Path::to_owned).collect();
         match self.svg.as_deref() {
             Some(svg) if is_one_file(svg) => targets.push(svg.to_owned()),
             Some(folder) => {
-                fs::create_dir_all(folder).map_err(|error| {
-                    Failure::new(Status::Unwritable, format!("cannot make the folder {}: {error}", shown(folder)))
-                })?;
                 targets.extend(figures::file_names(experiment).into_iter().map(|name| folder.join(name)));
             }
             None => {}
@@ -249,6 +252,13 @@ impl Options {
         Ok(texts)
     }
 
+    /// Completes or removes what runs that were killed have left where the outputs go.
+    fn recover(&self) {
+        let plots = self.folder().map(|folder| folder.join("any.svg"));
+        let single = [&self.csv, &self.markdown, &self.json, &self.svg, &plots];
+        outputs::recover(single.into_iter().flatten(), self.quiet);
+    }
+
     /// Opens the journal that was named, or one beside the first file; none where all goes to streams.
     fn journal(&self, outputs: &Outputs) -> Result<Option<Journal>, Failure> {
         let beside = || {
@@ -257,6 +267,7 @@ impl Options {
             Some(PathBuf::from(name))
         };
         let path = self.resume.clone().or_else(beside);
+        path.iter().try_for_each(|path| outputs.spare(&Target::of_text(path)))?;
         Ok(path.map(|path| Journal::open(&path)).transpose()?)
     }
 }
@@ -264,11 +275,12 @@ impl Options {
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let baseline = options.baseline.as_deref().map(Baseline::read).transpose()?;
+    options.recover();
     let (experiment, mut spared) = options.experiment()?;
     report_faults(&experiment)?;
     progress::handle_ctrl_c();
-    spared.extend(options.recipes.iter().chain(&options.baseline).chain(&options.resume).cloned());
-    let outputs = Outputs::plan_texts(&options.targets(&experiment)?, &spared)?;
+    spared.extend(options.recipes.iter().chain(&options.baseline).cloned());
+    let outputs = Outputs::sparing(spared).with_texts(&options.targets(&experiment)?, options.folder())?;
     let mut journal = options.journal(&outputs)?;
     if let (Some(baseline), false) = (&baseline, options.quiet) {
         warn_of_strangers(baseline, &experiment);

@@ -8,7 +8,7 @@ use trimalla_io::Format;
 use crate::args::{OutputOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{read_drawing, read_mesh};
-use crate::outputs::Outputs;
+use crate::outputs::{self, Outputs};
 use crate::progress;
 
 const HELP: &str = "\
@@ -39,12 +39,13 @@ pub(crate) struct Options {
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
+    outputs::recover([&options.output], false);
     let output = OutputOptions { output: vec![options.output.clone()], format: options.format };
     if is_mesh(&options.input) {
         let mesh = read_mesh(&options.input)?;
         let outputs = Outputs::plan(&output, &mesh)?;
         progress::begin_writing()?;
-        outputs.prepare_mesh(&mesh.value, &[])?.commit()?;
+        outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh.value, &[])?.commit()?;
     } else {
         let drawing = read_drawing(&options.input)?;
         let outputs = Outputs::plan(&output, &drawing)?;

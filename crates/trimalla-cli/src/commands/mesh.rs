@@ -62,6 +62,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
+    options.refining.recover();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = options.refining.outputs(&drawing)?;
     let names = Names::of(&drawing);

@@ -64,6 +64,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
+    options.refining.recover();
     let mut mesh = read_mesh(&options.mesh)?;
     let areas = read_areas(&options.mesh, &mut mesh)?;
     let drawing = options.input.as_deref().map(read_drawing).transpose()?;

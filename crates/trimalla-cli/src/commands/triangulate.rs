@@ -13,7 +13,7 @@ use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
 use crate::names::Names;
-use crate::outputs::Outputs;
+use crate::outputs::{self, Outputs};
 use crate::{json, progress, text};
 
 const HELP: &str = "\
@@ -90,6 +90,7 @@ pub(crate) struct Options {
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
+    outputs::recover(&options.output.output, options.report.quiet);
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = Outputs::plan(&options.output, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
@@ -100,7 +101,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::begin_writing()?;
     let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
     options.report.warn(&warnings);
-    let prepared = outputs.prepare_mesh(&mesh, &[])?;
+    let prepared = outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh, &[])?;
     let angles_deg = || text::extreme_angles_deg(&mesh);
     if options.report.json {
         json::print(&json::of_triangulation(&mesh, angles_deg(), options.algorithm.key(), seconds, &warnings))?;

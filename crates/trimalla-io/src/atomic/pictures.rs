@@ -7,8 +7,9 @@ use std::sync::Arc;
 
 use super::claim::Claim;
 use super::moves::{Move, Temporary};
-use super::place::follow_links;
-use super::sync_directory;
+use super::place::{directory_of, follow_links};
+use super::{sync_directory, unwritable};
+use crate::error::IoError;
 
 /// A folder of pictures, `000001.svg` and so on, that appears as a whole when the [`Outputs`](crate::Outputs) that it is
 /// [handed back](crate::Outputs::end_pictures) to are committed; dropped before, it leaves nothing behind.
@@ -27,6 +28,20 @@ impl Pictures {
     pub(super) fn new(path: &Path, claim: Arc<Claim>, target: PathBuf) -> io::Result<Self> {
         let temporary = Temporary::new(claim.create_folder()?, Some(claim));
         Ok(Self { path: path.to_owned(), temporary, target, files: Vec::new() })
+    }
+
+    /// Finds out whether pictures may go to a folder, before any are made.
+    ///
+    /// # Errors
+    /// [`IoError::Unwritable`]: it is no folder, holds anything else than such pictures, may not be written, has the process in it,
+    /// or the folder around it does not exist.
+    pub fn check(path: impl AsRef<Path>) -> Result<(), IoError> {
+        let path = path.as_ref();
+        let around = |target: PathBuf| match directory_of(&target).is_dir() {
+            true => Ok(()),
+            false => Err(io::Error::new(io::ErrorKind::NotFound, "there is no such directory")),
+        };
+        target(path).and_then(around).map_err(|source| unwritable(path, source))
     }
 
     /// The folder as the caller named it.
