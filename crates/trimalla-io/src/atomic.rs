@@ -18,6 +18,8 @@
 //!   without a record is removed. A group with a record is completed, unless somebody has changed a target since.
 //! * A machine that stops leaves each file whole. Of a group, some files may be old and others new until [`recover`].
 //!
+//! Two processes that write the same files at the same time do not mix: whose renames come last has written them all.
+//!
 //! Symbolic links are followed, so the link stays and the file behind it is replaced. The permissions of a replaced
 //! file are kept, and a file that may not be written is not replaced. What is no regular file (a pipe, a device, `-` for standard
 //! output) is written directly. A folder of [`Pictures`] is replaced as a whole, and only if it holds nothing else.
@@ -37,7 +39,7 @@ use std::sync::Arc;
 
 use crate::error::IoError;
 
-use claim::Claim;
+use claim::{Claim, lock_directories};
 use moves::{Move, carry_out};
 use place::{Destination, destination, directory_of};
 
@@ -109,6 +111,7 @@ impl Group {
             let target = self.moves.first().map_or(Path::new(""), Move::target);
             return Err(unwritable(target, source));
         }
+        let _locked = lock_directories(self.claims.iter().map(|claim| claim.directory().to_owned()));
         carry_out(&self.moves).map_err(|(failed, source)| unwritable(failed.target(), source))?;
         for claim in &self.claims {
             sync_directory(claim.directory());

@@ -27,18 +27,24 @@ const LONGEST_STREAM: u64 = 1 << 31;
 /// A named pipe or device that delivers nothing for so long is taken for one that never will.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Reads a file of at most `longest` bytes; what has a NUL byte ends with the block in which it stands.
+/// Reads a text file of at most `longest` bytes.
 ///
 /// Memory stays below twice what is there, whatever the file system says about it.
 ///
 /// # Errors
 /// [`IoError::Missing`] where there is no such file. [`IoError::Unreadable`] where it is a directory, is longer, grows while it is
-/// read, or is a pipe or device that delivers nothing for ten seconds.
+/// read, has a NUL byte, or is a pipe or device that delivers nothing for ten seconds.
 pub fn read_bytes(path: impl AsRef<Path>, longest: u64) -> Result<Vec<u8>, IoError> {
-    read(path.as_ref(), None, longest)
+    let path = path.as_ref();
+    let bytes = read(path, None, longest)?;
+    if bytes.contains(&0) {
+        let source = io::Error::new(io::ErrorKind::InvalidData, "it is no text: it has a NUL byte");
+        return Err(IoError::Unreadable { path: path.to_owned(), source });
+    }
+    Ok(bytes)
 }
 
-/// Reads a file that another one may refer to.
+/// Reads a file that another one may refer to; what has a NUL byte ends with the block in which it stands.
 pub(crate) fn read(path: &Path, needed_by: Option<&Path>, longest: u64) -> Result<Vec<u8>, IoError> {
     try_read(path, longest).map_err(|source| match source.kind() {
         io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: needed_by.map(Path::to_owned) },

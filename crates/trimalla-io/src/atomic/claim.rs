@@ -10,13 +10,20 @@
 //! ```
 //! Only one of them gets the lock, and whoever comes second finds that the name is gone or stands for another file.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
 
 const MOST_NAMES: usize = 1000;
+
+/// Renames take less than a millisecond; who has not done them in this time does not go on.
+const PATIENCE: Duration = Duration::from_secs(5);
+const PAUSE: Duration = Duration::from_micros(200);
 
 /// How every name of ours begins.
 pub(super) const PREFIX: &str = ".trimalla-";
@@ -98,6 +105,22 @@ impl Drop for Claim {
     fn drop(&mut self) {
         let _ = fs::remove_file(self.path());
     }
+}
+
+/// Locks directories for the moment in which files appear in them, so that two groups do not mix; unlocked when the files returned
+/// are dropped. Where a directory cannot be locked, or somebody who does not go on holds the lock, it is done without.
+pub(super) fn lock_directories(directories: impl IntoIterator<Item = PathBuf>) -> Vec<File> {
+    let in_order: BTreeSet<PathBuf> = directories.into_iter().collect(); // All in one order: nobody waits in a circle.
+    let start = Instant::now();
+    let mut locked = Vec::new();
+    for directory in in_order {
+        let Ok(file) = File::open(&directory) else { continue };
+        while try_lock(&file) == Lock::Held && start.elapsed() < PATIENCE {
+            thread::sleep(PAUSE);
+        }
+        locked.push(file);
+    }
+    locked
 }
 
 fn no_free_name() -> io::Error {

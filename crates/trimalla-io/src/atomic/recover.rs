@@ -14,8 +14,9 @@ use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use super::claim::{Claim, Lock, PREFIX, is_still_there, try_lock};
+use super::claim::{Claim, Lock, PREFIX, is_still_there, lock_directories, try_lock};
 use super::moves::{Move, carry_out, exists, remove};
+use super::place::directory_of;
 use super::record::Record;
 
 /// No record of a group is longer.
@@ -158,6 +159,7 @@ impl Recovered {
     /// Does what is left to do of a group; or nothing, if a target has changed since.
     fn complete(&mut self, moves: Vec<Move>) {
         let targets = moves.iter().map(|one| one.target().to_owned());
+        let _locked = lock_directories(moves.iter().map(|one| directory_of(one.target()).to_owned()));
         if moves.iter().all(Move::is_still_right) && carry_out(&moves).is_ok() {
             self.completed.extend(targets);
         } else {
