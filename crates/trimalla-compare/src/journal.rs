@@ -80,7 +80,8 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, CompareError> {
             Err(unreadable(io::Error::new(io::ErrorKind::InvalidInput, "a journal must be a file")).into())
         }
         Ok(_) => Ok(read_bytes(path, LONGEST)?),
-        Err(_) => Ok(Vec::new()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
+        Err(error) => Err(unreadable(error).into()),
     }
 }
 
