@@ -106,14 +106,18 @@ impl Outputs {
 
     /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.
     pub(crate) fn prepare_texts(&self, texts: &[String]) -> Result<Prepared, Failure> {
-        let made = self.folder.as_deref().map(MadeFolders::of).transpose()?;
-        let mut prepared = Prepared { outputs: io::Outputs::default(), made };
+        let mut prepared = Prepared(io::Outputs::default());
         let mut pairs: Vec<_> = self.targets.iter().zip(texts).collect();
         pairs.sort_by_key(|(target, _)| target.is_stream()); // Streams last: they cannot be taken back.
         for (target, text) in pairs {
-            or_reader_left(&target.path, prepared.outputs.add_text(&target.path, text))?;
+            or_reader_left(&target.path, prepared.0.add_text(&target.path, text))?;
         }
         Ok(prepared)
+    }
+
+    /// Makes the folder of the outputs, if it is not there.
+    pub(crate) fn make_folder(&self) -> Result<Option<MadeFolders>, Failure> {
+        self.folder.as_deref().map(MadeFolders::of).transpose()
     }
 
     /// The first output that is a file.
@@ -148,7 +152,7 @@ impl Outputs {
         for target in &self.targets {
             or_reader_left(&target.path, add(&mut outputs, target))?;
         }
-        Ok(Prepared { outputs, made: None })
+        Ok(Prepared(outputs))
     }
 
     /// The files that appear, for the report.
@@ -175,33 +179,27 @@ impl Outputs {
 /// Complete outputs that wait for the last thing that may fail. Dropped, they leave no trace.
 #[derive(Debug)]
 #[must_use]
-pub(crate) struct Prepared {
-    outputs: io::Outputs,
-    /// Dropped after the outputs in them.
-    made: Option<MadeFolders>,
-}
+pub(crate) struct Prepared(io::Outputs);
 
 impl Prepared {
     /// Writes the recipe as well, if it is to be saved.
     pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions, asked: &RecipeFile) -> Result<Self, Failure> {
         if let Some(path) = &options.save_recipe {
-            or_reader_left(path, self.outputs.add_recipe(path, asked))?;
+            or_reader_left(path, self.0.add_recipe(path, asked))?;
         }
         Ok(self)
     }
 
     /// Puts the files in their places.
     pub(crate) fn commit(self) -> Result<(), Failure> {
-        let Self { outputs, made } = self;
-        outputs.commit()?;
-        drop(made); // None of them is empty now, so that they stay.
-        Ok(())
+        Ok(self.0.commit()?)
     }
 }
 
-/// Folders that were made for outputs; those that are empty in the end are removed.
+/// Folders that were made for outputs; when this is dropped, those that are empty are removed.
 #[derive(Debug)]
-struct MadeFolders(Vec<PathBuf>);
+#[must_use]
+pub(crate) struct MadeFolders(Vec<PathBuf>);
 
 impl MadeFolders {
     /// Makes a folder, and those around it that are not there.

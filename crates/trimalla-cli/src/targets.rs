@@ -64,17 +64,17 @@ impl Target {
         if self.is_stream() {
             return Ok(());
         }
-        let is_read = |file: &&PathBuf| inputs.iter().any(|input| self.covers(file, input));
-        match self.files.iter().find(is_read) {
+        let covered = |file: &PathBuf| inputs.iter().find(|input| self.covers(file, input));
+        match self.files.iter().find_map(covered) {
             None => Ok(()),
             Some(_) if self.is_folder => {
                 Err(Failure::wrong_use(format!("the folder {} holds a file that is read", shown(&self.path)))
                     .hint("give the pictures a folder of their own"))
             }
-            Some(file) => Err(Failure::wrong_use(format!(
+            Some(input) => Err(Failure::wrong_use(format!(
                 "output {} would overwrite the input {}",
                 shown(&self.path),
-                shown(file)
+                shown(input)
             ))
             .hint("give the output another stem, such as 'key.1.ele' for 'key.poly'")),
         }
@@ -87,10 +87,6 @@ impl Target {
             if self.is_stdout() && other.is_stdout() {
                 return Err(Failure::wrong_use("two outputs want standard output").hint("write one of them to a file"));
             }
-            if self.is_folder && other.is_inside(&self.path) {
-                return Err(Failure::wrong_use(format!("output {} lies in the folder {}", names[0], names[1]))
-                    .hint("give the pictures a folder of their own"));
-            }
             let mut pairs = self.files.iter().flat_map(|a| other.files.iter().map(move |b| (a, b)));
             if pairs.any(|(a, b)| place_of(a) == place_of(b)) {
                 return Err(Failure::wrong_use(format!(
@@ -98,6 +94,10 @@ impl Target {
                     names[0], names[1]
                 ))
                 .hint("'.ele' stands for the files .node, .ele and .poly of its stem"));
+            }
+            if self.is_folder && other.is_inside(&self.path) {
+                return Err(Failure::wrong_use(format!("output {} lies in the folder {}", names[0], names[1]))
+                    .hint("give the pictures a folder of their own"));
             }
         }
         Ok(())

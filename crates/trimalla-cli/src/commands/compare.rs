@@ -281,6 +281,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     spared.extend(options.recipes.iter().chain(&options.baseline).cloned());
     let outputs = Outputs::sparing(spared).with_texts(&options.targets(&experiment)?, options.folder())?;
+    let _made = outputs.make_folder()?; // For the journal, too.
     let mut journal = options.journal(&outputs)?;
     if let (Some(baseline), false) = (&baseline, options.quiet) {
         warn_of_strangers(baseline, &experiment);

@@ -8,12 +8,15 @@
 mod checks;
 mod common;
 mod compare;
+mod endless;
 mod faults;
 mod foresight;
 mod help;
 mod interrupt;
+mod kills;
 mod outputs;
 mod picks;
 mod recipes;
 mod refine;
 mod reports;
+mod spared;
