@@ -4,6 +4,9 @@ use crate::geometry::{Orientation, lexicographic, orient2d};
 use crate::mesh::{HalfEdgeId, VertexId};
 use crate::triangulation::Triangulation;
 
+/// Spokes around the start of a segment that are looked at before its other end is searched too.
+const FIRST_SPOKES: usize = 32;
+
 /// What lies along a segment from a vertex towards another, up to the first vertex on it.
 ///
 /// ```text
@@ -75,7 +78,7 @@ impl Triangulation {
     /// `None` where an end is unused, both are the same, or the way leaves the domain.
     ///
     /// # Complexity
-    /// Linear in the degree of `from` and in the edges crossed.
+    /// Linear in the edges crossed, and in the degree of `from` or in those of the vertices from `to` on, whichever is less.
     #[must_use]
     pub fn plan_segment(&self, from: VertexId, to: VertexId) -> Option<SegmentPlan> {
         (from != to && self.is_used(from) && self.is_used(to)).then(|| self.plan_towards(from, to).ok())?
@@ -100,7 +103,76 @@ impl Triangulation {
         }
     }
 
-    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside.
+    /// How the segment leaves `from`: along an edge, or across a face.
+    ///
+    /// Both ends are searched in turn, with twice the room each time, until one of the searches succeeds:
+    ///
+    /// 1. Around `from`, spoke by spoke: costs the degree of `from`.
+    /// 2. From `to` on, face by face back to `from`: costs the degrees of `to` and of the vertices on the way, and the
+    ///    faces crossed, all but the last of which the plan crosses too.
+    ///
+    /// Both find the same step, so that the cheaper one sets the cost and neither the result. A planar graph has few edges
+    /// between vertices of high degree: the lower degree of the two ends, summed over all edges, is linear in their number.
+    ///
+    /// # Source
+    /// The sum of lower degrees: `[ChibaNishizeki85]`, lemma 2.
+    fn first_step(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
+        let around = self.turn(from, to, FIRST_SPOKES)?;
+        around.map_or_else(|| self.first_step_at_hub(from, to), Ok)
+    }
+
+    /// [`first_step`](Self::first_step) from a vertex of high degree.
+    #[cold]
+    #[inline(never)]
+    fn first_step_at_hub(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
+        let mut room = FIRST_SPOKES;
+        // At the latest with room for every face the turn around `from` ends.
+        while room < self.face_slots() {
+            room = room.saturating_mul(2);
+            let found = self.arrive(from, to, room).map_or_else(|| self.turn(from, to, room), |step| Ok(Some(step)))?;
+            if let Some(step) = found {
+                return Ok(step);
+            }
+        }
+        self.turn(from, to, usize::MAX)?.ok_or(LeavesDomain)
+    }
+
+    /// Follows the segment from `to` back to `from`, across that many faces and spokes at most: its last step, turned
+    /// around, is the first one from `from`.
+    fn arrive(&self, from: VertexId, to: VertexId, room: usize) -> Option<FirstStep> {
+        let (mut at, mut left) = (to, room);
+        let (a, b) = (self.point(to), self.point(from));
+        while left > 0 {
+            let mut edge = match self.turn(at, from, left).ok()?? {
+                FirstStep::Along(h) if self.dest(h) == from => return Some(FirstStep::Along(self.twin(h))),
+                FirstStep::Along(h) => {
+                    (at, left) = (self.dest(h), left - 1);
+                    continue;
+                }
+                FirstStep::Across(spoke) => spoke.next(),
+            };
+            at = loop {
+                left = left.checked_sub(1)?;
+                let t = self.twin(edge);
+                let z = self.apex(t);
+                if z == from {
+                    return Some(FirstStep::Across(t.prev()));
+                }
+                if !z.is_finite() {
+                    return None;
+                }
+                edge = match orient2d(a, b, self.point(z)) {
+                    Orientation::Collinear => break z,
+                    Orientation::CounterClockwise => t.next(),
+                    Orientation::Clockwise => t.prev(),
+                };
+            };
+        }
+        None
+    }
+
+    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` where more than
+    /// so many spokes would have to be looked at.
     ///
     /// ```text
     ///        l  l            a turn that starts on the right goes counter-clockwise, one that starts
@@ -109,27 +181,27 @@ impl Triangulation {
     ///         / |
     ///        r  r
     /// ```
-    fn first_step(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
+    fn turn(&self, from: VertexId, to: VertexId, spokes: usize) -> Result<Option<FirstStep>, LeavesDomain> {
         let first = self.outgoing(from).ok_or(LeavesDomain)?;
         let (mut spoke, mut bearing) = (first, self.bearing(first, from, to));
         let clockwise = bearing == Bearing::Left;
         // A star has no more spokes than there are faces.
-        for _ in 0..self.face_slots() {
+        for _ in 0..spokes.min(self.face_slots()) {
             if bearing == Bearing::Ahead {
-                return Ok(FirstStep::Along(spoke));
+                return Ok(Some(FirstStep::Along(spoke)));
             }
             let next = if clockwise { self.cw(spoke) } else { self.ccw(spoke) };
             if next == first {
-                break;
+                return Err(LeavesDomain);
             }
             let next_bearing = self.bearing(next, from, to);
             match (bearing, next_bearing) {
-                (Bearing::Right, Bearing::Left) if !clockwise => return Ok(FirstStep::Across(spoke)),
-                (Bearing::Left, Bearing::Right) if clockwise => return Ok(FirstStep::Across(next)),
+                (Bearing::Right, Bearing::Left) if !clockwise => return Ok(Some(FirstStep::Across(spoke))),
+                (Bearing::Left, Bearing::Right) if clockwise => return Ok(Some(FirstStep::Across(next))),
                 _ => (spoke, bearing) = (next, next_bearing),
             }
         }
-        Err(LeavesDomain)
+        Ok(None)
     }
 
     /// Where a spoke of `from` points.

@@ -1,7 +1,11 @@
 //! The flat half-edge arrays and the only functions that write them, but for slots that come and go ([`super::slots`]).
 
+use super::circulators::Star;
 use super::ids::{FaceId, HalfEdgeId, VertexId};
 use super::journal::{Column, Entry, Journal};
+
+/// Spokes of one vertex that are looked at before those of the other are looked at too.
+const FIRST_SPOKES: usize = 16;
 
 /// What is stored of a half-edge; side by side, as whoever reads or writes one needs the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -250,13 +254,36 @@ impl HalfEdgeMesh {
     /// The half-edge from `a` to `b`, if there is one.
     ///
     /// # Complexity
-    /// The degree of `a`.
+    /// The lower one of the degrees of `a` and `b`.
     #[must_use]
     pub fn half_edge_between(&self, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
-        self.star(a).find(|&h| self.dest(h) == b)
+        let mut around_a = self.star(a);
+        for h in around_a.by_ref().take(FIRST_SPOKES) {
+            if self.dest(h) == b {
+                return Some(h);
+            }
+        }
+        self.half_edge_at_hub(around_a, a, self.star(b))
     }
 
-    /// The same, which was `known` once and mostly is still.
+    /// The half-edge to the centre of the second star, looked for among the other spokes of `a` and, in turn, in that star.
+    /// The search ends with the shorter one of the two.
+    #[cold]
+    #[inline(never)]
+    fn half_edge_at_hub(&self, around_a: Star<'_>, a: VertexId, around_b: Star<'_>) -> Option<HalfEdgeId> {
+        let b = around_b.clone().next().map(|h| self.origin(h))?;
+        for (h, g) in around_a.zip(around_b) {
+            if self.dest(h) == b {
+                return Some(h);
+            }
+            if self.dest(g) == a {
+                return Some(self.twin(g));
+            }
+        }
+        None
+    }
+
+    /// The half-edge from `a` to `b`, which was `known` once and mostly is still.
     pub(crate) fn half_edge_between_known(&self, a: VertexId, b: VertexId, known: HalfEdgeId) -> Option<HalfEdgeId> {
         let is_there = self.half_edges.get(known.index()).is_some_and(|h| h.origin == a) && self.dest(known) == b;
         if is_there { Some(known) } else { self.half_edge_between(a, b) }
