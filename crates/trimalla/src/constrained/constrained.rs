@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::apply::Corridor;
 use super::area_map::AreaMap;
-use super::constraints::Constraints;
+use super::constraints::{ClassCount, Constraints};
 use super::crossing_pairs::crossing_pairs;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
@@ -217,15 +217,14 @@ impl ConstrainedDelaunay {
         &self.segments
     }
 
-    /// The input segments that an edge is part of; empty for unconstrained edges and those that only bound the domain.
+    /// The input segments that an edge is part of, sorted; empty for unconstrained edges and those that only bound the
+    /// domain.
+    ///
+    /// # Complexity
+    /// Where segments overlap on one line, linear in the segments of that line: the list is made on demand.
     #[must_use]
-    pub fn segments_of(&self, h: HalfEdgeId) -> &[SegmentId] {
-        self.constraints.segments(self.t.mark(h))
-    }
-
-    /// The input segments of a class of edges.
-    pub(crate) fn segments_of_class(&self, mark: u32) -> &[SegmentId] {
-        self.constraints.segments(mark)
+    pub fn segments_of(&self, h: HalfEdgeId) -> Vec<SegmentId> {
+        self.segments_of_class(self.t.mark(h)).into_owned()
     }
 
     /// Where a vertex comes from.
@@ -404,7 +403,15 @@ impl ConstrainedDelaunay {
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         while let Some(entry) = log.pop_since(to) {
             match entry.column {
-                Column::Constraint => self.constraints.truncate(entry.index as usize),
+                Column::Constraint => {
+                    self.constraints.truncate(ClassCount { lists: entry.index, spans: entry.old as u32 });
+                }
+                Column::LineAdded
+                | Column::LineEnds
+                | Column::LineMember
+                | Column::LineConnected
+                | Column::LineClosed
+                | Column::LineMemberRemoved => self.constraints.lines.undo(entry),
                 Column::Segment => self.segments.truncate(entry.index as usize),
                 Column::ProvenanceAppended
                 | Column::ProvenanceStored

@@ -1,23 +1,49 @@
 //! Which input segments an edge is part of.
 //!
-//! A constrained edge carries a mark: one more than the number of a *class*. A class lists the input
-//! segments that run along the edge: one as a rule, several where segments overlap.
+//! A constrained edge carries a mark, which names a *class*: the input segments that run along the edge. Nearly all classes
+//! are of one segment. Where segments overlap on one line, the class is a span of that line (see `lines.rs`), and its
+//! segments are computed. Where segments that are not on one line share an edge, for rounding, the class lists them.
 
 use std::collections::BTreeMap;
 
-/// The classes of marks, each a sorted list of input segments.
+use super::lines::{Lines, Span};
+use crate::mesh::{Journal, VertexId};
+
+/// In the mark of a span, above its number.
+const SPAN: u32 = 1 << 31;
+
+/// The classes of marks.
 ///
-/// Nearly all are of one segment: those are found by a look-up, and no class has an allocation of its own.
+/// A list is a sorted list of input segments. Lists of one segment are found by a look-up, and no class has an allocation
+/// of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Constraints {
     /// The lists, one behind the other.
     members: Vec<u32>,
-    /// Where the list of each class ends.
+    /// Where each list ends.
     ends: Vec<u32>,
-    /// The mark of the class of just this segment; 0 where there is none.
+    /// The mark of the list of just this segment; 0 where there is none.
     alone: Vec<u32>,
-    /// The class of each list of none or several, so that equal lists share one.
+    /// The mark of each list of none or several, so that equal lists share one.
     class_of: BTreeMap<Vec<u32>, u32>,
+    /// Where segments overlap.
+    pub(super) lines: Lines,
+}
+
+/// How many classes there are of either kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct ClassCount {
+    pub(super) lists: u32,
+    pub(super) spans: u32,
+}
+
+/// What a mark names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Class<'a> {
+    /// These segments, sorted.
+    List(&'a [u32]),
+    /// Those of a line that cover a span.
+    Span(Span),
 }
 
 impl Constraints {
@@ -54,40 +80,52 @@ impl Constraints {
         mark.copied().unwrap_or(0)
     }
 
-    /// The mark of an edge of two marks: all segments of either.
-    pub(crate) fn joined(&mut self, a: u32, b: u32) -> u32 {
-        if a == 0 || a == b {
-            return b;
-        }
-        let mut list = [self.segments(a), self.segments(b)].concat();
-        list.sort_unstable();
-        list.dedup();
-        self.mark_of(&list)
+    /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is the
+    /// lowest segment that covers it.
+    pub(super) fn mark_of_span(&mut self, line: u32, ends: [VertexId; 2], first: u32) -> u32 {
+        SPAN | self.lines.add_span(line, ends, first) as u32
     }
 
-    /// The mark of an edge that has mark `mark` and is no longer part of `segment`; 0 where it is part of none.
-    pub(crate) fn without_segment(&mut self, mark: u32, segment: u32) -> u32 {
-        let list: Vec<u32> = self.segments(mark).iter().copied().filter(|&s| s != segment).collect();
-        if list.is_empty() { 0 } else { self.mark_of(&list) }
+    /// What a mark names; the empty list for mark 0.
+    #[inline]
+    pub(super) fn class(&self, mark: u32) -> Class<'_> {
+        let span = if mark & SPAN == 0 { None } else { self.lines.span((mark & !SPAN) as usize) };
+        span.map_or_else(|| Class::List(self.list(mark)), Class::Span)
     }
 
-    /// The input segments of a mark, sorted; none for mark 0.
-    pub(crate) fn segments(&self, mark: u32) -> &[u32] {
+    /// The segments of a mark that names a list, sorted; none for any other.
+    fn list(&self, mark: u32) -> &[u32] {
         let Some(class) = mark.checked_sub(1).map(|class| class as usize) else { return &[] };
         let Some(&end) = self.ends.get(class) else { return &[] };
         let start = class.checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.members[start as usize..end as usize]
     }
 
+    /// The line of a mark that names a span.
+    pub(super) fn line_of_mark(&self, mark: u32) -> Option<u32> {
+        match self.class(mark) {
+            Class::Span(span) => Some(self.lines.line_of_span(span)),
+            Class::List(_) => None,
+        }
+    }
+
+    /// No segment joins the line of a mark from now on, where it names a span.
+    pub(super) fn close_line_of<J: Journal>(&mut self, mark: u32, j: &mut J) {
+        if let Some(line) = self.line_of_mark(mark) {
+            self.lines.close(line, j);
+        }
+    }
+
     /// Number of classes.
-    pub(crate) fn len(&self) -> usize {
-        self.ends.len()
+    pub(super) fn count(&self) -> ClassCount {
+        ClassCount { lists: self.ends.len() as u32, spans: self.lines.spans() as u32 }
     }
 
     /// Forgets the newest classes, down to that many.
-    pub(crate) fn truncate(&mut self, len: usize) {
-        while self.ends.len() > len {
-            let list = self.segments(self.ends.len() as u32).to_vec();
+    pub(super) fn truncate(&mut self, count: ClassCount) {
+        self.lines.truncate_spans(count.spans as usize);
+        while self.ends.len() > count.lists as usize {
+            let list = self.list(self.ends.len() as u32).to_vec();
             match list[..] {
                 [segment] => self.alone[segment as usize] = 0,
                 _ => drop(self.class_of.remove(&list)),

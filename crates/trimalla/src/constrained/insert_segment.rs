@@ -4,6 +4,7 @@
 
 use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
+use super::constraints::ClassCount;
 use super::error::{ConstraintError, CrossingPair};
 use super::split_crossings::Piece;
 use crate::geometry::{Point, Segment};
@@ -78,13 +79,18 @@ impl ConstrainedDelaunay {
             self.begin_segment([a, b], j);
             return Ok(segment);
         }
-        let is_whole = self.survey(segment, [a, b], crossings)?;
+        let way = self.survey(segment, [a, b], crossings)?;
         let mark = self.begin_segment([a, b], j);
-        if is_whole {
-            let before = if self.as_given { Before::Any } else { Before::Delaunay };
-            self.apply_plan(mark, before, j);
-        } else {
-            self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
+        match way {
+            Way::Free => {
+                let before = if self.as_given { Before::Any } else { Before::Delaunay };
+                self.apply_plan(mark, before, j);
+            }
+            Way::Pieces => self.work_off(Piece { from: a, to: b, mark }, segment, j)?,
+            Way::Overlaps => match self.join_line(segment, j) {
+                Some(gaps) => self.fill_gaps(segment, gaps, j)?,
+                None => self.work_off(Piece { from: a, to: b, mark }, segment, j)?,
+            },
         }
         Ok(segment)
     }
@@ -96,28 +102,28 @@ impl ConstrainedDelaunay {
             j.note(Column::Segment, segment, 0);
         }
         self.segments.push(ends);
-        let before = self.constraints.len();
+        let before = self.constraints.count();
         let mark = self.constraints.mark_of(&[segment]);
         self.note_classes(before, j);
         mark
     }
 
     /// Notes that classes were added since there were `before`.
-    pub(crate) fn note_classes<J: Journal>(&self, before: usize, j: &mut J) {
-        if J::ACTIVE && self.constraints.len() > before {
-            j.note(Column::Constraint, before as u32, 0);
+    pub(super) fn note_classes<J: Journal>(&self, before: ClassCount, j: &mut J) {
+        if J::ACTIVE && self.constraints.count() > before {
+            j.note(Column::Constraint, before.lists, u64::from(before.spans));
         }
     }
 
-    /// Looks at the whole way of a segment before anything changes. Returns whether it is a single piece that crosses no
-    /// constraint: the plan made last is that of the segment then.
+    /// Looks at the whole way of a segment before anything changes. Where it is free, the plan made last is that of the
+    /// segment.
     fn survey(
         &mut self,
         segment: SegmentId,
         [a, b]: [VertexId; 2],
         crossings: Crossings,
-    ) -> Result<bool, ConstraintError> {
-        let (mut from, mut is_free) = (a, true);
+    ) -> Result<Way, ConstraintError> {
+        let (mut from, mut way) = (a, Way::Free);
         let mut pairs: Vec<CrossingPair> = Vec::new();
         while from != b {
             self.t.plan_into(&mut self.plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
@@ -125,20 +131,33 @@ impl ConstrainedDelaunay {
                 from: self.t.point(a),
                 to: self.t.point(b),
             })?;
-            is_free &= self.plan.constrained.is_empty();
+            let is_marked = self.plan.existing.is_some_and(|h| self.t.is_marked(h));
+            if is_marked || !self.plan.constrained.is_empty() {
+                way = way.max(Way::Pieces);
+                if self.overlap_at(from, [a, b]).is_some() {
+                    way = Way::Overlaps;
+                    if let Some((_, to)) = self.covered(from, [a, b]) {
+                        from = to;
+                        continue;
+                    }
+                }
+            }
             if crossings == Crossings::Refuse {
                 self.add_pairs(segment, [a, b], &mut pairs);
             }
             from = self.plan.to;
+            if from != b {
+                way = way.max(Way::Pieces);
+            }
         }
-        if pairs.is_empty() { Ok(is_free && self.plan.from == a) } else { Err(ConstraintError::Crossing(pairs)) }
+        if pairs.is_empty() { Ok(way) } else { Err(ConstraintError::Crossing(pairs)) }
     }
 
     /// Adds the input segments that the plan crosses.
     fn add_pairs(&self, segment: SegmentId, ends: [VertexId; 2], pairs: &mut Vec<CrossingPair>) {
         for &h in &self.plan.constrained {
             let at = crossing_of(ends.map(|v| self.t.point(v)), self.t.edge_points(h));
-            let others = self.constraints.segments(self.t.mark(h));
+            let others = self.segments_of_class(self.t.mark(h));
             pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o as usize, segment as usize], at }));
         }
     }
@@ -154,10 +173,34 @@ impl ConstrainedDelaunay {
         debug_assert!(applied, "a plan that crosses no constraint can be carried out");
     }
 
-    /// The class of an edge of two classes.
+    /// The mark of an edge of two marks: all segments of either.
     pub(super) fn joined<J: Journal>(&mut self, a: u32, b: u32, j: &mut J) -> u32 {
-        let before = self.constraints.len();
-        let mark = self.constraints.joined(a, b);
+        if a == 0 || a == b {
+            return b;
+        }
+        let [one, two] = [a, b].map(|mark| self.segments_of_class(mark));
+        let mut list = [one, two].concat();
+        list.sort_unstable();
+        list.dedup();
+        if let Some(whole) = [a, b].into_iter().find(|&mark| self.segments_of_class(mark).len() == list.len()) {
+            return whole;
+        }
+        self.mark_of_list(&list, [a, b], j)
+    }
+
+    /// The mark of a list of segments, which edges of these marks get instead.
+    pub(super) fn mark_of_list<J: Journal>(
+        &mut self,
+        list: &[SegmentId],
+        instead: impl IntoIterator<Item = u32>,
+        j: &mut J,
+    ) -> u32 {
+        // The segments of a line would go on without these edges.
+        for mark in instead {
+            self.constraints.close_line_of(mark, j);
+        }
+        let before = self.constraints.count();
+        let mark = self.constraints.mark_of(list);
         self.note_classes(before, j);
         mark
     }
@@ -170,6 +213,17 @@ impl ConstrainedDelaunay {
             self.lawson.legalise_all(&mut self.t, j);
         }
     }
+}
+
+/// What lies on the way of a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Way {
+    /// A single piece that crosses no constraint and is none yet.
+    Free,
+    /// Several pieces, or constraints.
+    Pieces,
+    /// Edges of segments on the same line.
+    Overlaps,
 }
 
 /// The point where two lines cross that are known to, rounded; the middle of the second where they are too close to

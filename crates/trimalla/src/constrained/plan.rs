@@ -116,7 +116,7 @@ impl Triangulation {
     ///
     /// # Source
     /// The sum of lower degrees: `[ChibaNishizeki85]`, lemma 2.
-    fn first_step(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
+    pub(super) fn first_step(&self, from: VertexId, to: VertexId) -> Result<FirstStep, LeavesDomain> {
         let around = self.turn(from, to, FIRST_SPOKES)?;
         around.map_or_else(|| self.first_step_at_hub(from, to), Ok)
     }
@@ -277,7 +277,8 @@ enum Bearing {
     Elsewhere,
 }
 
-enum FirstStep {
+/// How a segment leaves a vertex.
+pub(super) enum FirstStep {
     /// This edge runs along the segment.
     Along(HalfEdgeId),
     /// The segment leaves between this spoke and the next one counter-clockwise.

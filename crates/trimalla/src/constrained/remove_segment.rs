@@ -29,7 +29,7 @@ impl ConstrainedDelaunay {
     fn step_along(&self, segment: SegmentId, at: VertexId, before: Option<VertexId>) -> Option<HalfEdgeId> {
         self.t
             .edges_around(at)
-            .find(|&h| Some(self.t.dest(h)) != before && self.segments_of(h).binary_search(&segment).is_ok())
+            .find(|&h| Some(self.t.dest(h)) != before && self.runs_along(self.t.mark(h), segment))
     }
 
     /// Removes a segment: edges that only it constrained are free again, and legalised.
@@ -43,25 +43,36 @@ impl ConstrainedDelaunay {
     /// [`remove_segment`](Self::remove_segment), noting what is overwritten.
     pub fn remove_segment_with<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> bool {
         let chain = self.chain(segment);
+        if !chain.is_empty() {
+            self.constraints.lines.remove(segment, j);
+        }
         self.take_name_off(&chain, segment, j);
         !chain.is_empty()
     }
 
     /// Takes a segment's name off edges; those that only it constrained are free again, and legalised.
     pub(super) fn take_name_off<J: Journal>(&mut self, edges: &[HalfEdgeId], segment: SegmentId, j: &mut J) {
-        let before = self.constraints.len();
         for &h in edges {
-            let mut mark = self.constraints.without_segment(self.t.mark(h), segment);
+            let mut mark = self.without_segment(self.t.mark(h), segment, j);
             let bounds = self.t.is_on_border(h);
             if mark == 0 && self.t.closure() == Closure::Domain && bounds {
-                mark = self.constraints.mark_of(&[]);
+                mark = self.mark_of_list(&[], [], j);
             }
             self.t.mesh.set_mark(h, mark, j);
         }
-        self.note_classes(before, j);
         for &h in edges {
             self.lawson.push(h);
         }
         self.lawson.legalise_all(&mut self.t, j);
+    }
+
+    /// The mark of an edge that has mark `mark` and is no longer part of `segment`; 0 where it is part of none.
+    fn without_segment<J: Journal>(&mut self, mark: u32, segment: SegmentId, j: &mut J) -> u32 {
+        if self.constraints.lines.is_removed(segment) && self.constraints.line_of_mark(mark).is_some() {
+            // The line no longer lists it.
+            return if self.first_segment(mark).is_some() { mark } else { 0 };
+        }
+        let list: Vec<SegmentId> = self.segments_of_class(mark).iter().copied().filter(|&s| s != segment).collect();
+        if list.is_empty() { 0 } else { self.mark_of_list(&list, [mark], j) }
     }
 }

@@ -100,7 +100,7 @@ impl ConstrainedDelaunay {
     }
 
     fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
-        let name = |mark| self.constraints.segments(mark).first().copied().unwrap_or(0) as usize;
+        let name = |mark| self.first_segment(mark).unwrap_or(0) as usize;
         let at = crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h));
         let (a, b) = (name(self.t.mark(h)), name(piece.mark));
         CrossingPair { segments: [a.min(b), a.max(b)], at }

@@ -1,6 +1,7 @@
 //! Splitting a subsegment.
 
 use super::constrained::ConstrainedDelaunay;
+use super::constraints::Class;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
@@ -60,7 +61,8 @@ impl ConstrainedDelaunay {
 
     /// The strips of the input segments of a class.
     pub(super) fn strips(&self, mark: u32, last_places: f64) -> impl Iterator<Item = Strip> + '_ {
-        self.constraints.segments(mark).iter().map(move |&s| Strip::new(self.segment_points(s), last_places))
+        let class = self.segments_of_class(mark);
+        (0..class.len()).map(move |i| Strip::new(self.segment_points(class[i]), last_places))
     }
 
     /// The ends of an input segment.
@@ -74,11 +76,10 @@ impl ConstrainedDelaunay {
     /// Where segments overlap their common points are as good as those of the finest.
     pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
         let extent = |s: &u32| self.segment_points(*s).largest_coordinate();
-        let class = self.constraints.segments(mark);
-        if let [only] = class {
-            Some(*only)
-        } else {
-            class.iter().copied().min_by(|s, r| extent(s).total_cmp(&extent(r)))
+        match self.constraints.class(mark) {
+            Class::List(&[only]) => Some(only),
+            Class::List(list) => list.iter().copied().min_by(|s, r| extent(s).total_cmp(&extent(r))),
+            Class::Span(span) => self.covering(span).min_by(|s, r| extent(s).total_cmp(&extent(r)).then(s.cmp(r))),
         }
     }
 

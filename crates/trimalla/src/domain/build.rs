@@ -105,7 +105,7 @@ fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, Dom
         DomainRule::Seeds => drop(flood(cdt, ghosts, &mut outside)),
         DomainRule::Hull => ghosts.for_each(|f| outside[f.index()] = true),
         DomainRule::Nesting => {
-            let depth = depths(cdt, |mark| cdt.constraints.segments(mark).len() as u32);
+            let depth = depths(cdt, |mark| cdt.segments_of_class(mark).len() as u32);
             for (out, depth) in outside.iter_mut().zip(depth) {
                 *out = depth % 2 == 0;
             }

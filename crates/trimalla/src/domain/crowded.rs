@@ -69,7 +69,7 @@ pub(super) fn real_among(cdt: &ConstrainedDelaunay, keep: &[bool]) -> Vec<bool> 
 
 /// The ends of the first segment that an edge is part of, or its own.
 pub(super) fn whole_segment(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [Point; 2] {
-    cdt.segments_of(h).first().map_or_else(|| cdt.edge_points(h), |&s| cdt.segments()[s as usize].map(|v| cdt.point(v)))
+    cdt.first_segment_of(h).map_or_else(|| cdt.edge_points(h), |s| cdt.segments()[s as usize].map(|v| cdt.point(v)))
 }
 
 /// [`crowded`] for a mesh that comes without its outside: that is triangulated again, from the border and from vertices

@@ -42,8 +42,9 @@ impl ConstrainedDelaunay {
     /// All but points and triangles.
     fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
         let mut subsegments = Vec::new();
+        let markers = if pslg.segment_markers.iter().all(|&m| m == 0) { &[][..] } else { &pslg.segment_markers };
         // Not collected: edge by edge the nested iterators would be a machine of states.
-        self.marked_edges().for_each(|h| subsegments.push(self.subsegment(h, pslg)));
+        self.marked_edges().for_each(|h| subsegments.push(self.subsegment(h, markers)));
         let mut mesh = IndexedMesh {
             segments: subsegments.iter().map(|s| s.ends.map(|v| kept.id(v))).collect(),
             segment_markers: subsegments.iter().map(|s| s.marker).collect(),
@@ -63,10 +64,15 @@ impl ConstrainedDelaunay {
     }
 
     /// What a subsegment is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
-    fn subsegment(&self, h: HalfEdgeId, pslg: &Pslg) -> Subsegment {
+    fn subsegment(&self, h: HalfEdgeId, markers: &[i32]) -> Subsegment {
         let on_border = self.is_on_border(h);
-        let given =
-            self.segments_of(h).iter().filter_map(|&s| pslg.segment_markers.get(s as usize)).copied().find(|&m| m != 0);
+        let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
+        // Nearly always the first has one.
+        let given = if markers.is_empty() { None } else { self.first_segment_of(h) };
+        let given = given.and_then(|first| {
+            let others = || self.segments_of(h).into_iter().find_map(marker_of);
+            marker_of(first).or_else(others)
+        });
         let marker = given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 });
         Subsegment { ends: [self.origin(h), self.dest(h)], on_border, marker }
     }

@@ -40,7 +40,7 @@ fn provenance_of(cdt: &ConstrainedDelaunay, v: VertexId, scale: f64) -> Option<P
             return Some(on_segment(cdt, v, segment, scale));
         }
     }
-    let mut inside: Vec<u32> = edges.iter().flat_map(|&h| cdt.segments_of(h)).copied().filter(passes).collect();
+    let mut inside: Vec<u32> = edges.iter().flat_map(|&h| cdt.segments_of(h)).filter(passes).collect();
     inside.sort_unstable();
     inside.dedup();
     match inside.as_slice() {
@@ -58,7 +58,7 @@ fn on_segment(cdt: &ConstrainedDelaunay, v: VertexId, segment: u32, scale: f64) 
     let nearer = if t <= 0.5 { [false, true] } else { [true, false] };
     for around_end in nearer {
         let apex = ends[usize::from(around_end)];
-        let joined = cdt.edges_around(apex).filter(|&h| cdt.is_marked(h)).count() > 1;
+        let joined = cdt.edges_around(apex).filter(|&h| cdt.is_marked(h)).nth(1).is_some();
         if let Some(shell) = shell_of(Segment::new(cdt.point(apex), p).length() * scale).filter(|_| joined) {
             return Provenance::Shell { segment, t, around_end, shell };
         }

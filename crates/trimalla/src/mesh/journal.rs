@@ -41,10 +41,22 @@ pub enum Column {
     Y,
     /// State of the triangulation itself (closure, lone vertex); meaning known to its owner.
     State,
-    /// Classes of constraint marks were added, from `index` on.
+    /// Classes of constraint marks were added, lists from `index` on, spans of lines from `old` on.
     Constraint,
     /// Input segments were added, from `index` on.
     Segment,
+    /// A line of overlapping segments was added.
+    LineAdded,
+    /// The two ends of a line of overlapping segments.
+    LineEnds,
+    /// A segment joined a line of overlapping segments; `index` is the segment.
+    LineMember,
+    /// A line of overlapping segments was connected to another one.
+    LineConnected,
+    /// A line of overlapping segments was closed.
+    LineClosed,
+    /// A member of a line of overlapping segments was removed; `index` is the segment.
+    LineMemberRemoved,
     /// Vertices from `index` on were given room for a provenance.
     ProvenanceAppended,
     /// A vertex got its first provenance but that of a free one.

@@ -65,7 +65,7 @@ impl Refinement {
         self.recover_segments();
         let missing = self.cdt.claim(&self.released, &mut NoJournal);
         let mut lost: Vec<u32> =
-            missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark)).copied().collect();
+            missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
         lost.sort_unstable();
         lost.dedup();
         self.report.lost_segments = lost;

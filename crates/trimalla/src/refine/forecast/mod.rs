@@ -294,8 +294,8 @@ impl<'a> Tally<'a> {
         if self.footed.foot_on(v).is_none() {
             return Feature::Vertex(v);
         }
-        let on = self.footed.cdt.edges_around(v).flat_map(|h| self.footed.cdt.segments_of(h)).min();
-        on.map_or(Feature::Hull, |&s| Feature::Segment(s))
+        let on = self.footed.cdt.edges_around(v).filter_map(|h| self.footed.cdt.first_segment_of(h)).min();
+        on.map_or(Feature::Hull, Feature::Segment)
     }
 }
 

@@ -1,0 +1,294 @@
+//! Segments that run along others on one line.
+//!
+//! 1. On the way of a new segment the survey meets an edge of a segment, or of a line of segments, that is exactly on one
+//!    line with it ([`overlap_at`](ConstrainedDelaunay::overlap_at)).
+//! 2. If that is a segment which overlapped none so far, a line is made of it, and its edges become spans of that line
+//!    ([`line_of_alone`](ConstrainedDelaunay::line_of_alone)).
+//! 3. The new segment joins the line. Stretches that the line covers need no work at all, however many edges they have; the
+//!    gaps before, between and behind them are filled as new pieces ([`fill_gaps`](ConstrainedDelaunay::fill_gaps)).
+//!
+//! Degenerate cases: crossings bend a segment by their rounding, and a vertex off its line is none at which a span could end:
+//! both edges beside it get the span between the nearest vertices exactly on the line. Where such a chain does not run
+//! straight forward, where the line is closed, or where the new segment starts beside the chain, nothing is joined, and
+//! each edge lists its segments instead.
+
+use std::borrow::Cow;
+
+use super::constrained::{ConstrainedDelaunay, SegmentId};
+use super::constraints::Class;
+use super::error::ConstraintError;
+use super::lines::Span;
+use super::plan::FirstStep;
+use super::split_crossings::Piece;
+use crate::geometry::{Orientation, lexicographically_less, orient2d};
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::triangulation::Closure;
+
+/// Spokes of a vertex among which the edge of a bent segment is looked for.
+const MOST_SPOKES: usize = 64;
+
+/// Reading classes.
+impl ConstrainedDelaunay {
+    /// The input segments of a class of edges, sorted.
+    pub(crate) fn segments_of_class(&self, mark: u32) -> Cow<'_, [SegmentId]> {
+        match self.constraints.class(mark) {
+            Class::List(list) => Cow::Borrowed(list),
+            Class::Span(span) => {
+                let mut list: Vec<SegmentId> = self.covering(span).collect();
+                list.sort_unstable();
+                Cow::Owned(list)
+            }
+        }
+    }
+
+    /// The lowest of the input segments that an edge is part of.
+    pub(crate) fn first_segment_of(&self, h: HalfEdgeId) -> Option<SegmentId> {
+        self.first_segment(self.t.mark(h))
+    }
+
+    /// The lowest of the input segments of a class.
+    pub(super) fn first_segment(&self, mark: u32) -> Option<SegmentId> {
+        match self.constraints.class(mark) {
+            Class::List(list) => list.first().copied(),
+            Class::Span(span) if !self.constraints.lines.is_removed(span.first) => Some(span.first),
+            Class::Span(span) => self.covering(span).min(),
+        }
+    }
+
+    /// Whether edges of a class are part of a segment.
+    pub(super) fn runs_along(&self, mark: u32, segment: SegmentId) -> bool {
+        match self.constraints.class(mark) {
+            Class::List(list) => list.binary_search(&segment).is_ok(),
+            Class::Span(span) => {
+                let lines = &self.constraints.lines;
+                lines.line_of_segment(segment) == Some(lines.line_of_span(span))
+                    && !lines.is_removed(segment)
+                    && self.covers(segment, span)
+            }
+        }
+    }
+
+    /// The segments of a line that cover a span, in no order.
+    pub(super) fn covering(&self, span: Span) -> impl Iterator<Item = SegmentId> + '_ {
+        let lines = &self.constraints.lines;
+        lines.members(lines.line_of_span(span)).filter(move |&segment| self.covers(segment, span))
+    }
+
+    /// Whether a segment of a line reaches from one end of a span to the other.
+    fn covers(&self, segment: SegmentId, span: Span) -> bool {
+        let [low, high] = self.in_order(self.segments[segment as usize]);
+        !self.is_before(span.ends[0], low) && !self.is_before(high, span.ends[1])
+    }
+
+    /// Whether a vertex comes before another one along a line of both.
+    fn is_before(&self, a: VertexId, b: VertexId) -> bool {
+        a != b && lexicographically_less(self.t.point(a), self.t.point(b))
+    }
+
+    /// Two vertices in their order along a line.
+    fn in_order(&self, [a, b]: [VertexId; 2]) -> [VertexId; 2] {
+        if self.is_before(b, a) { [b, a] } else { [a, b] }
+    }
+}
+
+/// Step 1: finding overlaps, nothing changed.
+impl ConstrainedDelaunay {
+    /// The edge at a vertex from which a segment that is exactly on one line with `[from, to]` runs on towards `to`.
+    pub(super) fn overlap_at(&self, from: VertexId, [start, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
+        if self.t.closure() != Closure::Hull {
+            return None; // Parts of segments may be missing.
+        }
+        let fits = |&h: &HalfEdgeId| self.t.is_marked(h) && self.runs_on_one_line(h, [start, to]);
+        match self.t.first_step(from, to) {
+            Ok(FirstStep::Along(h)) => Some(h).filter(fits),
+            // Crossings may have bent the edge off the line.
+            Ok(FirstStep::Across(_)) => self.t.edges_around(from).take(MOST_SPOKES).find(fits),
+            Err(_) => None,
+        }
+    }
+
+    /// Whether an edge belongs to a segment or an open line exactly on one line with a new segment, and leads the way that
+    /// the segment has from its start to its end.
+    fn runs_on_one_line(&self, h: HalfEdgeId, [start, to]: [VertexId; 2]) -> bool {
+        let forward = self.is_before(start, to);
+        match self.constraints.class(self.t.mark(h)) {
+            Class::List(&[other]) if self.constraints.lines.line_of_segment(other).is_none() => {
+                let [p, q, x, y] = [self.t.origin(h), self.t.dest(h), start, to].map(|v| self.t.point(v));
+                self.are_on_one_line(self.segments[other as usize], [start, to]) && (q - p).dot(y - x) > 0.0
+            }
+            Class::List(_) => false,
+            Class::Span(span) => {
+                let line = self.constraints.lines.line_of_span(span);
+                self.constraints.lines.is_open(line)
+                    && span.ends[usize::from(!forward)] == self.t.origin(h)
+                    && self.are_on_one_line(self.constraints.lines.ends(line), [start, to])
+            }
+        }
+    }
+
+    fn are_on_one_line(&self, [a, b]: [VertexId; 2], others: [VertexId; 2]) -> bool {
+        others.into_iter().all(|v| self.is_on_line([a, b], v))
+    }
+
+    fn is_on_line(&self, [a, b]: [VertexId; 2], v: VertexId) -> bool {
+        let [a, b, p] = [a, b, v].map(|v| self.t.point(v));
+        orient2d(a, b, p) == Orientation::Collinear
+    }
+
+    /// How far a line covers the way of a segment from a vertex on: the line, and the end of what it covers or of the segment,
+    /// whichever comes first. `None` where no line does.
+    pub(super) fn covered(&self, from: VertexId, [start, to]: [VertexId; 2]) -> Option<(u32, VertexId)> {
+        let h = self.overlap_at(from, [start, to])?;
+        let line = self.constraints.line_of_mark(self.t.mark(h))?;
+        let [low, high] = self.constraints.lines.ends(line);
+        let (end, goes_on) =
+            if self.is_before(start, to) { (high, self.is_before(high, to)) } else { (low, self.is_before(to, low)) };
+        if goes_on || end == to {
+            return Some((line, end));
+        }
+        // Inside the stretch: a vertex of its chain, or one beside it?
+        let back = self.overlap_at(to, [to, from])?;
+        (self.constraints.line_of_mark(self.t.mark(back)) == Some(line)).then_some((line, to))
+    }
+}
+
+/// Steps 2 and 3.
+impl ConstrainedDelaunay {
+    /// Lets a new segment join the lines that it overlaps, which become one. Returns the gaps on its way, each between two
+    /// vertices exactly on it that follow one another; `None` where there is no line that it could join.
+    pub(super) fn join_line<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> Option<Vec<[VertexId; 2]>> {
+        let ends @ [start, to] = self.segments[segment as usize];
+        let (mut at, mut joined, mut gaps) = (start, None, Vec::new());
+        while at != to {
+            if let Some((line, end)) = self.covered_by_any(at, ends, j) {
+                joined = Some(joined.map_or(line, |other| self.connect_lines(other, line, j)));
+                at = end;
+            } else {
+                // The survey has been this way: it does not leave the domain.
+                let is_planned = self.t.plan_into(&mut self.plan, at, to).is_ok();
+                let stop = if is_planned { self.plan.to } else { to };
+                gaps.push([at, stop]);
+                at = stop;
+            }
+        }
+        let line = joined?;
+        let ends = self.in_order(ends);
+        self.stretch_line(line, ends, j);
+        self.constraints.lines.enroll(line, segment, j);
+        Some(gaps)
+    }
+
+    /// [`covered`](Self::covered); a segment that overlapped none so far becomes a line first.
+    fn covered_by_any<J: Journal>(
+        &mut self,
+        at: VertexId,
+        ends: [VertexId; 2],
+        j: &mut J,
+    ) -> Option<(u32, VertexId)> {
+        let h = self.overlap_at(at, ends)?;
+        if let Class::List(&[alone]) = self.constraints.class(self.t.mark(h)) {
+            self.line_of_alone(h, alone, j);
+        }
+        self.covered(at, ends)
+    }
+
+    fn connect_lines<J: Journal>(&mut self, a: u32, b: u32, j: &mut J) -> u32 {
+        let ends = self.constraints.lines.ends(b);
+        let ends = if a == b { ends } else { self.reach([self.constraints.lines.ends(a), ends]) };
+        let line = self.constraints.lines.connect(a, b, j);
+        self.stretch_line(line, ends, j);
+        line
+    }
+
+    /// Lets the stretch of a line reach two vertices, the lexicographically lower one first.
+    fn stretch_line<J: Journal>(&mut self, line: u32, ends: [VertexId; 2], j: &mut J) {
+        let old = self.constraints.lines.ends(line);
+        let new = self.reach([old, ends]);
+        if new != old {
+            self.constraints.lines.set_ends(line, new, j);
+        }
+    }
+
+    /// From the first to the last of the ends of two stretches of a line.
+    fn reach(&self, [[a, b], [c, d]]: [[VertexId; 2]; 2]) -> [VertexId; 2] {
+        [if self.is_before(c, a) { c } else { a }, if self.is_before(b, d) { d } else { b }]
+    }
+
+    /// Makes a line of a segment to which alone half-edge `h` belongs, if its chain runs straight forward.
+    fn line_of_alone<J: Journal>(&mut self, h: HalfEdgeId, segment: SegmentId, j: &mut J) {
+        let ends = self.segments[segment as usize];
+        let Some(chain) = self.chain_of_alone(h, ends) else { return };
+        let Some(stops) = self.stops_along(&chain, ends) else { return };
+        let line = self.constraints.lines.add(self.in_order(ends), j);
+        self.constraints.lines.enroll(line, segment, j);
+        let mut edges = chain.into_iter();
+        for pair in stops.windows(2) {
+            let mark = self.mark_of_new_span(line, [pair[0], pair[1]], segment, j);
+            for h in edges.by_ref() {
+                self.t.mesh.set_mark(h, mark, j);
+                if self.t.dest(h) == pair[1] {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn mark_of_new_span<J: Journal>(&mut self, line: u32, ends: [VertexId; 2], first: SegmentId, j: &mut J) -> u32 {
+        let ends = self.in_order(ends);
+        let before = self.constraints.count();
+        let mark = self.constraints.mark_of_span(line, ends, first);
+        self.note_classes(before, j);
+        mark
+    }
+
+    /// The edges with the mark of `h`, which is that of one segment, from the one of its ends to the other; `None` where they
+    /// are not one path.
+    fn chain_of_alone(&self, h: HalfEdgeId, ends: [VertexId; 2]) -> Option<Vec<HalfEdgeId>> {
+        let follow = |first: HalfEdgeId| {
+            let mut chain = vec![first];
+            let mut last = first;
+            while !ends.contains(&self.t.dest(last)) {
+                let is_next = |g: &HalfEdgeId| self.t.mark(*g) == self.t.mark(h) && *g != self.t.twin(last);
+                last = self.t.star_from(self.t.twin(last)).find(is_next)?;
+                chain.push(last);
+                if chain.len() > self.t.face_slots() {
+                    return None;
+                }
+            }
+            Some(chain)
+        };
+        let (back, forth) = (follow(self.t.twin(h))?, follow(h)?);
+        let mut chain: Vec<HalfEdgeId> = back.into_iter().rev().map(|g| self.t.twin(g)).collect();
+        chain.extend_from_slice(&forth[1..]);
+        let (first, last) = (self.t.origin(chain[0]), self.t.dest(chain[chain.len() - 1]));
+        (first != last).then_some(chain)
+    }
+
+    /// The vertices of a chain that lie exactly on the line of its ends; `None` where they do not come one after the other
+    /// along it.
+    fn stops_along(&self, chain: &[HalfEdgeId], ends: [VertexId; 2]) -> Option<Vec<VertexId>> {
+        let mut stops = vec![self.t.origin(chain[0])];
+        stops.extend(chain.iter().map(|&h| self.t.dest(h)).filter(|&v| self.is_on_line(ends, v)));
+        let forward = self.is_before(stops[0], stops[stops.len() - 1]);
+        let goes_on = |pair: &[VertexId]| self.is_before(pair[usize::from(!forward)], pair[usize::from(forward)]);
+        stops.windows(2).all(goes_on).then_some(stops)
+    }
+
+    /// Puts the pieces of a new member of a line in that no other member covers.
+    ///
+    /// # Errors
+    /// Those of the pieces; what was done by then is the caller's to take back.
+    pub(super) fn fill_gaps<J: Journal>(
+        &mut self,
+        segment: SegmentId,
+        gaps: Vec<[VertexId; 2]>,
+        j: &mut J,
+    ) -> Result<(), ConstraintError> {
+        let Some(line) = self.constraints.lines.line_of_segment(segment) else { return Ok(()) };
+        for ends @ [from, to] in gaps {
+            let mark = self.mark_of_new_span(line, ends, segment, j);
+            self.work_off(Piece { from, to, mark }, segment, j)?;
+        }
+        Ok(())
+    }
+}
