@@ -320,7 +320,7 @@ impl ConstrainedDelaunay {
     /// Inserts a point; on a constrained edge it parts it.
     ///
     /// # Errors
-    /// [`BuildError::NotFinite`]; [`BuildError::OutsideDomain`] where the exterior was carved away.
+    /// [`BuildError::NotFinite`]; [`BuildError::TooManyPoints`]; [`BuildError::OutsideDomain`] where the exterior was carved away.
     pub fn insert(&mut self, p: Point) -> Result<Inserted, BuildError> {
         self.insert_with(p, &mut NoJournal)
     }
@@ -336,7 +336,10 @@ impl ConstrainedDelaunay {
         match self.t.locate_from(self.last, p) {
             Locus::Vertex(v) => Ok(Inserted::Existing(v)),
             Locus::Outside(_) if self.t.closure() == Closure::Domain => Err(BuildError::OutsideDomain(p)),
-            locus => Ok(Inserted::New(self.insert_vertex_at(p, locus, j))),
+            locus => {
+                BuildError::if_too_many(self.t.points.len(), 1)?;
+                Ok(Inserted::New(self.insert_vertex_at(p, locus, j)))
+            }
         }
     }
 

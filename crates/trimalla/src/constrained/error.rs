@@ -38,6 +38,9 @@ pub enum ConstraintError {
         /// How many points there are.
         points: usize,
     },
+    /// More segments than 31-bit marks of edges can name.
+    #[error("{0} segments are more than the {max} that fit", max = Self::MAX_SEGMENTS)]
+    TooManySegments(usize),
     /// A segment ends at a vertex that is not part of the triangulation.
     #[error("segment {segment} ends at vertex {vertex}, which is not used")]
     UnusedVertex {
@@ -67,6 +70,11 @@ pub enum ConstraintError {
         /// The bound.
         steps: u64,
     },
+}
+
+impl ConstraintError {
+    /// Half of the marks of edges name segments, the other half where segments overlap; some are left for lists of several.
+    pub const MAX_SEGMENTS: usize = 1_000_000_000;
 }
 
 fn pairs(n: usize) -> String {

@@ -7,6 +7,7 @@ use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::constraints::ClassCount;
 use super::error::{ConstraintError, CrossingPair};
 use super::split_crossings::Piece;
+use crate::delaunay::BuildError;
 use crate::geometry::{Point, Segment};
 use crate::mesh::{Column, Journal, NoJournal, UndoLog, VertexId};
 
@@ -27,10 +28,12 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// [`ConstraintError::Crossing`] names the segments crossed; [`ConstraintError::UnusedVertex`],
-    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`]. Nothing has changed then.
+    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`], [`ConstraintError::TooManySegments`],
+    /// [`BuildError::TooManyPoints`]. Nothing has changed then.
     ///
     /// # Complexity
-    /// Expected linear in the edges crossed, and in the degrees of the vertices on the way.
+    /// Expected linear in the edges crossed, and in the degree of either end or those of the vertices on the way, whichever
+    /// is less. Stretches that overlapping segments cover on the same line cost nothing.
     pub fn insert_segment(
         &mut self,
         a: VertexId,
@@ -71,6 +74,9 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Result<SegmentId, ConstraintError> {
         let [a, b] = [a, b].map(|v| self.t.representative(v));
+        if self.segments.len() >= ConstraintError::MAX_SEGMENTS {
+            return Err(ConstraintError::TooManySegments(self.segments.len() + 1));
+        }
         let segment = self.segments.len() as SegmentId;
         if let Some(vertex) = [a, b].into_iter().find(|&v| v.index() >= self.t.points().len() || !self.t.is_used(v)) {
             return Err(ConstraintError::UnusedVertex { segment: segment as usize, vertex });
@@ -123,7 +129,7 @@ impl ConstrainedDelaunay {
         [a, b]: [VertexId; 2],
         crossings: Crossings,
     ) -> Result<Way, ConstraintError> {
-        let (mut from, mut way) = (a, Way::Free);
+        let (mut from, mut way, mut crossed) = (a, Way::Free, 0);
         let mut pairs: Vec<CrossingPair> = Vec::new();
         while from != b {
             self.t.plan_into(&mut self.plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
@@ -134,6 +140,7 @@ impl ConstrainedDelaunay {
             let is_marked = self.plan.existing.is_some_and(|h| self.t.is_marked(h));
             if is_marked || !self.plan.constrained.is_empty() {
                 way = way.max(Way::Pieces);
+                crossed += self.plan.constrained.len();
                 if self.overlap_at(from, [a, b]).is_some() {
                     way = Way::Overlaps;
                     if let Some((_, to)) = self.covered(from, [a, b]) {
@@ -150,7 +157,11 @@ impl ConstrainedDelaunay {
                 way = way.max(Way::Pieces);
             }
         }
-        if pairs.is_empty() { Ok(way) } else { Err(ConstraintError::Crossing(pairs)) }
+        if !pairs.is_empty() {
+            return Err(ConstraintError::Crossing(pairs));
+        }
+        BuildError::if_too_many(self.t.points.len(), crossed)?;
+        Ok(way)
     }
 
     /// Adds the input segments that the plan crosses.

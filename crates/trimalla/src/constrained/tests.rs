@@ -1,6 +1,7 @@
 //! Small constrained triangulations, by hand and by chance.
 
 use super::*;
+use crate::delaunay::{BuildError, Delaunay, Inserted, limit_of_test};
 use crate::geometry::Point;
 use crate::mesh::{UndoLog, VertexId};
 
@@ -146,4 +147,32 @@ fn edits_roll_back_exactly() {
             states.push((log.checkpoint(), cdt.clone()));
         }
     }
+}
+
+/// G07 of the catalogue: just under and over the indices of half-edges, by a limit that a test can meet.
+#[test]
+fn g07_more_vertices_than_half_edges_can_name_are_an_error() {
+    let cross: Vec<Point> = [[0.0, 0.0], [4.0, 4.0], [0.0, 4.0], [4.0, 0.0]].map(Point::from).to_vec();
+    let too_many = |points| BuildError::TooManyPoints(points);
+    limit_of_test::with(5, || {
+        let mut cdt = ConstrainedDelaunay::new(&cross, &[[0, 1], [2, 3]], Crossings::Split).unwrap();
+        assert_eq!(cdt.points().len(), 5, "four points and the crossing just fit");
+        let before = cdt.clone();
+        assert_eq!(cdt.insert(Point::new(1.0, 2.0)), Err(too_many(6)));
+        assert_eq!(cdt.insert(Point::new(2.0, 2.0)), Ok(Inserted::Existing(VertexId(4))), "no vertex is needed");
+        assert!(cdt == before);
+        let mut delaunay = Delaunay::new(&before.points()[..5]).unwrap();
+        assert_eq!(delaunay.insert(Point::new(1.0, 2.0)), Err(too_many(6)));
+        assert_eq!(Delaunay::new(&[cross.clone(), cross.clone()].concat()).err(), Some(too_many(8)));
+    });
+    limit_of_test::with(4, || {
+        let refused = ConstrainedDelaunay::new(&cross, &[[0, 1], [2, 3]], Crossings::Split);
+        assert_eq!(refused.err(), Some(too_many(5).into()));
+        let mut cdt = ConstrainedDelaunay::new(&cross, &[[0, 1]], Crossings::Refuse).unwrap();
+        let before = cdt.clone();
+        let refused = cdt.insert_segment(VertexId(2), VertexId(3), Crossings::Split);
+        assert_eq!(refused, Err(too_many(5).into()));
+        assert!(cdt == before, "nothing has changed");
+    });
+    assert!(6 * (BuildError::MAX_POINTS + 1) < u32::MAX as usize, "each vertex brings six half-edges");
 }

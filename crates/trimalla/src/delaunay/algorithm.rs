@@ -133,9 +133,7 @@ impl FromStr for AlgorithmKey {
 
 /// Every coordinate finite, every index in range; the subset without repetitions, in order.
 pub(crate) fn validate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Option<Vec<VertexId>>, BuildError> {
-    if points.len() > BuildError::MAX_POINTS {
-        return Err(BuildError::TooManyPoints(points.len()));
-    }
+    BuildError::if_too_many(points.len(), 0)?;
     // All together, without a branch a point: hardly any input has one that is not finite.
     let are_finite = points.iter().fold(true, |are_finite, p| are_finite & p.is_finite());
     if !are_finite && let Some((i, &p)) = points.iter().enumerate().find(|(_, p)| !p.is_finite()) {

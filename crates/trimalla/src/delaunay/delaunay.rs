@@ -42,6 +42,46 @@ pub enum BuildError {
 impl BuildError {
     /// Six half-edges a vertex, named by 32 bits.
     pub const MAX_POINTS: usize = 700_000_000;
+
+    /// The error of so many more points than there are, where they are too many.
+    ///
+    /// Every vertex that is made goes through this limit or the bound on vertices of a refinement, so that no index of a
+    /// half-edge passes 32 bits.
+    pub(crate) fn if_too_many(points: usize, more: usize) -> Result<(), Self> {
+        let all = points.saturating_add(more);
+        if all > max_points() { Err(Self::TooManyPoints(all)) } else { Ok(()) }
+    }
+}
+
+/// [`BuildError::MAX_POINTS`]; fewer where a test says so.
+pub(crate) fn max_points() -> usize {
+    #[cfg(test)]
+    if let Some(fewer) = limit_of_test::get() {
+        return fewer;
+    }
+    BuildError::MAX_POINTS
+}
+
+/// A limit that is met without filling the memory.
+#[cfg(test)]
+pub(crate) mod limit_of_test {
+    use std::cell::Cell;
+
+    thread_local! {
+        static LIMIT: Cell<Option<usize>> = const { Cell::new(None) };
+    }
+
+    pub(crate) fn get() -> Option<usize> {
+        LIMIT.get()
+    }
+
+    /// Does something on this thread with no more points than that.
+    pub(crate) fn with<T>(points: usize, act: impl FnOnce() -> T) -> T {
+        LIMIT.set(Some(points));
+        let result = act();
+        LIMIT.set(None);
+        result
+    }
 }
 
 /// What became of a point that was inserted.
@@ -156,7 +196,7 @@ impl Delaunay {
     /// [`insert`](Self::insert), noting what is overwritten.
     ///
     /// # Errors
-    /// [`BuildError::NotFinite`].
+    /// [`BuildError::NotFinite`], [`BuildError::TooManyPoints`].
     pub fn insert_with<J: Journal>(&mut self, p: Point, j: &mut J) -> Result<Inserted, BuildError> {
         if !p.is_finite() {
             return Err(BuildError::NotFinite { index: self.t.points.len(), point: p });
@@ -165,6 +205,7 @@ impl Delaunay {
         if let Locus::Vertex(v) = locus {
             return Ok(Inserted::Existing(v));
         }
+        BuildError::if_too_many(self.t.points.len(), 1)?;
         let v = self.t.add_vertex(p, j);
         insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, j);
         self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());

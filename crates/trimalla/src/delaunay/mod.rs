@@ -30,6 +30,9 @@ mod tests;
 pub use algorithm::{Algorithm, AlgorithmKey, DivideAndConquer, Incremental};
 pub(crate) use cavity::Cavity;
 pub(crate) use curve_cells::CurveCells;
+#[cfg(test)]
+pub(crate) use delaunay::limit_of_test;
+pub(crate) use delaunay::max_points;
 pub use delaunay::{BuildError, Delaunay, Inserted};
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;

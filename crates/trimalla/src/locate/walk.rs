@@ -71,25 +71,32 @@ impl Triangulation {
     /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
-        let arrived = self.walk_within_by_sight(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
-        arrived.unwrap_or_else(|| self.walk_within_exactly(start, p))
+        // Without a bound of its own the walk ends.
+        self.walk_within_steps(start, p, usize::MAX).unwrap_or(Walk::Arrived(Locus::Nowhere))
     }
 
-    fn walk_within_exactly(&self, start: FaceId, p: Point) -> Walk {
-        let Some(start) = self.real_face_near(start) else { return Walk::Arrived(Locus::Nowhere) };
+    /// [`walk_within`](Self::walk_within) in no more than so many steps; `None` where it takes more.
+    pub(crate) fn walk_within_steps(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
+        let arrived = self.walk_within_by_sight(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
+        arrived.or_else(|| self.walk_within_exactly(start, p, steps))
+    }
+
+    fn walk_within_exactly(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
+        let Some(start) = self.real_face_near(start) else { return Some(Walk::Arrived(Locus::Nowhere)) };
         let mut e = start.half_edge(0);
         let [mut a, mut b] = self.edge_points(e);
         let mut side = orient2d(a, b, p);
-        for _ in 0..CALM_STEPS + self.face_slots() {
+        let most = CALM_STEPS + self.face_slots();
+        for _ in 0..most.min(steps) {
             let (next, prev) = e.next_and_prev();
             let c = self.point(self.origin(prev));
             let sides = [side, orient2d(b, c, p), orient2d(c, a, p)];
             let is_beyond = sides.map(|side| side == Orientation::Clockwise);
             let Some(exit) = self.exit(start, p, [e, next, prev], is_beyond) else {
-                return Walk::Arrived(self.locus_in(e, sides));
+                return Some(Walk::Arrived(self.locus_in(e, sides)));
             };
             if self.is_marked(exit) || self.is_ghost(self.twin(exit).face()) {
-                return Walk::Blocked(exit);
+                return Some(Walk::Blocked(exit));
             }
             (a, b) = match exit {
                 _ if exit == e => (b, a),
@@ -98,7 +105,7 @@ impl Triangulation {
             };
             (e, side) = (self.twin(exit), Orientation::CounterClockwise);
         }
-        Walk::Arrived(self.scan_or_outside(p))
+        (steps >= most).then(|| Walk::Arrived(self.scan_or_outside(p)))
     }
 
     /// The edge of a face by which to leave it for `p`, on the way from the middle of `start`; `None` where `p` is beyond none.

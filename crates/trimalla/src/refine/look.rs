@@ -130,7 +130,7 @@ impl Looker<'_> {
 impl Refinement {
     fn looker(&mut self) -> Looker<'_> {
         Looker {
-            view: View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler },
+            view: View::new(&self.cdt, &self.options.criteria, self.ruler, self.insert.as_ref()),
             test: &self.test,
             select: self.select.as_ref(),
             is_manual: self.is_manual,

@@ -18,6 +18,7 @@ use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
+use crate::delaunay::max_points;
 use crate::geometry::{BoundingBox, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
@@ -151,12 +152,14 @@ impl Refinement {
     /// [`OptionError`].
     pub fn of_steps(
         cdt: ConstrainedDelaunay,
-        options: RefineOptions,
+        mut options: RefineOptions,
         steps: Steps,
         clock: Option<Clock>,
     ) -> Result<Self, OptionError> {
         let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
+        // No budget is larger than what the indices of half-edges can name.
+        options.limits.max_vertices = options.limits.max_vertices.min(max_points());
         let bounds = cdt.bounding_box();
         let ruler = Ruler::for_box(bounds);
         let (floor, floor_reason) = length_floor(bounds, &options, ruler);
@@ -469,7 +472,7 @@ impl Refinement {
     }
 
     pub(super) fn view(&self) -> View<'_> {
-        View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler }
+        View::new(&self.cdt, &self.options.criteria, self.ruler, self.insert.as_ref())
     }
 }
 

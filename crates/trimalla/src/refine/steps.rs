@@ -81,6 +81,27 @@ pub struct View<'a> {
     pub criteria: &'a Criteria,
     /// How lengths are measured.
     pub ruler: Ruler,
+    /// A walk to a place for a new vertex crosses no more triangles than this.
+    pub(super) longest_walk: usize,
+}
+
+impl<'a> View<'a> {
+    /// Triangles that a walk may cross where step 4 does not keep the circle test.
+    ///
+    /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and what lies so far off is
+    /// no help for the triangle that the walk began at.
+    const LONGEST_WALK: usize = 1 << 10;
+
+    /// What steps may look at, with that step 4.
+    pub(super) fn new(
+        cdt: &'a ConstrainedDelaunay,
+        criteria: &'a Criteria,
+        ruler: Ruler,
+        insert: &dyn InsertStep,
+    ) -> Self {
+        let longest_walk = if insert.keeps_delaunay() { usize::MAX } else { Self::LONGEST_WALK };
+        Self { cdt, criteria, ruler, longest_walk }
+    }
 }
 
 /// Step 1: which subsegments need a split.
@@ -150,10 +171,11 @@ pub enum Proposal {
 
 impl Proposal {
     /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its way
-    /// that is to be split instead. `None` where a vertex is there already.
+    /// that is to be split instead. `None` where a vertex is there already, or where the point is too far off in a mesh
+    /// that does not keep the circle test.
     #[must_use]
     pub fn towards(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
-        match view.cdt.walk_within(from, point) {
+        match view.cdt.walk_within_steps(from, point, view.longest_walk)? {
             Walk::Blocked(h) => Some(Self::Split(h)),
             Walk::Arrived(Locus::Edge(h)) if view.cdt.is_marked(h) => Some(Self::Split(h)),
             Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => Some(Self::Free { point, locus }),

@@ -29,7 +29,9 @@ impl Refinement {
         places.clear();
         self.point.propose(self.view(), face, &mut places);
         self.stopwatch.enter(Part::Insert);
-        let mut refused = Reason::PrecisionFloor;
+        // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never will.
+        let is_kept = self.insert.keeps_delaunay();
+        let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
         let taken = places.iter().any(|&place| {
             let tried = self.try_place(place);

@@ -4,6 +4,7 @@
 //! be tried on them. Whoever finds a fault adds a file there and a test here, both named after what was wrong, not
 //! after when it was found.
 
+mod cost;
 mod earlier;
 mod judge;
 

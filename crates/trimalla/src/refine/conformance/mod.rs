@@ -152,7 +152,7 @@ fn by_name(cdt: &ConstrainedDelaunay) -> Vec<FaceId> {
 
 /// What a step sees.
 fn view<'a>(cdt: &'a ConstrainedDelaunay, options: &'a RefineOptions) -> View<'a> {
-    View { cdt, criteria: &options.criteria, ruler: Ruler::for_box(cdt.bounding_box()) }
+    View { cdt, criteria: &options.criteria, ruler: Ruler::for_box(cdt.bounding_box()), longest_walk: usize::MAX }
 }
 
 /// Makes a test of each named strategy, and one that none is missing.
