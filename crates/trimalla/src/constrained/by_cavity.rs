@@ -13,6 +13,8 @@ pub(crate) struct SplitCavity {
     /// Whether the faces beside the edge have the point in their circles, as all others of the cavity have: it may lie off the
     /// edge by its rounding.
     is_proved: bool,
+    /// The ends of the edge, if it is one of the border.
+    border: Option<[VertexId; 2]>,
 }
 
 impl ConstrainedDelaunay {
@@ -25,7 +27,13 @@ impl ConstrainedDelaunay {
         if !self.cavity.find(&self.t, p, locus) {
             return None;
         }
-        Some(self.fill_cavity(p, provenance, j))
+        let border = match locus {
+            Locus::Edge(h) => self.border_ends(h),
+            _ => None,
+        };
+        let v = self.fill_cavity(p, provenance, j);
+        self.note_split(border, v, p, j);
+        Some(v)
     }
 
     /// Finds the cavity of a free point whose place is known; says whether it can be filled.
@@ -59,7 +67,7 @@ impl ConstrainedDelaunay {
         }
         let holds = |h: HalfEdgeId| !self.t.is_real(h.face()) || self.circle_holds(h.face(), p);
         let is_proved = self.t.side_of(h, p) == Orientation::Collinear || holds(h) && holds(self.t.twin(h));
-        Ok(SplitCavity { is_proved })
+        Ok(SplitCavity { is_proved, border: self.border_ends(h) })
     }
 
     /// Puts a vertex into the cavity found last, which is that of a split.
@@ -71,6 +79,7 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> VertexId {
         let v = self.fill_cavity(p, provenance, j);
+        self.note_split(found.border, v, p, j);
         if !found.is_proved {
             self.legalise_spokes(v, j);
         }

@@ -1,6 +1,5 @@
 //! The type `ConstrainedDelaunay`.
 
-use std::collections::BTreeSet;
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -10,6 +9,7 @@ use super::constraints::{ClassCount, Constraints};
 use super::crossing_pairs::crossing_pairs;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
+use super::outside::Outside;
 use super::plan::SegmentPlan;
 use super::provenance::{Provenance, Provenances};
 use super::pseudo_polygon::Filling;
@@ -72,8 +72,8 @@ pub struct ConstrainedDelaunay {
     pub(crate) given_points: usize,
     /// The triangles that area bounds were given for, where they were given one by one.
     pub(crate) area_map: Option<Arc<AreaMap>>,
-    /// Border edges with something outside within rounding of them, lower vertex first; empty before carving.
-    pub(crate) crowded: BTreeSet<[VertexId; 2]>,
+    /// What lies outside the domain, where a split of the border needs it as proof.
+    pub(crate) outside: Outside,
     /// Whether it was taken over as it stood: its edges may fail the circle test.
     pub(crate) as_given: bool,
     pub(crate) last: FaceId,
@@ -92,14 +92,14 @@ impl Deref for ConstrainedDelaunay {
     }
 }
 
-/// Equal arrays, classes, segments, provenances and crowded border edges; scratch space does not count.
+/// Equal arrays, classes, segments and provenances. Scratch space does not count, nor what is known of the outside: that follows
+/// from the border.
 impl PartialEq for ConstrainedDelaunay {
     fn eq(&self, other: &Self) -> bool {
         self.t == other.t
             && self.constraints == other.constraints
             && self.segments == other.segments
             && self.provenance == other.provenance
-            && self.crowded == other.crowded
     }
 }
 
@@ -153,7 +153,7 @@ impl ConstrainedDelaunay {
             first_provenance: input_points,
             given_points: input_points,
             area_map: None,
-            crowded: BTreeSet::new(),
+            outside: Outside::default(),
             as_given: false,
             last: FaceId(0),
             filling: Filling::default(),
@@ -349,8 +349,13 @@ impl ConstrainedDelaunay {
             Locus::Edge(h) => self.provenance_on(h, p),
             _ => Provenance::Free,
         };
+        let border = match locus {
+            Locus::Edge(h) => self.border_ends(h),
+            _ => None,
+        };
         let v = self.add_vertex(p, provenance, j);
         insert_at::<false, _>(&mut self.t, v, locus, &mut self.lawson, j);
+        self.note_split(border, v, p, j);
         self.last = self.t.outgoing(v).map_or(self.last, |h| h.face());
         v
     }
@@ -420,13 +425,17 @@ impl ConstrainedDelaunay {
                 | Column::ProvenanceStored
                 | Column::ProvenanceKind
                 | Column::ProvenancePlace => self.provenance.undo(entry),
-                _ => {
+                Column::Outside => self.undo_outside(VertexId(entry.index)),
+                column => {
+                    if matches!(column, Column::VertexAppended | Column::VertexReused) {
+                        self.undo_vertex_outside(VertexId(entry.index));
+                    }
                     self.t.undo(entry);
                 }
             }
         }
         if self.t.closure() == Closure::Hull {
-            self.crowded.clear();
+            self.outside = Outside::default();
         }
     }
 

@@ -28,13 +28,27 @@ impl ConstrainedDelaunay {
             return Err(refused);
         }
         let here = log.checkpoint();
-        if let Some(e) = self.try_merge(v, log) {
+        let on_border = self.border_ends(h).is_some();
+        let ends = self.t.edge_points(h);
+        let is_proved = !on_border || self.merge_outside(v, ends, log);
+        if let Some(e) = Some(v).filter(|_| is_proved).and_then(|v| self.try_merge(v, log)) {
             self.set_provenance(v, super::Provenance::Free, log);
             self.t.drop_vertex(v, log);
             return Ok(e);
         }
         self.rollback(log, here);
         Err(refused)
+    }
+
+    /// Takes the vertex out at which two constrained edges meet, whatever their classes; says whether there was room for the
+    /// straight edge. Nothing has changed where there was none.
+    pub(super) fn merge_edges_at(&mut self, v: VertexId, log: &mut UndoLog) -> bool {
+        let here = log.checkpoint();
+        let is_merged = self.subsegments_at(v).len() == 2 && self.try_merge(v, log).is_some();
+        if !is_merged {
+            self.rollback(log, here);
+        }
+        is_merged
     }
 
     fn subsegments_at(&self, v: VertexId) -> Vec<HalfEdgeId> {

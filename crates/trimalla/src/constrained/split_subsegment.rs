@@ -11,8 +11,8 @@ use crate::mesh::{HalfEdgeId, Journal, VertexId};
 pub enum SplitError {
     /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
     TooShort,
-    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or the edge bounds the
-    /// domain and what is outside is too near: another vertex or constraint is closer than rounding.
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise, those outside the domain
+    /// included: another vertex or constraint is closer than rounding.
     Crowded,
 }
 
@@ -154,8 +154,10 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
         self.can_split(h, p)?;
+        let border = self.border_ends(h);
         let v = self.add_vertex(p, provenance, j);
         self.t.mesh.split_edge(h, v, j);
+        self.note_split(border, v, p, j);
         Ok(v)
     }
 
@@ -165,11 +167,7 @@ impl ConstrainedDelaunay {
         if p == x || p == y {
             return Err(SplitError::TooShort);
         }
-        let (a, b) = (self.t.origin(h), self.t.dest(h));
-        if self.t.may_split_edge(h, p) && !self.crowded.contains(&[a.min(b), a.max(b)]) {
-            Ok(())
-        } else {
-            Err(SplitError::Crowded)
-        }
+        let is_proved = self.t.may_split_edge(h, p) && self.outside_allows(h, p);
+        if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
     }
 }

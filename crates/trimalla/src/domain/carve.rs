@@ -1,7 +1,6 @@
 //! Carving: what is outside away, in one change that can be taken back.
 
-use super::crowded::{crowded, real_among, whole_segment};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, Outside};
 use crate::mesh::{FaceId, Journal};
 use crate::triangulation::Closure;
 
@@ -20,7 +19,8 @@ impl ConstrainedDelaunay {
         if keep.len() < self.face_slots() {
             return false;
         }
-        self.carve_real(&real_among(self, keep), j)
+        let kept: Vec<bool> = (0..self.face_slots()).map(|f| keep[f] && self.is_real(FaceId::from_index(f))).collect();
+        self.carve_real(&kept, j)
     }
 
     /// [`carve`](Self::carve), where `kept` names real faces alone.
@@ -28,7 +28,7 @@ impl ConstrainedDelaunay {
         debug_assert!((0..kept.len()).all(|f| !kept[f] || self.is_real(FaceId::from_index(f))), "a real face");
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
         let border = self.border_of(kept);
-        self.crowded = crowded(self, kept, &border, |h| whole_segment(self, h));
+        self.outside = Outside::beside(self, &border, &self.outside);
         let ghosts = self.t.mesh.carve(kept, &border, j);
         self.t.set_state(2, Closure::Domain, None, j);
         self.constrain_border(&ghosts, j);

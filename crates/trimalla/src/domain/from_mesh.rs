@@ -10,16 +10,13 @@
 //!    without, which are is not known, and every vertex counts as input.
 //! 5. Attributes make regions, area bounds too: see `given.rs`.
 
-use std::collections::BTreeSet;
-
 use super::chains::{Chain, Locked, edge_of, follow, rejoin};
-use super::crowded::crowded_border;
 use super::error::{DomainError, Warning};
 use super::given::{Given, take_over};
 use super::mesh_error::MeshError;
 use super::pslg::Pslg;
 use super::shells;
-use crate::constrained::{ConstrainedDelaunay, ConstraintError, Provenance};
+use crate::constrained::{ConstrainedDelaunay, ConstraintError, Outside, Provenance};
 use crate::geometry::Point;
 use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
 use crate::triangulation::{IndexedMesh, Triangulation};
@@ -86,7 +83,7 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
     let first = cdt.first_provenance;
     shells::recover(&mut cdt, first, unknown);
-    cdt.crowded = crowded_border(&cdt);
+    cdt.outside = Outside::of_border(&cdt);
     let given = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
     if input.is_none() {
         warnings.extend(pieces(&cdt));
@@ -243,9 +240,4 @@ fn pieces(cdt: &ConstrainedDelaunay) -> Option<Warning> {
         }
     }
     (pieces > 1).then_some(Warning::Pieces { pieces })
-}
-
-/// The vertices of the border, sorted.
-pub(super) fn border_vertices(cdt: &ConstrainedDelaunay) -> BTreeSet<VertexId> {
-    cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|h| cdt.origin(h)).collect()
 }

@@ -19,7 +19,6 @@ mod carve;
 mod chains;
 mod contours;
 mod course;
-mod crowded;
 mod error;
 mod flood;
 mod from_mesh;
