@@ -209,6 +209,6 @@ pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<(I
 /// # Errors
 /// [`DomainError`].
 pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
-    let (cdt, warnings) = domain::build(pslg, options.rule, options.crossings, options.algorithm)?;
+    let (cdt, warnings) = domain::build_exactly(pslg, options.rule, options.crossings, options.algorithm)?;
     Ok((cdt.into_indexed(pslg), warnings))
 }

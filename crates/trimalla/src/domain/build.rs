@@ -1,6 +1,7 @@
 //! From a drawing to a carved triangulation.
 
 use super::error::{DomainError, OpenEnd, Warning};
+use super::flat_hull;
 use super::flood::{depths, flood};
 use super::pslg::Pslg;
 use super::{regions, seeds};
@@ -23,6 +24,8 @@ pub enum DomainRule {
     /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts.
     Nesting,
     /// The convex hull, less what hole seeds reach.
+    ///
+    /// [`build`] takes vertices within rounding of a side of the hull as on it and leaves flat triangles there out.
     Hull,
 }
 
@@ -66,10 +69,11 @@ pub fn triangulate(
     Ok((cdt, warnings))
 }
 
-/// Triangulates a drawing and carves its domain out.
+/// Triangulates a drawing and carves out its domain, to be meshed.
 ///
 /// # Guarantees
-/// The result has at least one triangle, is closed by its domain, and every border edge is constrained.
+/// The result has at least one triangle, is closed by its domain, and every border edge is constrained. Where the domain is
+/// the convex hull, vertices within 16 last places of a side of it count as on that side.
 ///
 /// # Errors
 /// [`DomainError`]: crossing segments, all points on one line, an open outline, a seed that leaks.
@@ -82,12 +86,39 @@ pub fn build(
     crossings: Crossings,
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+    carved(pslg, rule, crossings, algorithm, flat_hull::leave_out)
+}
+
+/// Triangulates a drawing and carves out its domain exactly: where that is the convex hull, up to the hull.
+///
+/// # Errors
+/// See [`build`].
+pub fn build_exactly(
+    pslg: &Pslg,
+    rule: DomainRule,
+    crossings: Crossings,
+    algorithm: AlgorithmKey,
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+    carved(pslg, rule, crossings, algorithm, |_, _| {})
+}
+
+/// Triangulates a drawing and removes what is outside; `trim` may add to that where the domain is the convex hull.
+fn carved(
+    pslg: &Pslg,
+    rule: DomainRule,
+    crossings: Crossings,
+    algorithm: AlgorithmKey,
+    trim: impl FnOnce(&ConstrainedDelaunay, &mut [bool]),
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     let (mut cdt, mut warnings) = triangulate(pslg, crossings, algorithm)?;
     if cdt.dimension() < 2 {
         return Err(DomainError::Flat { points: pslg.points.len() });
     }
     let rule = if rule == DomainRule::Seeds && pslg.segments.is_empty() { DomainRule::Hull } else { rule };
-    let outside = outside(&cdt, rule)?;
+    let mut outside = outside(&cdt, rule)?;
+    if rule == DomainRule::Hull {
+        trim(&cdt, &mut outside);
+    }
     let removed = remove_holes(&cdt, &pslg.holes, outside, &mut warnings)?;
     let mut kept: Vec<bool> = removed.into_iter().map(|r| !r).collect();
     // Ghosts are outside by every rule, and nothing is in slots that are free.

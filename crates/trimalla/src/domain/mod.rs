@@ -20,6 +20,7 @@ mod chains;
 mod contours;
 mod course;
 mod error;
+mod flat_hull;
 mod flood;
 mod from_mesh;
 mod given;
@@ -32,7 +33,7 @@ mod shells;
 #[cfg(test)]
 mod tests;
 
-pub use build::{DomainRule, build, triangulate};
+pub use build::{DomainRule, build, build_exactly, triangulate};
 pub use contours::Contours;
 pub(crate) use course::{Adjacency, Beside, Course, Courses, Leg};
 pub use error::{DomainError, OpenEnd, Warning};

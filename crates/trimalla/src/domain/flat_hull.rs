@@ -1,0 +1,50 @@
+//! Triangles at the convex hull that are flat but for rounding.
+//!
+//! ```text
+//!          c                       a, c and b were meant to lie on one line. Rounded, c lies a few last places inside
+//!     a ‾‾‾‾‾‾‾‾‾ b                the hull, and the triangle between has no angle that a mesh could keep.
+//! ```
+//!
+//! A mesh leaves them out: the domain then ends at a–c–b. A Delaunay triangulation keeps them, as it is exact.
+
+use crate::constrained::ConstrainedDelaunay;
+use crate::geometry::{Segment, math};
+use crate::mesh::{HalfEdgeId, VertexId};
+
+/// How far from a side of the hull a vertex may lie to count as on it, in last places of the largest coordinate of the side:
+/// its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.
+const ON_HULL_ULPS: f64 = 16.0;
+
+/// Adds the flat triangles at the hull to what is outside.
+///
+/// Segments stop it, and a vertex that bounds the domain already: the domain stays in one piece and keeps all its vertices.
+///
+/// # Complexity
+/// O(n log n) in the sides of the hull, and linear.
+pub(super) fn leave_out(cdt: &ConstrainedDelaunay, outside: &mut [bool]) {
+    let mut bounds = vec![false; cdt.points().len()];
+    let mut sides: Vec<([VertexId; 2], HalfEdgeId)> = Vec::new();
+    for h in cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|ghost| cdt.twin(ghost)) {
+        let ends = [cdt.origin(h), cdt.dest(h)];
+        ends.iter().for_each(|v| bounds[v.index()] = true);
+        sides.push((ends, h));
+    }
+    // A vertex near two sides goes to the first: their order must not depend on slots.
+    sides.sort_unstable();
+    for (_, side) in sides {
+        let [a, b] = cdt.edge_points(side);
+        let segment = Segment::new(a, b);
+        let reach = ON_HULL_ULPS * math::last_place(segment.largest_coordinate());
+        let mut inwards = vec![side];
+        // Each face joins what is outside once.
+        while let Some(h) = inwards.pop() {
+            let (face, apex) = (h.face().index(), cdt.apex(h));
+            let is_flat = !cdt.is_marked(h) && !outside[face] && !bounds[apex.index()];
+            if is_flat && segment.distance(cdt.point(apex)) <= reach {
+                outside[face] = true;
+                bounds[apex.index()] = true;
+                inwards.extend([cdt.twin(h.next()), cdt.twin(h.prev())]);
+            }
+        }
+    }
+}
