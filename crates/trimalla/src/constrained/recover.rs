@@ -7,6 +7,9 @@
 //!     ╲   ╲ / ╱
 //! ```
 //!
+//! Where two segments meet at a small angle, the caller names the place of the split in the place of the middle: halves of
+//! unequal lengths would put vertices into each other's circles for ever.
+//!
 //! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in for one
 //! segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
 //!
@@ -14,6 +17,7 @@
 //! `[MeshSuite]` 2.6.1, recovery by unions.
 
 use super::constrained::ConstrainedDelaunay;
+use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::geometry::Point;
 use crate::locate::Locus;
@@ -28,6 +32,8 @@ pub(crate) struct SplitLimits<'a> {
     pub(crate) vertices: usize,
     /// Whether two ends are far enough apart to be parted.
     pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
+    /// The parameter, from its start to its end, at which a stretch that crosses edges is split.
+    pub(crate) place: &'a dyn Fn(&ConstrainedDelaunay, Released, &SegmentPlan) -> f64,
 }
 
 impl ConstrainedDelaunay {
@@ -121,7 +127,7 @@ impl ConstrainedDelaunay {
         if plan.to != piece.to {
             return Some((plan.to, false));
         }
-        let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, 0.5);
+        let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, (limits.place)(self, piece, &plan));
         let [a, b] = [piece.from, piece.to].map(|v| self.t.point(v));
         if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) {
             return None;

@@ -35,6 +35,20 @@ impl ConstrainedDelaunay {
         self.place_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
     }
 
+    /// The point that stands for parameter `t` of a subsegment, computed from the ends of the piece of a segment that it is
+    /// part of.
+    pub(crate) fn place_on_piece(&self, h: HalfEdgeId, piece: [VertexId; 2], t: f64) -> Point {
+        let [start, end] = piece.map(|v| self.t.point(v));
+        let whole = Segment::new(start, end);
+        let parameter = |v: VertexId| match v {
+            v if v == piece[0] => 0.0,
+            v if v == piece[1] => 1.0,
+            v => whole.parameter_of(self.t.point(v)),
+        };
+        let ends = [self.t.origin(h), self.t.dest(h)];
+        self.place_along(self.t.mark(h), whole, ends.map(|v| (self.t.point(v), parameter(v))), t)
+    }
+
     /// The point at parameter `t` between two vertices on segments of class `mark`, whether there is an edge between them
     /// or not, with its provenance.
     pub(super) fn point_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> (Point, Provenance) {
@@ -45,18 +59,22 @@ impl ConstrainedDelaunay {
     /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the rule.
     fn place_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> Point {
         let [p, q] = [a, b].map(|v| self.t.point(v));
-        let straight = Point::lerp(p, q, t);
-        let Some(segment) = self.finest_segment(mark) else { return straight };
-        let (ta, tb) = (self.parameter(segment, a), self.parameter(segment, b));
-        let along = ta + (tb - ta) * t;
-        let on_segment = self.segment_points(segment).at(along);
+        let Some(segment) = self.finest_segment(mark) else { return Point::lerp(p, q, t) };
+        let [from, to] = [(p, self.parameter(segment, a)), (q, self.parameter(segment, b))];
+        self.place_along(mark, self.segment_points(segment), [from, to], t)
+    }
+
+    /// The point at parameter `t` between two points with their parameters on `whole`, a segment of class `mark` or a piece
+    /// of one; the first of them where no point keeps the rule of [`Strip`].
+    fn place_along(&self, mark: u32, whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Point {
+        let on_whole = whole.at(tp + (tq - tp) * t);
         let bounds = BoundingBox::around(p).including(q);
         let keeps_rule = |m: &Point| {
             let mut strips = self.strips(mark, Strip::LAST_PLACES);
             bounds.contains(*m) && strips.all(|strip| strip.is_between(p, *m, q) && strip.contains(*m))
         };
         // Both ends keep the rule; points between that are confined to their box stay as near as the farther one.
-        [on_segment, straight, bounds.clamp(on_segment)].into_iter().find(keeps_rule).unwrap_or(p)
+        [on_whole, Point::lerp(p, q, t), bounds.clamp(on_whole)].into_iter().find(keeps_rule).unwrap_or(p)
     }
 
     /// The strips of the input segments of a class.

@@ -145,6 +145,13 @@ impl Test {
         }
     }
 
+    /// Whether a triangle is bad for its shape, whatever its size is.
+    pub(super) fn is_misshapen(&self, corners: [Point; 3]) -> bool {
+        let [a, b, c] = corners;
+        self.cos_sq.is_some_and(|cos_sq| !triangle_angles_at_least(a, b, c, cos_sq))
+            || self.max_aspect_ratio < f64::INFINITY && self.is_too_slender(corners)
+    }
+
     /// What is asked of every triangle, and whether that is all.
     #[inline]
     pub(super) fn everywhere(&self) -> Everywhere {

@@ -1,12 +1,13 @@
 //! What stayed bad, and why.
 
-use super::bad_triangles::sorted;
+use super::bad_triangles::{Badness, sorted};
 use super::extremes::Extremes;
+use super::joints::Piece;
 use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::{Point, Triangle};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{TriangleInBlock, corners_of_two};
@@ -20,6 +21,9 @@ struct Survey {
 
 /// Squared distances this close, relatively, are on one shell.
 const SAME_SHELL: f64 = 1e-3;
+/// Triangles across an input angle that is wide enough are treated down to shells of this radius over the length of the
+/// shortest piece of a segment there: first shells are at a third of it at least, and three more may be needed.
+const SMALLEST_SHELL: f64 = 1.0 / 32.0;
 
 impl Refinement {
     /// The triangulation, and the report with every triangle that stayed bad.
@@ -77,11 +81,12 @@ impl Refinement {
 
     /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
     fn reason_of(&self, f: FaceId) -> Reason {
-        if self.has_small_input_angle(f) {
+        let is_of_shape = self.badness(f).is_some_and(Badness::is_of_shape);
+        if is_of_shape && self.has_small_input_angle(f) {
             return Reason::InputAngle;
         }
-        if self.is_across_small_input_angle(f) {
-            return Reason::AcrossSmallInputAngle;
+        if let Some(reason) = self.hopeless_between_segments(f).filter(|_| is_of_shape) {
+            return reason;
         }
         let name = sorted(self.cdt.face_vertices(f));
         match self.given_up.binary_search_by_key(&name, |&(v, _)| v) {
@@ -95,11 +100,12 @@ impl Refinement {
         }
     }
 
-    /// Whether the smallest angle lies between two input segments.
+    /// Whether the smallest angle lies between two input segments, or two pieces of segments, at their common end.
     fn has_small_input_angle(&self, f: FaceId) -> bool {
         // It is opposite the shortest edge.
         let shortest = self.shortest_edge(f);
-        self.is_input(shortest.next()) && self.is_input(shortest.prev())
+        let is_between = self.is_input(shortest.next()) && self.is_input(shortest.prev());
+        is_between && self.joints.piece_of(&self.cdt, self.cdt.apex(shortest)).is_none()
     }
 
     /// Whether an edge is part of an input segment, or of the hull that was made a border.
@@ -107,17 +113,70 @@ impl Refinement {
         self.cdt.is_marked(h)
     }
 
-    /// Whether the shortest edge joins two segments at equal distances from an end they share, at less than 60 degrees:
-    /// splitting the triangle would only make the same one smaller.
+    /// Why no point can help a triangle of bad shape that lies between two pieces of segments, where none can.
+    pub(super) fn hopeless_between_segments(&self, f: FaceId) -> Option<Reason> {
+        self.across_shell(f).or_else(|| self.within_rounding(f))
+    }
+
+    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end.
+    ///
+    /// Where the pieces meet at an angle that is bad itself, splitting the triangle would only make the same one smaller,
+    /// and the input forces that. Where they meet at a wider angle, the triangle is treated like any other, but not on
+    /// shells much smaller than the pieces: there the treatment goes round in circles.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
-    pub(super) fn is_across_small_input_angle(&self, f: FaceId) -> bool {
+    fn across_shell(&self, f: FaceId) -> Option<Reason> {
         if self.cdt.count_bound(self.cdt.face_vertices(f)) < 2 {
-            return false;
+            return None;
         }
         let shortest = self.shortest_edge(f);
-        self.joins_shells(self.cdt.origin(shortest), self.cdt.dest(shortest))
+        let [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
+        let apex = self.apex_of_shell(p, q)?;
+        if self.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v))) {
+            return Some(Reason::AcrossSmallInputAngle);
+        }
+        let radius_sq = self.ruler.length_sq(self.cdt.point(apex), self.cdt.point(p));
+        let is_far_in = radius_sq < SMALLEST_SHELL * SMALLEST_SHELL * self.shortest_piece_sq(apex);
+        is_far_in.then_some(Reason::StrategyCannotImprove)
+    }
+
+    /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
+    fn within_rounding(&self, f: FaceId) -> Option<Reason> {
+        let h = self.base_within_rounding(f)?;
+        let v = self.cdt.apex(h);
+        let piece = self.joints.whole_of(&self.cdt, h);
+        let is_wedge = self.pieces_at(v).any(|other| other.into_iter().any(|end| end != v && piece.contains(&end)));
+        Some(if is_wedge { Reason::InputAngle } else { Reason::PrecisionFloor })
+    }
+
+    /// The side of a face that is a subsegment, with the opposite vertex no farther from it than rounding lets vertices be.
+    pub(super) fn base_within_rounding(&self, f: FaceId) -> Option<HalfEdgeId> {
+        f.half_edges().into_iter().find(|&h| self.is_input(h) && self.is_apex_within_rounding(h))
+    }
+
+    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it.
+    pub(super) fn is_apex_within_rounding(&self, h: HalfEdgeId) -> bool {
+        let apex = self.cdt.apex(h);
+        if !apex.is_finite() || self.cdt.is_deletable(apex) {
+            return false;
+        }
+        let [a, b] = self.cdt.edge_points(h);
+        let (along, to_apex) = (self.ruler.vector(a, b), self.ruler.vector(a, self.cdt.point(apex)));
+        let (length_sq, cross, dot) = (along.length_sq(), along.cross(to_apex), along.dot(to_apex));
+        cross * cross < self.precision_sq * length_sq && 0.0 < dot && dot < length_sq
+    }
+
+    /// The pieces of segments inside which a vertex lies, or that end at it.
+    fn pieces_at(&self, v: VertexId) -> impl Iterator<Item = Piece> + '_ {
+        let marked = self.cdt.edges_around(v).filter(|&h| self.is_input(h));
+        marked.map(|h| self.joints.whole_of(&self.cdt, h))
+    }
+
+    /// The squared length of the shortest piece of a segment that ends at a vertex.
+    fn shortest_piece_sq(&self, apex: VertexId) -> f64 {
+        let length_sq = |[a, b]: Piece| self.ruler.length_sq(self.cdt.point(a), self.cdt.point(b));
+        self.pieces_at(apex).map(length_sq).fold(f64::INFINITY, f64::min)
     }
 
     /// The shortest edge of a face; of equal ones that with the lowest vertices.
@@ -139,25 +198,18 @@ impl Refinement {
         if less(k, shorter) { k } else { shorter }
     }
 
-    /// Whether two vertices lie inside two segments with a common end, on one circle around it, less than 60 degrees apart.
-    fn joins_shells(&self, p: VertexId, q: VertexId) -> bool {
-        let (Some(s), Some(r)) = (self.segment_of(p), self.segment_of(q)) else { return false };
-        if s == r {
-            return false;
+    /// The common end of the two pieces of segments that two vertices lie inside, if those are on one circle around it,
+    /// less than 60 degrees apart.
+    fn apex_of_shell(&self, p: VertexId, q: VertexId) -> Option<VertexId> {
+        let [one, other] = [self.joints.piece_of(&self.cdt, p)?, self.joints.piece_of(&self.cdt, q)?];
+        if one == other {
+            return None;
         }
-        let [ends_s, ends_r] = [s, r].map(|s| self.cdt.segments()[s as usize]);
-        let Some(apex) = ends_s.into_iter().find(|v| ends_r.contains(v)) else { return false };
-        let [apex, p, q] = [apex, p, q].map(|v| self.cdt.point(v));
-        let (to_p, to_q) = (self.ruler.length_sq(apex, p), self.ruler.length_sq(apex, q));
+        let apex = one.into_iter().find(|v| other.contains(v))?;
+        let [at, p, q] = [apex, p, q].map(|v| self.cdt.point(v));
+        let (to_p, to_q) = (self.ruler.length_sq(at, p), self.ruler.length_sq(at, q));
         let same = (to_p - to_q).abs() <= SAME_SHELL * to_q;
-        same && self.ruler.length_sq(p, q) < to_p.max(to_q)
-    }
-
-    fn segment_of(&self, v: VertexId) -> Option<u32> {
-        match self.cdt.provenance(v) {
-            Provenance::OnSegment { segment, .. } | Provenance::Shell { segment, .. } => Some(segment),
-            _ => None,
-        }
+        (same && self.ruler.length_sq(p, q) < to_p.max(to_q)).then_some(apex)
     }
 
     /// The smallest and the largest angle in degrees, measured in the two triangles alone.

@@ -210,7 +210,7 @@ impl Refinement {
             return subsegments.clear();
         }
         let before = self.stopwatch.enter(Part::Prepare);
-        subsegments.retain(|&h| self.prepare.needs_split(self.view(), h));
+        subsegments.retain(|&h| self.needs_split(h));
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
         for h in subsegments.drain(..) {

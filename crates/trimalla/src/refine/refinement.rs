@@ -9,6 +9,7 @@ use super::encroachment::Region;
 use super::event::Event;
 use super::fill::FillStage;
 use super::history::History;
+use super::joints::Joints;
 use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
 use super::recipe::Initial;
@@ -49,8 +50,12 @@ pub struct Refinement {
     pub(super) region: Region,
     pub(super) ruler: Ruler,
     pub(super) test: Test,
+    /// Where segments are parted into pieces.
+    pub(super) joints: Joints,
     /// The square of the shortest distance allowed between vertices, in the ruler's units.
     pub(super) floor_sq: f64,
+    /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
+    pub(super) precision_sq: f64,
     /// What a distance below the floor is called.
     pub(super) floor_reason: Reason,
     /// Bisection stops at triangles with an edge shorter than this, squared.
@@ -163,6 +168,7 @@ impl Refinement {
         let bounds = cdt.bounding_box();
         let ruler = Ruler::for_box(bounds);
         let (floor, floor_reason) = length_floor(bounds, &options, ruler);
+        let precision = precision_floor(bounds, ruler);
         let region = Region::new(options.recipe.encroachment, &options.criteria);
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let recipe = options.recipe;
@@ -171,13 +177,15 @@ impl Refinement {
             is_manual: select.is_manual(),
             select,
             point,
-            bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref()),
+            bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref(), precision * precision),
             insert,
             recover,
             region,
             ruler,
             test: Test::new(&options.criteria, &cdt),
+            joints: Joints::of(&cdt),
             floor_sq: floor * floor,
+            precision_sq: precision * precision,
             floor_reason,
             filling: FillStage::Done,
             queue: Queue::default(),
@@ -294,7 +302,7 @@ impl Refinement {
     /// The same with a step 4 of the caller's own.
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
-        self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert);
+        self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
         self.insert = Arc::new(insert);
         self
     }
@@ -476,16 +484,18 @@ impl Refinement {
     }
 }
 
-/// The square of the length at which an insertion that keeps small angles stops; 0 for any other.
-fn bisection_floor_sq(cdt: &ConstrainedDelaunay, ruler: Ruler, insert: &dyn InsertStep) -> f64 {
+/// The square of the length at which an insertion that keeps small angles stops; 0 for any other. Edges that are shorter
+/// than rounding leaves room for do not count.
+fn bisection_floor_sq(cdt: &ConstrainedDelaunay, ruler: Ruler, insert: &dyn InsertStep, precision_sq: f64) -> f64 {
     if !insert.keeps_small_angles() {
         return 0.0;
     }
-    let length = |h: HalfEdgeId| {
+    let length_sq = |h: HalfEdgeId| {
         let [a, b] = cdt.edge_points(h);
         ruler.length_sq(a, b)
     };
-    cdt.edges().map(length).fold(f64::INFINITY, f64::min) / (BISECTIONS * BISECTIONS)
+    let lengths = cdt.edges().map(length_sq).filter(|&length_sq| length_sq >= precision_sq);
+    lengths.fold(f64::INFINITY, f64::min) / (BISECTIONS * BISECTIONS)
 }
 
 /// The ends of an edge, the lower one first.
@@ -496,10 +506,15 @@ pub(super) fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2]
 
 /// The length floor in the ruler's units, and the reason it is given as.
 pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
-    let precision = largest * ruler.scale() * 256.0 * f64::EPSILON;
+    let precision = precision_floor(bounds, ruler);
     match options.limits.length_floor {
         Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),
         _ => (precision, Reason::PrecisionFloor),
     }
+}
+
+/// The shortest distance at which rounding leaves room for vertices, in the ruler's units.
+pub(super) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
+    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
+    largest * ruler.scale() * 256.0 * f64::EPSILON
 }

@@ -13,11 +13,12 @@ mod whole_edge;
 use std::sync::Arc;
 
 use super::event::InsertedKind;
+use super::mirror::Mirrors;
 use super::recipe::{Recipe, Recover};
 use super::refinement::Refinement;
 use super::steps::RecoverStep;
 use super::stopwatch::Part;
-use crate::constrained::SplitLimits;
+use crate::constrained::{ConstrainedDelaunay, SegmentPlan, SplitLimits};
 use crate::geometry::Point;
 use crate::mesh::NoJournal;
 use by_splitting::BySplitting;
@@ -51,7 +52,9 @@ impl Refinement {
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
         let vertices = self.options.limits.max_vertices.saturating_sub(self.vertices);
-        let limits = SplitLimits { vertices, may_part: &may_part };
+        let mirrors = Mirrors::new(&self.cdt, &self.joints, ruler);
+        let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+        let limits = SplitLimits { vertices, may_part: &may_part, place: &place };
         let inserted = self.cdt.recover_by_splitting(released, &limits, &mut self.log);
         self.vertices += inserted;
         self.insertions += inserted as u64;

@@ -56,12 +56,28 @@ impl Refinement {
         if self.cdt.origin(h) < self.cdt.dest(h) { h } else { self.cdt.twin(h) }
     }
 
+    /// Whether step 1 wants a subsegment split, and a split would help: not where all that is in its disk lies within
+    /// rounding of it, since no split parts that from it.
+    pub(super) fn needs_split(&self, h: HalfEdgeId) -> bool {
+        self.prepare.needs_split(self.view(), h) && !self.is_encroached_within_rounding(h)
+    }
+
+    /// Whether an apex of `h` lies within rounding of it, and none in its disk does not.
+    fn is_encroached_within_rounding(&self, h: HalfEdgeId) -> bool {
+        let sides = [h, self.cdt.twin(h)];
+        let [a, b] = self.cdt.edge_points(h);
+        let is_inside =
+            |apex: VertexId| apex.is_finite() && in_diametral_disk(a, b, self.cdt.point(apex)) == CircleSide::Inside;
+        sides.into_iter().any(|h| self.is_apex_within_rounding(h))
+            && sides.into_iter().all(|h| self.is_apex_within_rounding(h) || !is_inside(self.cdt.apex(h)))
+    }
+
     /// Queues every subsegment that needs a split now, in the order of their vertices.
     pub(super) fn queue_all_encroached(&mut self) {
         let mut found = Vec::new();
         // Not collected: edge by edge the nested iterators would be a machine of states.
         self.cdt.marked_edges().for_each(|h| {
-            if self.prepare.needs_split(self.view(), h) {
+            if self.needs_split(h) {
                 found.push((ends_of(&self.cdt, h), h));
             }
         });
@@ -79,7 +95,7 @@ impl Refinement {
         let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(|&h| self.cdt.is_marked(h));
         if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])) {
             let found = Some(found).filter(|found| found.apexes == self.apexes(h));
-            let is_needed = forced || found.is_some() || self.prepare.needs_split(self.view(), h);
+            let is_needed = forced || found.is_some() || self.needs_split(h);
             if is_needed && !self.split(h, found) {
                 // It could be split when it was queued: do not try again for ever.
                 self.unsplittable.insert([a, b]);
@@ -135,6 +151,7 @@ impl Refinement {
         // Whether there is room the split itself asks.
         let Ok(cut) = cut.map_or_else(|| self.cut_at(h, acute), Ok) else { return false };
         let provenance = self.provenance_of(h, cut);
+        let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
         let split = if self.insert.by_cavity() {
             self.split_by_cavity(h, cut.point, provenance)
         } else {
@@ -143,8 +160,7 @@ impl Refinement {
         let Some(v) = split else { return false };
         self.vertices += 1;
         self.report.segments_split += 1;
-        let on_shell = matches!(provenance, Provenance::Shell { .. });
-        self.note_inserted(v, if on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
+        self.note_inserted(v, if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
         self.look_around(v);
         true
     }
@@ -205,7 +221,10 @@ impl Refinement {
             return Err(Reason::ProtectedSegment);
         }
         let (t, shell) = self.place_of_cut(h, acute);
-        let point = self.cdt.place_on_subsegment(h, t);
+        let point = match self.joints.piece_along(&self.cdt, h) {
+            Some(piece) => self.cdt.place_on_piece(h, piece, t),
+            None => self.cdt.place_on_subsegment(h, t),
+        };
         let [a, b] = self.cdt.edge_points(h);
         if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
             return Err(self.floor_reason);
@@ -226,7 +245,15 @@ impl Refinement {
         provenance
     }
 
-    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins.
+    /// Whether a cut of `h` lies on a circle around a joint inside the segment.
+    fn is_around_joint(&self, h: HalfEdgeId, cut: Cut) -> bool {
+        let Some((_, around_dest)) = cut.shell else { return false };
+        let apex = if around_dest { self.cdt.dest(h) } else { self.cdt.origin(h) };
+        self.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
+    }
+
+    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins; away from there,
+    /// beside another segment at less than a degree, as far out as that one's vertex.
     ///
     /// Cuts at distances that are powers of two from a shared end lie on common circles, so that the subsegments of two
     /// segments that meet at a small angle stop encroaching upon each other.
@@ -237,7 +264,7 @@ impl Refinement {
         let around_b = match acute {
             [true, false] => false,
             [false, true] => true,
-            _ => return (0.5, None),
+            _ => return (self.mirrored_place(h).unwrap_or(0.5), None),
         };
         let [a, b] = self.cdt.edge_points(h);
         let length = self.ruler.length_sq(a, b).sqrt();

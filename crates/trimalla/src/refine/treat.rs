@@ -47,8 +47,8 @@ impl Refinement {
         if !self.test.minds_shape() {
             return None;
         }
-        let reason = if self.is_across_small_input_angle(face) {
-            Reason::AcrossSmallInputAngle
+        let reason = if let Some(reason) = self.hopeless_between_segments(face) {
+            reason
         } else if self.is_beyond_help(self.cdt.corners(face)) {
             Reason::StrategyCannotImprove
         } else {

@@ -1,0 +1,125 @@
+//! The pieces of input segments: where another segment meets one, or the drawing lists a vertex on it, a piece ends.
+//!
+//! ```text
+//!                 c                 segment a–b, its ends aside, has the joints v and w: a segment from c ends at v, and
+//!                 |                 the drawing lists w. Its pieces are a–v, v–w and w–b, as if it had been written so.
+//!     a ══ p ════ v ══════ w ══ b   A split at p lies on the piece a–v.
+//! ```
+//!
+//! Segments keep their names, and this table tells the pieces: a split is computed from the ends of its piece, and shells
+//! lie around those. So the mesh is the one of the drawing with its pieces listed, bit for bit where that lists the same
+//! vertices.
+
+use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::mesh::{HalfEdgeId, VertexId};
+
+/// A piece of an input segment, by its two ends in the order of the segment.
+pub(super) type Piece = [VertexId; 2];
+
+/// A joint inside a segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Joint {
+    segment: u32,
+    /// Its parameter on the segment.
+    t: f64,
+    vertex: VertexId,
+}
+
+/// The joints inside segments, along each segment in turn.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Joints {
+    sorted: Vec<Joint>,
+}
+
+impl Joints {
+    /// Finds the joints of a triangulation whose segments are all marked.
+    ///
+    /// Where segments overlap, those of the segment that splits are computed from are found, and no others are asked for.
+    ///
+    /// # Complexity
+    /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
+    pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
+        let mut sorted = Vec::new();
+        for h in cdt.marked_edges() {
+            let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { continue };
+            let ends = cdt.segments()[segment as usize];
+            for vertex in [cdt.origin(h), cdt.dest(h)] {
+                if !ends.contains(&vertex) && ends_pieces(cdt, vertex) {
+                    sorted.push(Joint { segment, t: cdt.parameter(segment, vertex), vertex });
+                }
+            }
+        }
+        sorted.sort_unstable_by(|a, b| {
+            a.segment.cmp(&b.segment).then(a.t.total_cmp(&b.t)).then_with(|| a.vertex.cmp(&b.vertex))
+        });
+        sorted.dedup();
+        Self { sorted }
+    }
+
+    /// The piece inside which a vertex was put; `None` for vertices inside no piece.
+    pub(super) fn piece_of(&self, cdt: &ConstrainedDelaunay, v: VertexId) -> Option<Piece> {
+        let (Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. }) = cdt.provenance(v) else {
+            return None;
+        };
+        let piece = self.piece_at(segment, t);
+        let [start, end] = cdt.segments()[segment as usize];
+        let is_end = piece[1] == Some(v);
+        (!is_end).then(|| [piece[0].unwrap_or(start), piece[1].unwrap_or(end)])
+    }
+
+    /// The piece that a subsegment is part of, if a joint ends it; `None` where that is the whole segment.
+    pub(super) fn piece_along(&self, cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Option<Piece> {
+        if self.sorted.is_empty() {
+            return None;
+        }
+        let piece = self.piece_between(cdt, cdt.mark(h), [cdt.origin(h), cdt.dest(h)])?;
+        let segment = cdt.finest_segment(cdt.mark(h))?;
+        (piece != cdt.segments()[segment as usize]).then_some(piece)
+    }
+
+    /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no segment.
+    pub(super) fn piece_between(&self, cdt: &ConstrainedDelaunay, mark: u32, ends: [VertexId; 2]) -> Option<Piece> {
+        let segment = cdt.finest_segment(mark)?;
+        let [a, b] = ends.map(|v| cdt.parameter(segment, v));
+        let piece = self.piece_at(segment, 0.5 * (a + b));
+        let [start, end] = cdt.segments()[segment as usize];
+        Some([piece[0].unwrap_or(start), piece[1].unwrap_or(end)])
+    }
+
+    /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of none.
+    pub(super) fn whole_of(&self, cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Piece {
+        let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s as usize]);
+        self.piece_along(cdt, h).or_else(segment).unwrap_or_else(|| [cdt.origin(h), cdt.dest(h)])
+    }
+
+    /// Every piece, the lower end first, sorted; also those that lie outside the domain.
+    pub(super) fn pieces(&self, cdt: &ConstrainedDelaunay) -> Vec<Piece> {
+        let mut pieces = Vec::with_capacity(cdt.segments().len() + self.sorted.len());
+        let mut at = 0;
+        for (segment, &[start, end]) in (0..).zip(cdt.segments()) {
+            let mut from = start;
+            while let Some(joint) = self.sorted.get(at).filter(|joint| joint.segment == segment) {
+                pieces.push([from.min(joint.vertex), from.max(joint.vertex)]);
+                (from, at) = (joint.vertex, at + 1);
+            }
+            pieces.push([from.min(end), from.max(end)]);
+        }
+        pieces.sort_unstable();
+        pieces
+    }
+
+    /// The joints on both sides of a parameter of a segment; none where the segment's own end comes first.
+    fn piece_at(&self, segment: u32, t: f64) -> [Option<VertexId>; 2] {
+        let is_before = |joint: &Joint| joint.segment < segment || joint.segment == segment && joint.t < t;
+        let at = self.sorted.partition_point(is_before);
+        let on_segment = |joint: Option<&Joint>| joint.filter(|j| j.segment == segment).map(|j| j.vertex);
+        [on_segment(at.checked_sub(1).and_then(|i| self.sorted.get(i))), on_segment(self.sorted.get(at))]
+    }
+}
+
+/// Whether a vertex inside a segment ends pieces: it was no split that put it there, or another segment meets it.
+fn ends_pieces(cdt: &ConstrainedDelaunay, v: VertexId) -> bool {
+    let is_split = matches!(cdt.provenance(v), Provenance::OnSegment { .. } | Provenance::Shell { .. });
+    let marked = |h: &HalfEdgeId| cdt.is_marked(*h);
+    !is_split || cdt.edges_around(v).filter(marked).count() > 2
+}

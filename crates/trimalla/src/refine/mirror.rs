@@ -1,0 +1,147 @@
+//! Splits beside very small input angles: where the other segment has its vertex, not in the middle.
+//!
+//! ```text
+//!                         ___..q        q, on one segment from A, is in the disk of x–y, which is part of the other. Split
+//!           ___...────'''''             in the middle, x–y would put vertices into disks of the first segment, and so on
+//!     A ═════════ x ═══ m ═══ y         until the pieces are as short as the two segments are apart. Split at m, as far
+//!                                       from A as q is, nothing is in the disk of any piece.
+//! ```
+//!
+//! Shells do this near `A`, where subsegments end at it. Farther out the vertices of both segments are where the ends of
+//! the segments and the splits of either put them.
+//!
+//! # Source
+//! Our own, after the concentric shells of `[Ruppert95]` section 5.
+
+use super::joints::{Joints, Piece};
+use super::refinement::Refinement;
+use super::ruler::Ruler;
+use crate::constrained::{ConstrainedDelaunay, Released, SegmentPlan};
+use crate::geometry::{CircleSide, Point, in_diametral_disk};
+use crate::mesh::{HalfEdgeId, VertexId};
+
+/// The squared sine of one degree. At wider angles splits in the middle cost little, and the mesh is more even.
+pub(super) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
+/// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other piece.
+const SHELL_SINE_SQ: f64 = 0.75;
+
+/// A subsegment, and a vertex of another piece of a segment that meets its own at an apex.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wedge {
+    /// Where the two pieces of segments meet.
+    pub(super) apex: Point,
+    /// The ends of the subsegment.
+    pub(super) ends: [Point; 2],
+    /// A vertex of the other piece.
+    pub(super) vertex: Point,
+}
+
+impl Wedge {
+    /// The squared sine of the angle between the two pieces, where that is less than 90 degrees.
+    fn sine_sq(&self, ruler: Ruler) -> Option<f64> {
+        let [first, last] = self.distances(ruler);
+        let far = self.ends[usize::from(first < last)];
+        let (u, v) = (ruler.vector(self.apex, far), ruler.vector(self.apex, self.vertex));
+        let cross = u.cross(v);
+        (u.dot(v) > 0.0).then(|| cross * cross / (u.length_sq() * v.length_sq()))
+    }
+
+    /// Whether the two pieces meet at less than the angle of this squared sine.
+    pub(super) fn is_below(&self, sine_sq: f64, ruler: Ruler) -> bool {
+        self.sine_sq(ruler).is_some_and(|found| found < sine_sq)
+    }
+
+    /// The parameter of the point of the subsegment that is as far from the apex as the vertex is, if that is no nearer to an
+    /// end than the vertex is to the subsegment: an end as near is its mirror image already.
+    pub(super) fn mirrored(&self, ruler: Ruler) -> Option<f64> {
+        let [first, last] = self.distances(ruler);
+        let t = (ruler.length_sq(self.apex, self.vertex).sqrt() - first) / (last - first);
+        let [start, end] = self.ends;
+        let along = ruler.vector(start, end);
+        let nearest = along.cross(ruler.vector(start, self.vertex)).abs() / along.length_sq();
+        (t > nearest && t < 1.0 - nearest).then_some(t)
+    }
+
+    /// The distances of the ends from the apex.
+    fn distances(&self, ruler: Ruler) -> [f64; 2] {
+        self.ends.map(|p| ruler.length_sq(self.apex, p).sqrt())
+    }
+}
+
+impl Refinement {
+    /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of less
+    /// than a degree; `None` where no such vertex is beside it.
+    pub(super) fn mirrored_place(&self, h: HalfEdgeId) -> Option<f64> {
+        let [left, right] = [h, self.cdt.twin(h)].map(|side| (self.cdt.apex(side), side));
+        let sides = if left.0 < right.0 { [left, right] } else { [right, left] };
+        sides.into_iter().find_map(|(vertex, side)| self.mirror_of(h, side, vertex))
+    }
+
+    fn mirror_of(&self, h: HalfEdgeId, side: HalfEdgeId, vertex: VertexId) -> Option<f64> {
+        if !vertex.is_finite() || self.cdt.is_deletable(vertex) {
+            return None;
+        }
+        let ends = self.cdt.edge_points(h);
+        let at = self.cdt.point(vertex);
+        if in_diametral_disk(ends[0], ends[1], at) != CircleSide::Inside {
+            return None;
+        }
+        let piece = self.joints.whole_of(&self.cdt, h);
+        let spoke = side.prev();
+        let beside = [
+            self.first_marked(spoke, |spoke| self.cdt.cw(spoke)),
+            self.first_marked(self.cdt.ccw(spoke), |spoke| self.cdt.ccw(spoke)),
+        ];
+        let apex = beside.into_iter().flatten().find_map(|g| common_end(piece, self.joints.whole_of(&self.cdt, g)))?;
+        let wedge = Wedge { apex: self.cdt.point(apex), ends, vertex: at };
+        if wedge.is_below(SMALL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }
+    }
+
+    /// The first subsegment among a spoke and those that it is turned to.
+    fn first_marked(&self, spoke: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
+        let spokes = std::iter::successors(Some(spoke), |&spoke| Some(turn(spoke)));
+        // A star has no more spokes than there are faces.
+        spokes.take(self.cdt.face_slots()).find(|&spoke| self.cdt.is_marked(spoke))
+    }
+}
+
+/// Where two different pieces of segments meet.
+pub(super) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
+    one.into_iter().find(|v| one != other && other.contains(v))
+}
+
+/// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is, where the
+/// pieces meet at less than 60 degrees, and in the middle elsewhere.
+pub(super) struct Mirrors<'a> {
+    joints: &'a Joints,
+    /// All pieces, the lower end first, sorted.
+    pieces: Vec<Piece>,
+    ruler: Ruler,
+}
+
+impl<'a> Mirrors<'a> {
+    pub(super) fn new(cdt: &ConstrainedDelaunay, joints: &'a Joints, ruler: Ruler) -> Self {
+        Self { joints, pieces: joints.pieces(cdt), ruler }
+    }
+
+    /// The parameter at which a stretch is split that a plan found to cross edges.
+    pub(super) fn place(&self, cdt: &ConstrainedDelaunay, stretch: Released, plan: &SegmentPlan) -> f64 {
+        let Some(piece) = self.joints.piece_between(cdt, stretch.mark, [stretch.from, stretch.to]) else { return 0.5 };
+        let ends = [stretch.from, stretch.to].map(|v| cdt.point(v));
+        let beside = plan.left.iter().chain(&plan.right);
+        beside.copied().find_map(|v| self.mirror_of(cdt, piece, ends, v)).unwrap_or(0.5)
+    }
+
+    fn mirror_of(&self, cdt: &ConstrainedDelaunay, piece: Piece, ends: [Point; 2], v: VertexId) -> Option<f64> {
+        let at = cdt.point(v);
+        if in_diametral_disk(ends[0], ends[1], at) != CircleSide::Inside {
+            return None;
+        }
+        let apex = match self.joints.piece_of(cdt, v) {
+            Some(other) => common_end(piece, other),
+            None => piece.into_iter().find(|&end| self.pieces.binary_search(&[v.min(end), v.max(end)]).is_ok()),
+        }?;
+        let wedge = Wedge { apex: cdt.point(apex), ends, vertex: at };
+        if wedge.is_below(SHELL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }
+    }
+}
