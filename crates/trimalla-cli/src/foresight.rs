@@ -54,8 +54,10 @@ impl<'a> Foresight<'a> {
     /// A budget that will not do.
     fn describe_forecast(&self, forecast: &Forecast) -> String {
         let cause = match forecast.cause {
-            Cause::Gap(gap) => format!("{} is the cause", self.describe_gap(&gap)),
+            Cause::Gap(gap) => format!("{} is the cause", describe_gap(self.names, &gap)),
+            Cause::ShortSegment(gap) => format!("{} is the cause", self.describe_segment(&gap)),
             Cause::Area => "the area bound is the cause".to_owned(),
+            Cause::Features => "its features are the cause, none of them small".to_owned(),
             _ => "the drawing itself has so many".to_owned(),
         };
         let limits = &self.options.limits;
@@ -68,18 +70,41 @@ impl<'a> Foresight<'a> {
         )
     }
 
-    fn describe_gap(&self, gap: &Gap) -> String {
-        let [one, other] = gap.between.map(|feature| self.describe_feature(feature));
-        let Point { x, y } = gap.at;
-        format!("the gap of {} between {one} and {other} near ({}, {})", short(gap.width), short(x), short(y))
+    /// A gap that takes most of the triangles, though the budget will do.
+    fn describe_narrow_gap(&self, forecast: &Forecast, gap: &Gap) -> String {
+        format!(
+            "most of about {} triangles are needed for {}: if the two are meant to touch, let them share a vertex",
+            about(forecast.triangles),
+            describe_gap(self.names, gap)
+        )
     }
 
-    fn describe_feature(&self, feature: Feature) -> String {
-        match feature {
-            Feature::Vertex(v) => self.names.vertex(v),
-            Feature::Segment(s) => self.names.segment(s as usize),
-            _ => "the convex hull".to_owned(),
-        }
+    fn describe_segment(&self, gap: &Gap) -> String {
+        let [one, other] = gap.between.map(|feature| describe_feature(self.names, feature));
+        format!("the segment of length {} between {one} and {other}", short(gap.width))
+    }
+}
+
+/// Two features that are close, and where.
+fn describe_gap(names: &Names<'_>, gap: &Gap) -> String {
+    let [one, other] = gap.between.map(|feature| describe_feature(names, feature));
+    let Point { x, y } = gap.at;
+    format!("the gap of {} between {one} and {other} near ({}, {})", short(gap.width), short(x), short(y))
+}
+
+/// Two features within rounding of each other.
+pub(crate) fn describe_within_rounding(names: &Names<'_>, gap: &Gap) -> String {
+    format!(
+        "{} is within rounding: no vertex fits into it, and triangles there stay as they are",
+        describe_gap(names, gap)
+    )
+}
+
+fn describe_feature(names: &Names<'_>, feature: Feature) -> String {
+    match feature {
+        Feature::Vertex(v) => names.vertex(v),
+        Feature::Segment(s) => names.segment(s as usize),
+        _ => "the convex hull".to_owned(),
     }
 }
 
@@ -94,6 +119,11 @@ impl Observer for Foresight<'_> {
         }
         if outlook.forecast.exceeds(&self.options.limits) {
             self.warn(self.describe_forecast(&outlook.forecast));
+        } else if let Some(gap) = outlook.forecast.narrow_gap() {
+            self.warn(self.describe_narrow_gap(&outlook.forecast, &gap));
+        }
+        if let Some(gap) = outlook.within_rounding {
+            self.warn(describe_within_rounding(self.names, &gap));
         }
     }
 

@@ -109,7 +109,7 @@ pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Repo
     }
     let verb = if unmet.len() == 1 { "stays" } else { "stay" };
     let total = count(unmet.len(), "triangle");
-    console::note("warning", &format!("{total} {verb} below the bound, though the input does not force it"));
+    console::note("warning", &format!("{total} {verb} below the bound, though no angle of the input forces it"));
     for leftover in unmet.iter().take(SHOWN) {
         console::note_more(describe(mesh, first_index, leftover));
     }

@@ -1,10 +1,15 @@
 //! What can be said of a refinement before it begins.
 
-use super::forecast::{Forecast, forecast};
+use super::forecast::{Feature, Forecast, Gap, extent_of, forecast};
+use super::joints::Joints;
+use super::mirror::common_end;
 use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
+use super::refinement::precision_floor;
+use super::ruler::Ruler;
 use crate::constrained::ConstrainedDelaunay;
 use crate::geometry::Angle;
+use crate::mesh::{HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
 
 /// The largest bound for which the angle floor is proved, in degrees.
@@ -22,6 +27,9 @@ pub struct Outlook {
     pub angle_ceiling: Option<AngleCeiling>,
     /// The smallest angle between two segments.
     pub smallest_input_angle: Option<InputAngle>,
+    /// The two features that lie nearest to each other, where that is within rounding: no vertex fits between them, and
+    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle instead.
+    pub within_rounding: Option<Gap>,
 }
 
 impl Outlook {
@@ -35,6 +43,7 @@ impl Outlook {
             forecast: forecast(cdt, options),
             angle_ceiling: angle_ceiling(cdt),
             smallest_input_angle: smallest_input_angle(cdt),
+            within_rounding: within_rounding(cdt),
         }
     }
 
@@ -52,4 +61,54 @@ impl Outlook {
             && options.protect == Protect::None;
         self.smallest_input_angle.filter(|_| is_proved).map(|input| shell_floor(input.angle))
     }
+}
+
+/// The nearest two features that lie within rounding of each other; of equally near ones those at the lowest vertices.
+///
+/// # Complexity
+/// Linear.
+fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
+    let ruler = Ruler::for_box(cdt.bounding_box());
+    let precision = precision_floor(cdt.bounding_box(), ruler);
+    let joints = Joints::of(cdt);
+    let mut nearest: Option<(f64, [VertexId; 2], HalfEdgeId)> = None;
+    let mut note = |width: f64, vertices: [VertexId; 2], h: HalfEdgeId| {
+        let is_nearer = nearest.is_none_or(|(known, named, _)| (width, vertices) < (known, named));
+        nearest = if width < precision && is_nearer { Some((width, vertices, h)) } else { nearest };
+    };
+    for h in cdt.edges() {
+        let [a, b] = [cdt.origin(h), cdt.dest(h)];
+        note(ruler.length_sq(cdt.point(a), cdt.point(b)).sqrt(), [a.min(b), a.max(b)], h);
+        for side in [h, cdt.twin(h)].into_iter().filter(|&side| cdt.is_marked(side) && cdt.is_real(side.face())) {
+            let width = distance_beside(cdt, ruler, side).filter(|&width| width < precision);
+            if let Some(width) = width.filter(|_| !lies_in_a_wedge(cdt, &joints, side)) {
+                note(width, [cdt.apex(side), a.min(b)], side);
+            }
+        }
+    }
+    let (width, [one, other], h) = nearest?;
+    let is_vertex = [cdt.origin(h), cdt.dest(h)].contains(&one);
+    let second = if is_vertex {
+        Feature::Vertex(other)
+    } else {
+        cdt.segments_of(h).first().map_or(Feature::Hull, |&s| Feature::Segment(s))
+    };
+    let width = width / ruler.scale();
+    let relative_width = width / extent_of(cdt);
+    Some(Gap { width, relative_width, at: cdt.point(one), between: [Feature::Vertex(one), second] })
+}
+
+/// The distance of the apex of `h` from it, where it lies beside it.
+fn distance_beside(cdt: &ConstrainedDelaunay, ruler: Ruler, h: HalfEdgeId) -> Option<f64> {
+    let [a, b] = cdt.edge_points(h);
+    let (along, to_apex) = (ruler.vector(a, b), ruler.vector(a, cdt.point(cdt.apex(h))));
+    let (length_sq, dot) = (along.length_sq(), along.dot(to_apex));
+    (0.0 < dot && dot < length_sq).then(|| along.cross(to_apex).abs() / length_sq.sqrt())
+}
+
+/// Whether the apex of `h` is on a piece of a segment that shares an end with the piece of `h`.
+fn lies_in_a_wedge(cdt: &ConstrainedDelaunay, joints: &Joints, h: HalfEdgeId) -> bool {
+    let piece = joints.whole_of(cdt, h);
+    let at_apex = cdt.edges_around(cdt.apex(h)).filter(|&g| cdt.is_marked(g));
+    at_apex.into_iter().any(|g| common_end(piece, joints.whole_of(cdt, g)).is_some())
 }

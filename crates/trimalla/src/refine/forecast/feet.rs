@@ -121,8 +121,13 @@ impl Footed {
 
     /// Whether a vertex is an end of a piece, or joined by another piece to one.
     fn meets(&self, v: VertexId, piece: Piece) -> bool {
-        let joined = |end: VertexId| v == end || self.pieces.binary_search(&[v.min(end), v.max(end)]).is_ok();
+        let joined = |end: VertexId| v == end || self.joins(v, end);
         piece.into_iter().any(joined)
+    }
+
+    /// Whether a piece joins two vertices.
+    pub(super) fn joins(&self, u: VertexId, v: VertexId) -> bool {
+        self.pieces.binary_search(&[u.min(v), u.max(v)]).is_ok()
     }
 
     /// Whether the distance between two vertices is a feature, not just where segments meet or a foot happens to lie.

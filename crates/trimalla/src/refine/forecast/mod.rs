@@ -19,17 +19,18 @@ mod feet;
 mod profile;
 mod sizes;
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::fmt;
 
 use super::options::{Criteria, Limits, RefineOptions};
-use super::refinement::length_floor;
+use super::refinement::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedDelaunay, SegmentId};
 use crate::geometry::{Angle, Point, Segment, math};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
-use feet::Footed;
-use profile::{Sample, profile};
+use feet::{Footed, Piece};
+use profile::{Facing, Sample, profile};
 use sizes::Sizes;
 
 /// Growth of the size per distance. This and the following constants are fitted to the runs of `tests/forecast.rs`.
@@ -56,6 +57,8 @@ pub struct Forecast {
     pub vertices: f64,
     /// What most of the triangles are needed for.
     pub cause: Cause,
+    /// The part of the triangles that are needed for the cause, from 0 to 1.
+    pub share: f64,
 }
 
 impl Forecast {
@@ -64,7 +67,22 @@ impl Forecast {
     pub fn exceeds(&self, limits: &Limits) -> bool {
         self.vertices > limits.max_vertices as f64
     }
+
+    /// The gap for which more than half of the triangles are needed, if it is narrower than a millionth of the drawing: two
+    /// features that were perhaps meant to touch.
+    #[must_use]
+    pub fn narrow_gap(&self) -> Option<Gap> {
+        match self.cause {
+            Cause::Gap(gap) if self.share > 0.5 && gap.relative_width < NARROW => Some(gap),
+            _ => None,
+        }
+    }
 }
+
+/// A gap narrower than this part of the drawing's extent is narrow.
+const NARROW: f64 = 1e-6;
+/// A segment shorter than this part of the drawing's extent may be the cause of the size of a mesh.
+const SHORT: f64 = 1e-2;
 
 /// What makes a mesh as large as it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +94,10 @@ pub enum Cause {
     Area,
     /// Two features of the drawing that are close.
     Gap(Gap),
+    /// A short segment: the gap between its two ends.
+    ShortSegment(Gap),
+    /// The features of the drawing, none of them close to another one.
+    Features,
 }
 
 /// Two features of a drawing that are close to each other.
@@ -83,6 +105,8 @@ pub enum Cause {
 pub struct Gap {
     /// How close, in coordinate units.
     pub width: f64,
+    /// How close, over the larger side of the drawing's box.
+    pub relative_width: f64,
     /// A point in it.
     pub at: Point,
     /// The two.
@@ -134,7 +158,8 @@ impl fmt::Display for Feature {
 pub fn forecast(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Forecast {
     let footed = Footed::of(cdt);
     let (floor, _) = length_floor(cdt.bounding_box(), options, footed.ruler);
-    let sizes = Sizes::of(&footed, GRADING, floor);
+    let precision = precision_floor(cdt.bounding_box(), footed.ruler);
+    let sizes = Sizes::of(&footed, GRADING, floor, precision);
     let mut tally = Tally::new(&footed, &sizes, options);
     tally.add_sides();
     tally.add_vertices();
@@ -149,8 +174,12 @@ struct Tally<'a> {
     constants: Constants,
     /// Parts of the integral by the vertex whose feature sets the size.
     by_source: Vec<f64>,
+    /// Parts of it by the two pieces that face each other nearer than that.
+    by_pair: BTreeMap<[Piece; 2], (f64, Gap)>,
     /// Subsegments along the border.
     on_border: f64,
+    /// The larger side of the drawing's box.
+    extent: f64,
 }
 
 /// The measured constants at an angle bound.
@@ -177,7 +206,16 @@ impl<'a> Tally<'a> {
     fn new(footed: &'a Footed, sizes: &'a Sizes, options: &'a RefineOptions) -> Self {
         let by_source = vec![0.0; footed.cdt.points().len()];
         let criteria = &options.criteria;
-        Self { footed, sizes, criteria, constants: Constants::at(options), by_source, on_border: 0.0 }
+        Self {
+            footed,
+            sizes,
+            criteria,
+            constants: Constants::at(options),
+            by_source,
+            by_pair: BTreeMap::new(),
+            on_border: 0.0,
+            extent: extent_of(&footed.cdt),
+        }
     }
 
     /// Adds the layers along every side of a subsegment that the domain lies on.
@@ -190,17 +228,41 @@ impl<'a> Tally<'a> {
         sides.sort_unstable_by_key(|&h| [cdt.origin(h), cdt.dest(h)]);
         let mut samples = Vec::new();
         for h in sides {
-            profile(self.footed, self.sizes, h, GRADING, &mut samples);
+            let facing = profile(self.footed, self.sizes, h, GRADING, &mut samples);
             deepen_no_further_than_bisectors(slopes[h.index()], &mut samples);
             let largest = self.largest_size(h.face());
             let intervals = || samples.windows(2).map(|w| (w[0], w[1]));
             let layers = intervals().map(|(a, b)| layer(a, b, largest)).sum::<f64>();
             let source = self.source_of(h);
-            self.by_source[source.index()] += layers;
+            match facing.filter(|facing| 2.0 * facing.width < self.sizes.at(source)) {
+                Some(facing) => self.add_to_pair(h, facing, layers),
+                None => self.by_source[source.index()] += layers,
+            }
             if cdt.is_ghost(cdt.twin(h).face()) {
                 self.on_border += intervals().map(|(a, b)| inverse(a.size, b.size) * (b.s - a.s)).sum::<f64>();
             }
         }
+    }
+
+    /// Adds to the part of two pieces that face each other.
+    fn add_to_pair(&mut self, h: HalfEdgeId, facing: Facing, layers: f64) {
+        let mut pair = [h, facing.edge].map(|edge| self.footed.piece_of(edge));
+        pair.sort_unstable();
+        let width = facing.width / self.footed.ruler.scale();
+        let segment = |edge: HalfEdgeId| {
+            let lowest = self.footed.cdt.segments_of(edge).iter().min();
+            lowest.map_or(Feature::Hull, |&s| Feature::Segment(s))
+        };
+        let gap = self.gap(width, facing.from, [segment(h), segment(facing.edge)]);
+        let part = self.by_pair.entry(pair).or_insert((0.0, gap));
+        part.0 += layers;
+        if width < part.1.width {
+            part.1 = gap;
+        }
+    }
+
+    fn gap(&self, width: f64, at: Point, between: [Feature; 2]) -> Gap {
+        Gap { width, relative_width: width / self.extent, at, between }
     }
 
     /// Adds what lies around vertices, between the strips of their segments.
@@ -261,7 +323,8 @@ impl<'a> Tally<'a> {
     fn forecast(&self, cdt: &ConstrainedDelaunay) -> Forecast {
         let faces = cdt.face_count() as f64;
         let border = cdt.ghost_faces().count() as f64;
-        let of_features = self.constants.triangles * self.by_source.iter().sum::<f64>();
+        let parts = || self.by_source.iter().chain(self.by_pair.values().map(|(part, _)| part));
+        let of_features = self.constants.triangles * parts().sum::<f64>();
         let mean = self.constants.mean_over_max;
         let by_area = |f: FaceId| self.area_bound(f).map_or(0.0, |bound| self.area_of(f) / (mean * bound));
         let of_area = self.footed.cdt.real_faces().map(by_area).sum::<f64>();
@@ -269,25 +332,40 @@ impl<'a> Tally<'a> {
         // Euler's formula: 2 V = T + B + 2, holes aside.
         let border = border.max(self.constants.subsegments * self.on_border);
         let vertices = (cdt.input_points() as f64).max((0.5 * (triangles + border)).round() + 1.0);
-        let cause = if triangles == faces {
-            Cause::Input
+        let (cause, part) = if triangles == faces {
+            (Cause::Input, faces)
         } else if of_area > of_features {
-            Cause::Area
+            (Cause::Area, of_area)
         } else {
-            self.costliest().map_or(Cause::Input, Cause::Gap)
+            let (cause, part) = self.costliest();
+            (cause, self.constants.triangles * part)
         };
-        Forecast { triangles, vertices, cause }
+        Forecast { triangles, vertices, cause, share: (part / triangles).min(1.0) }
     }
 
-    /// The gap that most triangles are for, of equal ones that at the lowest vertex.
-    fn costliest(&self) -> Option<Gap> {
-        let parts = self.by_source.iter().enumerate();
-        let (most, _) = parts.reduce(|most, part| if part.1 > most.1 { part } else { most })?;
-        let one = VertexId::from_index(most);
-        let other = self.sizes.partner(one)?;
+    /// What most triangles are for, of equal causes that at the lowest vertex, and its part of the integral.
+    fn costliest(&self) -> (Cause, f64) {
+        let larger = |most: (usize, f64), part: (usize, f64)| if part.1 > most.1 { part } else { most };
+        let of_vertex = self.by_source.iter().copied().enumerate().reduce(larger);
+        let of_pair = self.by_pair.values().copied().reduce(|most, part| if part.0 > most.0 { part } else { most });
+        match (of_vertex, of_pair) {
+            (Some((_, part)), Some((of_pair, gap))) if of_pair > part => (Cause::Gap(gap), of_pair),
+            (Some((v, part)), _) => (self.cause_at(VertexId::from_index(v)), part),
+            _ => (Cause::Input, 0.0),
+        }
+    }
+
+    /// What makes triangles small around a vertex.
+    fn cause_at(&self, one: VertexId) -> Cause {
+        let Some(other) = self.sizes.partner(one) else { return Cause::Features };
         let [p, q] = [one, other].map(|v| self.footed.cdt.point(v));
         let width = Segment::new(p, q).length();
-        Some(Gap { width, at: Point::midpoint(p, q), between: [self.feature(one), self.feature(other)] })
+        let gap = self.gap(width, Point::midpoint(p, q), [self.feature(one), self.feature(other)]);
+        match self.footed.joins(one, other) {
+            false => Cause::Gap(gap),
+            true if gap.relative_width < SHORT => Cause::ShortSegment(gap),
+            true => Cause::Features,
+        }
     }
 
     fn feature(&self, v: VertexId) -> Feature {
@@ -297,6 +375,11 @@ impl<'a> Tally<'a> {
         let on = self.footed.cdt.edges_around(v).filter_map(|h| self.footed.cdt.first_segment_of(h)).min();
         on.map_or(Feature::Hull, Feature::Segment)
     }
+}
+
+/// The larger side of the box around a triangulation.
+pub(super) fn extent_of(cdt: &ConstrainedDelaunay) -> f64 {
+    cdt.bounding_box().map_or(0.0, |bounds| bounds.width().max(bounds.height()))
 }
 
 /// For each side of a constrained edge, by half-edge, the tangents of half the sectors at its origin and its dest that

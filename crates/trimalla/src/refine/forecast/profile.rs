@@ -12,7 +12,8 @@
 use super::feet::{Footed, Piece, shared_end};
 use super::sizes::Sizes;
 use crate::geometry::{Point, Vector};
-use crate::mesh::HalfEdgeId;
+use crate::mesh::{HalfEdgeId, VertexId};
+use crate::refine::mirror::SMALL_SINE_SQ;
 
 /// Where rays start, as parameters of the subsegment.
 const RAYS: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 63.0 / 64.0];
@@ -40,10 +41,29 @@ struct Ray {
     length: f64,
     /// The distance to the segment that it met, if that does not meet the subsegment's own at an end.
     facing: f64,
+    /// The edge that it met, if that counts.
+    met: Option<HalfEdgeId>,
 }
 
-/// The profile of one side of a subsegment, from `origin(h)` to `dest(h)`, piecewise linear.
-pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f64, into: &mut Vec<Sample>) {
+/// What faces a side of a subsegment where it is nearest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Facing {
+    /// How far away it is, in the ruler's units.
+    pub(super) width: f64,
+    /// The point of the side that it faces.
+    pub(super) from: Point,
+    /// An edge of it.
+    pub(super) edge: HalfEdgeId,
+}
+
+/// The profile of one side of a subsegment, from `origin(h)` to `dest(h)`, piecewise linear; returns what faces it nearest.
+pub(super) fn profile(
+    footed: &Footed,
+    sizes: &Sizes,
+    h: HalfEdgeId,
+    grading: f64,
+    into: &mut Vec<Sample>,
+) -> Option<Facing> {
     into.clear();
     let [a, b] = footed.cdt.edge_points(h);
     let along = footed.ruler.vector(a, b);
@@ -51,6 +71,10 @@ pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f6
     let tents = Tents { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
     let rays = RAYS.map(|t| {
         let ray = cast(footed, h, t, FAR * tents.at(t * length) / grading);
+        if ray.facing < sizes.precision {
+            // Refinement does not part what lies within rounding.
+            return Ray { facing: f64::INFINITY, met: None, ..ray };
+        }
         Ray { facing: ray.facing.max(sizes.floor), ..ray }
     });
     let mut from = Ray { s: 0.0, ..rays[0] };
@@ -59,6 +83,9 @@ pub(super) fn profile(footed: &Footed, sizes: &Sizes, h: HalfEdgeId, grading: f6
         add_interval(&tents, from, to, into);
         from = to;
     }
+    let nearest = rays.into_iter().min_by(|one, other| one.facing.total_cmp(&other.facing))?;
+    let from = Point::lerp(a, b, nearest.s / length);
+    nearest.met.map(|edge| Facing { width: nearest.facing, from, edge })
 }
 
 /// What the ends of a subsegment allow along it.
@@ -141,7 +168,7 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
     let from = along.scaled(t);
     let local = |p: Point| footed.ruler.vector(a, p) - from;
     let start = Point::lerp(a, b, t);
-    let missed = |went: f64| Ray { s: t * length, length: went, facing: f64::INFINITY };
+    let missed = |went: f64| Ray { s: t * length, length: went, facing: f64::INFINITY, met: None };
     let (mut edge, mut went) = (h, 0.0_f64);
     for _ in 0..MOST_CROSSED {
         let apex = local(cdt.point(cdt.apex(edge)));
@@ -151,7 +178,7 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
         went = if reached.is_finite() { went.max(reached) } else { went };
         if cdt.is_marked(exit) || cdt.is_ghost(cdt.twin(exit).face()) {
             let counts = is_facing(footed, h, start, exit);
-            return if counts { Ray { facing: went, ..missed(went) } } else { missed(went) };
+            return if counts { Ray { facing: went, met: Some(exit), ..missed(went) } } else { missed(went) };
         }
         if went > far {
             break;
@@ -163,11 +190,24 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
 
 /// Whether the segment that a ray from a side met counts as close to it where the ray starts.
 ///
-/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one.
+/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one. Those
+/// that meet at less than a degree do not at all: splits of one mirror those of the other.
 fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
     let (own, other) = (footed.piece_of(h), footed.piece_of(met));
     let Some(joint) = shared_end(own, other) else { return true };
     let distance_sq = |p: Point, q: Point| footed.ruler.length_sq(p, q);
     let length_sq = |piece: Piece| distance_sq(footed.cdt.point(piece[0]), footed.cdt.point(piece[1]));
+    if meet_within_a_degree(footed, own, other, joint) {
+        return false;
+    }
     own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other))
+}
+
+/// Whether two pieces with a common end leave it less than a degree apart.
+fn meet_within_a_degree(footed: &Footed, one: Piece, other: Piece, joint: VertexId) -> bool {
+    let far = |[a, b]: Piece| if a == joint { b } else { a };
+    let along = |piece| footed.ruler.vector(footed.cdt.point(joint), footed.cdt.point(far(piece)));
+    let (u, v) = (along(one), along(other));
+    let cross = u.cross(v);
+    u.dot(v) > 0.0 && cross * cross < SMALL_SINE_SQ * u.length_sq() * v.length_sq()
 }

@@ -14,6 +14,8 @@ use crate::mesh::VertexId;
 pub(super) struct Sizes {
     /// No size is below this.
     pub(super) floor: f64,
+    /// What is nearer than this lies within rounding, and refinement does not part it.
+    pub(super) precision: f64,
     size: Vec<f64>,
     /// The vertex whose feature sets the size: after grading perhaps one far away.
     source: Vec<VertexId>,
@@ -30,10 +32,10 @@ impl Sizes {
     ///
     /// # Complexity
     /// O(n log n).
-    pub(super) fn of(footed: &Footed, grading: f64, floor: f64) -> Self {
+    pub(super) fn of(footed: &Footed, grading: f64, floor: f64, precision: f64) -> Self {
         let n = footed.cdt.points().len();
         let source = (0..n).map(VertexId::from_index).collect();
-        let mut sizes = Self { floor, size: vec![f64::INFINITY; n], source, partner: vec![None; n] };
+        let mut sizes = Self { floor, precision, size: vec![f64::INFINITY; n], source, partner: vec![None; n] };
         sizes.measure(footed);
         for size in &mut sizes.size {
             *size = size.max(floor);
@@ -64,6 +66,9 @@ impl Sizes {
                 continue;
             }
             let length = footed.ruler.length_sq(cdt.point(u), cdt.point(v)).sqrt();
+            if length < self.precision {
+                continue;
+            }
             for (one, other) in [(u, v), (v, u)] {
                 let i = one.index();
                 // Of equal lengths the one to the lowest vertex, whatever the order of edges.
