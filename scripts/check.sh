@@ -17,6 +17,13 @@ if cargo clippy --version >/dev/null 2>&1; then
 else
     echo "skipped: lints (clippy is not installed)"
 fi
+msrv=$(sed -n 's/^rust-version = "\(.*\)"$/\1/p' Cargo.toml)
+if cargo "+$msrv" --version >/dev/null 2>&1; then
+    step "Rust $msrv, the oldest promised"
+    CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}/msrv" cargo "+$msrv" check --quiet --locked --workspace
+else
+    echo "skipped: Rust $msrv (rustup toolchain install $msrv --profile minimal)"
+fi
 step "documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --quiet --locked --workspace --no-deps --document-private-items
 step "tests"

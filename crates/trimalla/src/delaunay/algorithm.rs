@@ -136,8 +136,10 @@ pub(crate) fn validate(points: &[Point], subset: Option<&[VertexId]>) -> Result<
     BuildError::if_too_many(points.len(), 0)?;
     // All together, without a branch a point: hardly any input has one that is not finite.
     let are_finite = points.iter().fold(true, |are_finite, p| are_finite & p.is_finite());
-    if !are_finite && let Some((i, &p)) = points.iter().enumerate().find(|(_, p)| !p.is_finite()) {
-        return Err(BuildError::NotFinite { index: i, point: p });
+    if !are_finite {
+        if let Some((index, &point)) = points.iter().enumerate().find(|(_, p)| !p.is_finite()) {
+            return Err(BuildError::NotFinite { index, point });
+        }
     }
     let Some(subset) = subset else { return Ok(None) };
     if let Some(&v) = subset.iter().find(|v| v.index() >= points.len()) {
