@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::experiment::Experiment;
 use crate::outcome::End;
-use crate::sheet::{Cell, Column, Quantity, Sheet, Times};
+use crate::sheet::{Cell, Column, Quantity, Sheet, Times, seconds_text};
 
 /// Every sheet: a table each quantity, a row each angle, a column each recipe, and notes.
 #[must_use]
@@ -47,7 +47,7 @@ fn add_sheet(text: &mut String, facts: &str, sheet: &Sheet<'_>, times: Times) {
 
 fn cell(cell: &Cell, quantity: Quantity) -> String {
     let number = cell.value(quantity).map(|value| match quantity {
-        Quantity::Seconds => format!("{value:.4}"),
+        Quantity::Seconds => seconds_text(value),
         _ => format!("{value}"),
     });
     match (cell, number) {

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::experiment::Experiment;
-use crate::sheet::{Cell, Column, Quantity, Sheet, Times};
+use crate::sheet::{Cell, Column, Quantity, Sheet, Times, seconds_text};
 
 /// A header, and a row each run; the counts of runs without a result are empty, and published rows stand below ours.
 #[must_use]
@@ -69,8 +69,9 @@ fn csv_times(cell: &Cell, times: Times) -> String {
     match cell {
         Cell::Ours(run) if times != Times::Hidden => {
             let steps = run.step_times.filter(|_| times == Times::BySteps);
-            let steps = steps.map(|steps| steps.by_name().map(|(_, seconds)| format!(",{seconds:.6}")).concat());
-            format!(",{:.6}{}", run.seconds, steps.unwrap_or_default())
+            let steps =
+                steps.map(|steps| steps.by_name().map(|(_, seconds)| format!(",{}", seconds_text(seconds))).concat());
+            format!(",{}{}", seconds_text(run.seconds), steps.unwrap_or_default())
         }
         _ => ",".repeat(times_header(times).matches(',').count()),
     }

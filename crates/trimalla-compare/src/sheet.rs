@@ -148,3 +148,22 @@ impl Experiment {
         self.drawings().iter().enumerate().map(sheet).collect()
     }
 }
+
+/// A time in three significant digits, without an exponent: a microsecond is 0.00000100.
+pub(crate) fn seconds_text(seconds: f64) -> String {
+    let scientific = format!("{seconds:.2e}");
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let decimals = usize::try_from(2 - exponent.unwrap_or(0)).unwrap_or(0);
+    format!("{seconds:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::seconds_text;
+
+    #[test]
+    fn times_have_three_significant_digits() {
+        let texts = [0.0, 1.234e-6, 0.000_098_76, 0.000_999_9, 0.0123, 1.0, 59.96, 1234.5].map(seconds_text);
+        assert_eq!(texts, ["0.00", "0.00000123", "0.0000988", "0.00100", "0.0123", "1.00", "60.0", "1234"]);
+    }
+}
