@@ -7,7 +7,7 @@ use trimalla::domain::Pslg;
 use trimalla::triangulation::IndexedMesh;
 use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
 
-use crate::console::shown;
+use crate::console::{note, shown};
 use crate::exit::Failure;
 
 /// What was read, and from where.
@@ -18,12 +18,20 @@ pub(crate) struct Input<T> {
     pub(crate) first_index: u32,
     /// The files that were read, the one with segments or triangles first; none for standard input.
     pub(crate) files: Vec<PathBuf>,
+    /// What was ignored in the files, in words.
+    pub(crate) notes: Vec<String>,
 }
 
 impl<T> Input<T> {
     fn of(numbered: Numbered<T>) -> Self {
-        let Numbered { value, first_index, files } = numbered;
-        Self { value, first_index, files }
+        let Numbered { value, first_index, files, notes } = numbered;
+        Self { value, first_index, files, notes: notes.iter().map(ToString::to_string).collect() }
+    }
+
+    /// Says on standard error what was ignored, for commands whose report has no place for it.
+    pub(crate) fn with_notes_shown(self) -> Self {
+        self.notes.iter().for_each(|text| note("warning", text));
+        self
     }
 
     /// What messages call the input.
@@ -50,6 +58,12 @@ pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
         Some(Format::Ele) => read
             .map(Input::of)
             .map_err(|failure| failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")),
+        _ if Format::of_mesh(path) == Some(Format::Soup) => read.map(Input::of).map_err(|failure| {
+            failure.hint(format!(
+                "{} may be a soup of triangles, which is a mesh: 'trimalla refine' takes it",
+                shown(path)
+            ))
+        }),
         _ => read.map(Input::of),
     }
 }

@@ -1,7 +1,8 @@
 //! Where the records of a drawing stand in its files.
 //!
 //! Reading keeps no lines, as good drawings need none. Where a drawing turns out to be at fault, its files are scanned
-//! again: they have been read without an error, so that every line which is neither blank nor a comment is a record.
+//! again: they have been read without an error, so that every line which is neither blank nor a comment is a record. Its fields are
+//! separated by blanks or a comma.
 
 use std::fs;
 use std::path::Path;
@@ -52,7 +53,7 @@ fn records(text: &str) -> impl Iterator<Item = Record> + '_ {
     let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
     lines.enumerate().filter_map(|(index, line)| {
         let content = line.trim_start_matches('\u{feff}').split('#').next()?;
-        let number = content.split_whitespace().next()?.to_owned();
+        let number = content.split(|c: char| c.is_whitespace() || c == ',').find(|word| !word.is_empty())?.to_owned();
         Some(Record { line: index + 1, number })
     })
 }
@@ -73,7 +74,7 @@ mod tests {
 
     #[test]
     fn records_keep_their_lines_past_comments_blanks_and_all_line_ends() {
-        let text = "\u{feff}# top\r\n2 2 0 0\r1 0 0\n\n2 1 1 # two\n1 0\n  1 1 2\n1\n0 .5 .5\n";
+        let text = "\u{feff}# top\r\n2, 2,0,0\r1,0 0\n\n2 1 1 # two\n1 0\n  1 1 2\n1\n0 .5 .5\n";
         let found = Records::in_text(text);
         assert_eq!(found.vertices, [record(3, "1"), record(5, "2")]);
         assert_eq!(found.segments, [record(7, "1")]);

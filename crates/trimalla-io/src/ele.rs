@@ -4,14 +4,15 @@
 //! <triangles> [<nodes a triangle: 3 or 6> [<attributes a triangle>]]
 //! <number> <vertex> <vertex> <vertex> [three nodes on the edges] [attributes]
 //! ```
-//! Of six-node triangles the corners are kept. Orientation and shape are taken as they are; judging them is the work of a check.
+//! Rows are numbered like the vertices, or otherwise where the vertices that they name leave no doubt. Numbers behind the declared
+//! columns are ignored, which a [`Note`] says. Of six-node triangles the corners are kept. Orientation and shape are taken as they are; judging them is the work of a check.
 
 use std::io::{self, Write};
 
 use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, check_triangles};
-use crate::error::IoError;
+use crate::error::{IoError, Note};
 use crate::numbers::{Numbering, VertexRange};
 use crate::rows::Rows;
 use crate::tokens::Reader;
@@ -28,6 +29,8 @@ pub struct Elements {
     pub attributes_per_triangle: usize,
     /// Attributes, row after row.
     pub attributes: Vec<f64>,
+    /// What was ignored.
+    pub notes: Vec<Note>,
 }
 
 /// Reads an `.ele` file for the given vertices; `name` is what errors call it.
@@ -42,10 +45,10 @@ pub fn read(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Elements,
     let attributes_per_triangle = reader.count_or("the number of attributes a triangle", 0, u32::MAX)? as usize;
     reader.end_record()?;
 
-    let mut elements = Elements { triangles: Vec::new(), attributes_per_triangle, attributes: Vec::new() };
+    let mut elements =
+        Elements { triangles: Vec::new(), attributes_per_triangle, attributes: Vec::new(), notes: Vec::new() };
     elements.triangles.reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
-    // Without vertices there is no triangle either, and nothing says where the numbers start.
-    let mut rows = Numbering::new("triangle", count, (vertices.count > 0).then_some(vertices.first_index));
+    let mut rows = Numbering::new("triangle", count, None);
     while rows.next(&mut reader)? {
         let corners = [reader.vertex(vertices)?, reader.vertex(vertices)?, reader.vertex(vertices)?];
         elements.triangles.push(corners);
@@ -55,10 +58,12 @@ pub fn read(bytes: &[u8], name: &str, vertices: VertexRange) -> Result<Elements,
         for _ in 0..attributes_per_triangle {
             elements.attributes.push(reader.real("an attribute")?);
         }
-        reader.end_record()?;
+        rows.end_record(&mut reader)?;
     }
     reader.end_file()?;
-    Ok(elements)
+    rows.check_base(&mut reader, vertices, elements.triangles.iter().flatten().copied())?;
+    rows.note_extra(&mut reader);
+    Ok(Elements { notes: reader.take_notes(), ..elements })
 }
 
 /// Bytes of the shortest row, `1 1 2 3` and the end of its line.

@@ -39,6 +39,57 @@ impl fmt::Display for Fault {
     }
 }
 
+/// Something in a text file that was ignored, and where the first of its kind stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// The place of the first.
+    pub place: Place,
+    /// What was ignored.
+    pub what: Ignored,
+}
+
+/// What a reader ignores because nothing about the rest is ambiguous.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Ignored {
+    /// Numbers behind those that the header of the section declares.
+    Columns {
+        /// What a row of the section is: `vertex`, `segment`, `hole`, `region` or `triangle`.
+        noun: &'static str,
+        /// How many rows have such numbers.
+        rows: u64,
+    },
+    /// The numbers of the rows of a section: they start at 0 where those of the vertices start at 1, or the other way round.
+    Numbers {
+        /// What a row of the section is: `segment` or `triangle`.
+        noun: &'static str,
+        /// The number of the first row.
+        first: u32,
+        /// The number of the first vertex.
+        first_vertex: u32,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.place)?;
+        match &self.what {
+            Ignored::Columns { noun, rows: 1 } => {
+                write!(f, "1 {noun} row has more columns than its header declares; they were ignored")
+            }
+            Ignored::Columns { noun, rows } => {
+                write!(f, "{rows} {noun} rows have more columns than their header declares; they were ignored")
+            }
+            Ignored::Numbers { noun, first, first_vertex } => {
+                write!(
+                    f,
+                    "{noun} rows are numbered from {first} on, vertices from {first_vertex} on; the numbers of the rows were ignored"
+                )
+            }
+        }
+    }
+}
+
 /// Why a file could not be read or written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]

@@ -4,7 +4,8 @@
 //! <vertices> [2 [<attributes a vertex> [<markers: 0 or 1>]]]
 //! <number> <x> <y> [attributes] [marker]
 //! ```
-//! Numbers are consecutive and start at 0 or 1, as the first one says; every other file of the group follows it.
+//! Numbers are consecutive and start at 0 or 1, as the first one says; every other file of the group follows it. Numbers behind
+//! the declared columns of a row are ignored, which a [`Note`] says.
 
 use std::io::{self, Write};
 
@@ -13,7 +14,7 @@ use trimalla::geometry::Point;
 use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::Points;
-use crate::error::IoError;
+use crate::error::{IoError, Note};
 use crate::numbers::{Numbering, VertexRange};
 use crate::rows::Rows;
 use crate::tokens::Reader;
@@ -34,6 +35,8 @@ pub struct Nodes {
     pub attributes_per_point: usize,
     /// Attributes, row after row.
     pub attributes: Vec<f64>,
+    /// What was ignored.
+    pub notes: Vec<Note>,
 }
 
 impl Nodes {
@@ -78,10 +81,10 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Nodes, IoError> {
     let mut reader = Reader::new(bytes, name)?;
     let nodes = read_section(&mut reader)?;
     reader.end_file()?;
-    Ok(nodes)
+    Ok(Nodes { notes: reader.take_notes(), ..nodes })
 }
 
-/// Reads the header and the rows of a vertex section and leaves what follows.
+/// Reads the header and the rows of a vertex section and leaves what follows. What was ignored, `reader` notes.
 pub(crate) fn read_section(reader: &mut Reader<'_>) -> Result<Nodes, IoError> {
     reader.record(|| "the number of vertices".to_owned())?;
     let count = reader.count("the number of vertices")?;
@@ -90,8 +93,14 @@ pub(crate) fn read_section(reader: &mut Reader<'_>) -> Result<Nodes, IoError> {
     let has_markers = reader.one_of_or("0 or 1 markers a vertex", 0, &[0, 1])? == 1;
     reader.end_record()?;
 
-    let mut nodes =
-        Nodes { first_index: 1, points: Vec::new(), markers: Vec::new(), attributes_per_point, attributes: Vec::new() };
+    let mut nodes = Nodes {
+        first_index: 1,
+        points: Vec::new(),
+        markers: Vec::new(),
+        attributes_per_point,
+        attributes: Vec::new(),
+        notes: Vec::new(),
+    };
     nodes.points.reserve((count as usize).min(reader.remaining() / SHORTEST_ROW));
     let mut rows = Numbering::new("vertex", count, None);
     while rows.next(reader)? {
@@ -103,8 +112,9 @@ pub(crate) fn read_section(reader: &mut Reader<'_>) -> Result<Nodes, IoError> {
         if has_markers {
             nodes.markers.push(reader.marker()?);
         }
-        reader.end_record()?;
+        rows.end_record(reader)?;
     }
+    rows.note_extra(reader);
     nodes.first_index = rows.first_index();
     Ok(nodes)
 }

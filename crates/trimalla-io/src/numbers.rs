@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::error::IoError;
+use crate::error::{Ignored, IoError, Note, Place};
 use crate::tokens::{Reader, Token};
 
 /// The vertices that indices in a file may name.
@@ -35,17 +35,61 @@ impl VertexRange {
 
 /// The numbering of the records of one section: consecutive, from 0 or 1.
 #[derive(Debug)]
-pub(crate) struct Numbering {
+pub(crate) struct Numbering<'a> {
     noun: &'static str,
     count: u32,
     first: Option<u32>,
     next: u32,
+    /// The number of the first record, where there is one.
+    first_number: Option<Token<'a>>,
+    /// Records with more columns than declared, and the place of the first such column.
+    extra: Option<(u64, Place)>,
 }
 
-impl Numbering {
+impl<'a> Numbering<'a> {
     /// `count` records called `noun`, numbered from `first` or, where that is `None`, from what the first record says.
     pub(crate) fn new(noun: &'static str, count: u32, first: Option<u32>) -> Self {
-        Self { noun, count, first, next: 0 }
+        Self { noun, count, first, next: 0, first_number: None, extra: None }
+    }
+
+    /// Ends a record; numbers beyond the declared columns are passed over, and [`note_extra`](Self::note_extra) says so.
+    pub(crate) fn end_record(&mut self, reader: &mut Reader<'a>) -> Result<(), IoError> {
+        if let Some(place) = reader.pass_over_numbers()? {
+            self.extra = Some(self.extra.take().map_or((1, place), |(rows, first)| (rows + 1, first)));
+        }
+        Ok(())
+    }
+
+    /// Notes columns that were passed over.
+    pub(crate) fn note_extra(&mut self, reader: &mut Reader<'a>) {
+        if let Some((rows, place)) = self.extra.take() {
+            reader.note(Note { place, what: Ignored::Columns { noun: self.noun, rows } });
+        }
+    }
+
+    /// Holds the first number of records that name vertices against the number of the first vertex. Where they differ, the
+    /// vertices named must show that they are not counted like the records: one of them must not exist if they were.
+    /// `named` holds the vertices by index, counted from 0 after the numbers of the vertices.
+    pub(crate) fn check_base(
+        &self,
+        reader: &mut Reader<'a>,
+        vertices: VertexRange,
+        mut named: impl Iterator<Item = u32>,
+    ) -> Result<(), IoError> {
+        let (Some(first), Some(token)) = (self.first, self.first_number) else { return Ok(()) };
+        if vertices.count == 0 || first == vertices.first_index {
+            return Ok(());
+        }
+        // Counted from 0 instead of 1 every index is one more, and counted from 1 instead of 0 one less.
+        let decisive = if first == 0 { vertices.count - 1 } else { 0 };
+        if !named.any(|v| v == decisive) {
+            let (noun, base) = (self.noun, vertices.first_index);
+            return Err(reader.value(token, &format!("{noun} number {base}, as vertices are numbered from {base} on")));
+        }
+        let what = Ignored::Numbers { noun: self.noun, first, first_vertex: vertices.first_index };
+        let place = reader.place(token);
+        reader.note(Note { place, what });
+        Ok(())
     }
 
     /// The index of the first record; 1 where nothing decides it.
@@ -54,7 +98,7 @@ impl Numbering {
     }
 
     /// Moves to the next record and checks its number; `false` after the last one.
-    pub(crate) fn next(&mut self, reader: &mut Reader<'_>) -> Result<bool, IoError> {
+    pub(crate) fn next(&mut self, reader: &mut Reader<'a>) -> Result<bool, IoError> {
         if self.next == self.count {
             return Ok(false);
         }
@@ -71,7 +115,10 @@ impl Numbering {
         if !fits {
             return Err(reader.value(token, &self.describe()));
         }
-        self.first.get_or_insert(u32::from(number == 1));
+        if self.next == 0 {
+            self.first = Some(u32::from(number == 1));
+            self.first_number = Some(token);
+        }
         self.next += 1;
         Ok(true)
     }

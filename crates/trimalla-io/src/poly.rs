@@ -9,7 +9,8 @@
 //! [<regions>]
 //! <number> <x> <y> <attribute> [<largest area>]
 //! ```
-//! Segments are numbered like the vertices; holes and regions, to which nothing refers, from 0 or 1. The section of holes
+//! Segments are numbered like the vertices, or otherwise where the vertices that they name leave no doubt; holes and regions, to which
+//! nothing refers, from 0 or 1. Numbers behind the declared columns of a row are ignored, which a [`Note`] says. The section of holes
 //! is required (a drawing that lost its holes must not pass for one that has none), the one of regions is not.
 //! A largest area that is missing, zero or negative is none.
 
@@ -20,7 +21,7 @@ use trimalla::geometry::Point;
 use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, Segments};
-use crate::error::IoError;
+use crate::error::{IoError, Note};
 use crate::node::{self, Nodes};
 use crate::numbers::{Numbering, Real, VertexRange};
 use crate::rows::Rows;
@@ -49,6 +50,8 @@ pub struct Sections {
     pub holes: Vec<Point>,
     /// Region seeds.
     pub regions: Vec<Region>,
+    /// What was ignored in the file, its vertices included.
+    pub notes: Vec<Note>,
 }
 
 impl Poly {
@@ -98,7 +101,8 @@ pub fn read_with_mesh(bytes: &[u8], name: &str, vertices: VertexRange) -> Result
 pub fn read_unnamed(bytes: &[u8], name: &str) -> Result<Poly, IoError> {
     let mut reader = Reader::new(bytes, name)?;
     let nodes = node::read_section(&mut reader)?;
-    let sections = if reader.advance() { read_sections(&mut reader, nodes.range())? } else { Sections::default() };
+    let mut sections = if reader.advance() { read_sections(&mut reader, nodes.range())? } else { Sections::default() };
+    sections.notes.extend(reader.take_notes());
     Ok(Poly { nodes, sections })
 }
 
@@ -107,7 +111,7 @@ fn read_sections(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<Secti
     let holes = read_holes(reader)?;
     let regions = if reader.advance() { read_regions(reader)? } else { Vec::new() };
     reader.end_file()?;
-    Ok(Sections { segments, segment_markers, holes, regions })
+    Ok(Sections { segments, segment_markers, holes, regions, notes: reader.take_notes() })
 }
 
 fn read_segments(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<(Vec<[u32; 2]>, Vec<i32>), IoError> {
@@ -116,14 +120,16 @@ fn read_segments(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<(Vec<
     let has_markers = reader.one_of_or("0 or 1 markers a segment", 0, &[0, 1])? == 1;
     reader.end_record()?;
     let (mut segments, mut markers) = (Vec::new(), Vec::new());
-    let mut rows = Numbering::new("segment", count, (vertices.count > 0).then_some(vertices.first_index));
+    let mut rows = Numbering::new("segment", count, None);
     while rows.next(reader)? {
         segments.push([reader.vertex(vertices)?, reader.vertex(vertices)?]);
         if has_markers {
             markers.push(reader.marker()?);
         }
-        reader.end_record()?;
+        rows.end_record(reader)?;
     }
+    rows.check_base(reader, vertices, segments.iter().flatten().copied())?;
+    rows.note_extra(reader);
     Ok((segments, markers))
 }
 
@@ -135,8 +141,9 @@ fn read_holes(reader: &mut Reader<'_>) -> Result<Vec<Point>, IoError> {
     let mut rows = Numbering::new("hole", count, None);
     while rows.next(reader)? {
         holes.push(Point::new(reader.real("an x coordinate")?, reader.real("a y coordinate")?));
-        reader.end_record()?;
+        rows.end_record(reader)?;
     }
+    rows.note_extra(reader);
     Ok(holes)
 }
 
@@ -150,11 +157,16 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
         let attribute = reader.real("the attribute of the region")?;
         let max_area = match reader.field() {
             None => None,
-            Some(token) => Some(reader.real_of(token, "the largest area")?).filter(|&area| area > 0.0),
+            Some(token) => {
+                // It may be missing, so that the number of columns does not tell commas between columns from decimal ones.
+                reader.refuse_decimal_commas()?;
+                Some(reader.real_of(token, "the largest area")?).filter(|&area| area > 0.0)
+            }
         };
-        reader.end_record()?;
+        rows.end_record(reader)?;
         regions.push(Region { seed, attribute, max_area });
     }
+    rows.note_extra(reader);
     Ok(regions)
 }
 

@@ -9,10 +9,10 @@ use trimalla::triangulation::IndexedMesh;
 
 use crate::area::{self, Areas};
 use crate::bytes::{self, LONGEST_FILE};
-use crate::error::IoError;
+use crate::error::{IoError, Note};
 use crate::format::{Format, companion};
 use crate::node::{self, Nodes};
-use crate::poly::{self, Sections};
+use crate::poly::{self, Poly, Sections};
 use crate::{ele, meshsuite, soup};
 
 /// What a file holds, and the number that it gives to its first vertex.
@@ -24,6 +24,23 @@ pub struct Numbered<T> {
     pub first_index: u32,
     /// The files that were read, the one with the name asked for first; empty for standard input.
     pub files: Vec<PathBuf>,
+    /// What was ignored in the files.
+    pub notes: Vec<Note>,
+}
+
+impl<T> Numbered<T> {
+    /// What one file holds, of which nothing was ignored.
+    fn whole(value: T, first_index: u32, path: &Path) -> Self {
+        Self { value, first_index, files: vec![path.to_owned()], notes: Vec::new() }
+    }
+}
+
+impl Numbered<Pslg> {
+    fn of_poly(mut poly: Poly, files: Vec<PathBuf>) -> Self {
+        let mut notes = std::mem::take(&mut poly.nodes.notes);
+        notes.append(&mut poly.sections.notes);
+        Self { first_index: poly.nodes.first_index, value: poly.into_pslg(), files, notes }
+    }
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
@@ -43,18 +60,20 @@ pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoEr
     let path = path.as_ref();
     if path == Path::new("-") {
         let bytes = bytes::of_stream(io::stdin().lock()).map_err(|source| unreadable(path, source))?;
-        let poly = poly::read_unnamed(&bytes, "-")?;
-        return Ok(Numbered { first_index: poly.nodes.first_index, value: poly.into_pslg(), files: Vec::new() });
+        return Ok(Numbered::of_poly(poly::read_unnamed(&bytes, "-")?, Vec::new()));
     }
     match Format::from_path(path) {
         Some(Format::Poly) => read_poly(path),
         Some(Format::Node) => {
-            let nodes = read_nodes(path, None)?;
-            Ok(Numbered { first_index: nodes.first_index, value: nodes.into_pslg(), files: vec![path.to_owned()] })
+            let mut nodes = read_nodes(path, None)?;
+            let notes = std::mem::take(&mut nodes.notes);
+            let first_index = nodes.first_index;
+            Ok(Numbered { notes, ..Numbered::whole(nodes.into_pslg(), first_index, path) })
         }
         Some(Format::MeshSuite) => {
             let file = meshsuite::read(&read_file(path, None)?, &name_of(path))?;
-            Ok(Numbered { first_index: file.first_index, value: file.into_pslg(), files: vec![path.to_owned()] })
+            let first_index = file.first_index;
+            Ok(Numbered::whole(file.into_pslg(), first_index, path))
         }
         None => match of_stem(path, &[Format::Poly, Format::Node]) {
             Some(file) => read_pslg_numbered(file),
@@ -92,11 +111,12 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
         Some(Format::Ele) => read_group(path),
         Some(Format::MeshSuite) => {
             let file = meshsuite::read_mesh(&read_file(path, None)?, &name_of(path))?;
-            Ok(Numbered { first_index: file.first_index, value: file.into_mesh(), files: vec![path.to_owned()] })
+            let first_index = file.first_index;
+            Ok(Numbered::whole(file.into_mesh(), first_index, path))
         }
         Some(Format::Soup) => {
             let value = soup::read(&read_file(path, None)?, &name_of(path))?;
-            Ok(Numbered { value, first_index: 1, files: vec![path.to_owned()] })
+            Ok(Numbered::whole(value, 1, path))
         }
         _ => Err(unknown(path, MESH_ENDINGS)),
     }
@@ -135,7 +155,7 @@ fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {
         files.push(beside);
         Ok(nodes)
     })?;
-    Ok(Numbered { first_index: poly.nodes.first_index, value: poly.into_pslg(), files })
+    Ok(Numbered::of_poly(poly, files))
 }
 
 fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
@@ -146,9 +166,11 @@ fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
 fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
     let bytes = read_file(path, None)?;
     let mut files = vec![path.to_owned(), companion(path, Format::Node)];
-    let nodes = read_nodes(&files[1], Some(path))?;
+    let mut nodes = read_nodes(&files[1], Some(path))?;
+    let mut notes = std::mem::take(&mut nodes.notes);
     let (range, first_index) = (nodes.range(), nodes.first_index);
-    let elements = ele::read(&bytes, &name_of(path), range)?;
+    let mut elements = ele::read(&bytes, &name_of(path), range)?;
+    notes.append(&mut elements.notes);
     drop(bytes);
     let drawing = companion(path, Format::Poly);
     let sections = match fs::symlink_metadata(&drawing) {
@@ -156,7 +178,8 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
         Ok(_) => poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?,
     };
     files.extend(fs::symlink_metadata(&drawing).is_ok().then_some(drawing));
-    let Sections { segments, segment_markers, holes, .. } = sections.unwrap_or_default();
+    let Sections { segments, segment_markers, holes, notes: of_sections, .. } = sections.unwrap_or_default();
+    notes.extend(of_sections);
     let mesh = IndexedMesh {
         triangles: elements.triangles,
         attributes_per_triangle: elements.attributes_per_triangle,
@@ -166,7 +189,7 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
         holes,
         ..nodes.into_mesh()
     };
-    Ok(Numbered { value: mesh, first_index, files })
+    Ok(Numbered { value: mesh, first_index, files, notes })
 }
 
 /// The first existing file of the given formats that has `path` as its stem.

@@ -112,7 +112,7 @@ fn word() -> impl Strategy<Value = String> {
     prop_oneof![
         6 => (-2_i64..6).prop_map(|n| n.to_string()),
         2 => any::<f64>().prop_map(|x| format!("{x:e}")),
-        1 => prop::sample::select(vec!["#", "\r", "\r\n", "x", "1e400", "nan", "-", "18446744073709551616", "\u{feff}", "\0", "é"]).prop_map(str::to_owned),
+        1 => prop::sample::select(vec!["#", "\r", "\r\n", "x", "1e400", "nan", "-", "18446744073709551616", "\u{feff}", "\0", "é", ",", "1,5", ", "]).prop_map(str::to_owned),
         3 => Just("\n".to_owned()),
     ]
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{ELE, NODE, POLY, read_poly, sample_nodes};
-use trimalla_io::{IoError, edge, ele, neigh, node};
+use trimalla_io::{IoError, edge, ele, neigh, node, poly};
 
 fn message<T: std::fmt::Debug>(result: Result<T, IoError>) -> String {
     let error = result.unwrap_err();
@@ -31,7 +31,10 @@ const FAULTY_NODES: &[(&[u8], &str)] = &[
     (b"1 2 1000000000\n1 0 0 1\n", "n:2:8: expected an attribute, found the end of the line"),
     (b"2\n1 0 0\n", "n:3:1: expected vertex 2 of 2, found the end of the file"),
     (b"1\n1 0\n", "n:2:4: expected a y coordinate, found the end of the line"),
-    (b"1\n1 0 0 0\n", "n:2:7: expected the end of the line, found '0'"),
+    (b"1\n1 0 0 x\n", "n:2:7: expected the end of the line, found 'x'"),
+    (b"1\n1,0,0,0\n", "n:2:7: expected the end of the line, found '0'"),
+    (b"1\n1,,0,0\n", "n:2:3: expected an x coordinate, found ','"),
+    (b"1\n,1 0 0\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found ','"),
     (b"1\n5 0 0\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found '5'"),
     (b"1\n-1 0 0\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found '-1'"),
     (b"2\n0 0 0\n2 0 0\n", "n:3:1: expected vertex number 1, found '2'"),
@@ -64,7 +67,7 @@ fn faulty_numbers() {
             format!("n:2:3: expected an x coordinate, finite and within the range of a double, found '{text}'");
         assert_eq!(message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")), expected);
     }
-    for text in ["0x1p3", "1.0D+03", "1,5", "--1", "1_000", "e5", ".", "+", "٣"] {
+    for text in ["0x1p3", "1.0D+03", "--1", "1_000", "e5", ".", "+", "٣"] {
         let expected = format!("n:2:3: expected an x coordinate, found '{text}'");
         assert_eq!(message(node::read(format!("1\n1 {text} 0\n").as_bytes(), "n")), expected);
     }
@@ -102,14 +105,18 @@ const FAULTY_SECTIONS: &[(&str, &str)] = &[
     ("1\n1 -1 1\n", "p:6:3: expected a vertex index between 1 and 3, found '-1'"),
     ("1\n1 1 4294967297\n", "p:6:5: expected a vertex index between 1 and 3, found '4294967297'"),
     ("1\n1 1 3.0\n", "p:6:5: expected a vertex index between 1 and 3, found '3.0'"),
-    ("1\n0 1 2\n0\n", "p:6:1: expected segment number 1, found '0'"),
-    ("1\n1 1 2 7\n", "p:6:7: expected the end of the line, found '7'"),
+    ("1\n0 1 2\n0\n", "p:6:1: expected segment number 1, as vertices are numbered from 1 on, found '0'"),
+    ("1\n5 1 2\n0\n", "p:6:1: expected 0 or 1 as the number of the first segment, found '5'"),
+    ("2\n0 1 3\n2 1 2\n0\n", "p:7:1: expected segment number 1, found '2'"),
+    ("1 0 0\n1 1 2\n0\n", "p:5:5: expected the end of the line, found '0'"),
+    ("1\n1 1 2 a\n0\n", "p:6:7: expected the end of the line, found 'a'"),
     ("1\n1 1 2\n", "p:7:1: expected the number of holes (0 where there are none), found the end of the file"),
     ("0\n-1\n", "p:6:1: expected the number of holes, found '-1'"),
     ("0\n1\n1 nan 0\n", "p:7:3: expected an x coordinate, finite and within the range of a double, found 'nan'"),
     ("0\n2\n1 0 0\n1 0 0\n", "p:8:1: expected hole number 2, found '1'"),
     ("0\n0\n1\n1 0 0\n", "p:8:6: expected the attribute of the region, found the end of the line"),
     ("0\n0\n1\n1 0 0 1 big\n", "p:8:9: expected the largest area, found 'big'"),
+    ("0\n0\n1\n1 0,5 2 3\n", "p:8:3: expected a point in a decimal number, as commas separate columns, found '0,5'"),
     ("0\n0\n0\n0\n", "p:8:1: expected the end of the file, found '0'"),
 ];
 
@@ -144,10 +151,10 @@ fn faulty_ele_files() {
     for (text, expected) in [
         ("1 4\n", "e:1:3: expected 3 or 6 nodes a triangle, found '4'"),
         ("1 3 0\n1 0 1 2\n", "e:2:3: expected a vertex index between 1 and 4, found '0'"),
-        ("1 3 0\n0 1 2 3\n", "e:2:1: expected triangle number 1, found '0'"),
+        ("1 3 0\n0 1 2 3\n", "e:2:1: expected triangle number 1, as vertices are numbered from 1 on, found '0'"),
         ("1 3 0\n1 1 2\n", "e:2:6: expected a vertex index, found the end of the line"),
         ("1 6 0\n1 1 2 3 4 4 5\n", "e:2:13: expected a vertex index between 1 and 4, found '5'"),
-        ("1 3 0\n1 1 2 3 1\n", "e:2:9: expected the end of the line, found '1'"),
+        ("1 3 0\n1 1 2 3 one\n", "e:2:9: expected the end of the line, found 'one'"),
         ("1 3 1\n1 1 2 3\n", "e:2:8: expected an attribute, found the end of the line"),
         ("9 3 0\n1 1 2 3\n", "e:3:1: expected triangle 2 of 9, found the end of the file"),
         ("0 3 0\nmore\n", "e:2:1: expected the end of the file, found 'more'"),
@@ -188,11 +195,65 @@ fn layout_does_not_matter() {
         ("byte order mark", format!("\u{feff}{NODE}")),
         ("blank lines", NODE.replace('\n', "\n\n   \n")),
         ("comments", NODE.replace('\n', "#5 6\n# 7\n")),
+        ("commas", NODE.replace(' ', ", ").replace("#, four", "# four").replace("-3, #, corner", "-3 # corner")),
+        ("a comma at the end", NODE.replace("\n2 1 0", ",\n2 ,1 0")),
     ] {
         assert_eq!(node::read(text.as_bytes(), "n").unwrap(), plain, "{what}");
     }
     let latin = [b"# Gr\xf6\xdfe\n", NODE.as_bytes()].concat();
     assert_eq!(node::read(&latin, "n").unwrap(), plain, "Latin-1 in a comment");
+}
+
+/// A vertex section, and what decimal commas in it are answered with.
+#[test]
+fn decimal_commas_are_refused() {
+    for (text, place) in [
+        ("1\n1 1,5 0\n", "n:2:3: expected a point in a decimal number, as commas separate columns, found '1,5'"),
+        ("1\n1 -0,5 0,25\n", "n:2:3: expected a point in a decimal number, as commas separate columns, found '-0,5'"),
+        ("1\n1;0,5;0,25\n", "n:2:1: expected 0 or 1 as the number of the first vertex, found '1;0'"),
+        ("1\n1,0,5,0,25\n", "n:2:7: expected the end of the line, found '0'"),
+        (
+            "1 2 1\n1 1,5 2,5 7\n",
+            "n:2:3: expected a point in a decimal number, as commas separate columns, found '1,5'",
+        ),
+    ] {
+        assert_eq!(message(node::read(text.as_bytes(), "n")), place, "{text:?}");
+    }
+}
+
+/// Files that Triangle reads, and what is noted of what is ignored in them.
+#[test]
+fn what_is_ignored_without_ambiguity_is_noted() {
+    let notes = |rest: &str| {
+        let text = format!("{TRIANGLE}{rest}");
+        let poly = poly::read(text.as_bytes(), "p", || unreachable!("it has vertices")).unwrap();
+        poly.sections.notes.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(notes("1\n1 1 2\n0\n"), [""; 0]);
+    let numbered =
+        "p:6:1: segment rows are numbered from 0 on, vertices from 1 on; the numbers of the rows were ignored";
+    assert_eq!(notes("2\n0 1 2\n1 2 3\n0\n"), [numbered], "vertex 3 does not exist counted from 0");
+    let extra = "p:6:7: 2 segment rows have more columns than their header declares; they were ignored";
+    assert_eq!(notes("2\n1 1 2 7\n2 2 3 8 9\n0\n"), [extra]);
+    let hole = "p:7:7: 1 hole row has more columns than its header declares; they were ignored";
+    assert_eq!(notes("0\n1\n1 0 0 5\n"), [hole]);
+    let nodes = node::read(b"2\n0 0 0 0\n1 1 0 0\n", "n").unwrap();
+    let vertices = "n:2:7: 2 vertex rows have more columns than their header declares; they were ignored";
+    assert_eq!((nodes.points.len(), nodes.notes[0].to_string().as_str()), (2, vertices));
+    let triangles = ele::read(b"1 3 0\n0 1 2 4 8\n", "e", sample_nodes().range()).unwrap();
+    assert_eq!((triangles.triangles, triangles.notes.len()), (vec![[0, 1, 3]], 2));
+}
+
+/// Segments numbered from 1 beside vertices from 0: right where vertex 0 is named, for counted from 1 there is none.
+#[test]
+fn the_other_base_is_taken_where_only_one_reading_is_possible() {
+    let vertices = "3\n0 0 0\n1 1 0\n2 0 1\n";
+    let read = |rest: &str| read_poly(format!("{vertices}{rest}").as_bytes(), "p");
+    assert_eq!(read("2\n1 0 1\n2 1 2\n0\n").unwrap().segments, [[0, 1], [1, 2]]);
+    assert_eq!(
+        message(read("1\n1 1 2\n0\n")),
+        "p:6:1: expected segment number 0, as vertices are numbered from 0 on, found '1'"
+    );
 }
 
 #[test]

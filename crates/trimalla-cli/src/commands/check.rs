@@ -36,7 +36,7 @@ Each fault is a line on standard output, in the numbers of the file; after 50, t
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The mesh: an .ele file with its .node file beside it, or the stem of both
+    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles (.soup, .txt)
     mesh: PathBuf,
 
     /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'
@@ -53,8 +53,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if let Some(degrees) = options.min_angle.filter(|a| !(0.0..=60.0).contains(a)) {
         return Err(OptionError::MinAngle(degrees).into());
     }
-    let mesh = read_mesh(&options.mesh)?;
-    let drawing = options.input.as_deref().map(read_drawing).transpose()?;
+    let mesh = read_mesh(&options.mesh)?.with_notes_shown();
+    let drawing = options.input.as_deref().map(read_drawing).transpose()?.map(Input::with_notes_shown);
     let faults = faults(&mesh, drawing.as_ref(), options.min_angle);
     console::print(&text(&mesh, &faults))?;
     Ok(if faults.is_empty() { Status::Done } else { Status::Unmet })

@@ -308,7 +308,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 
 /// Reads a drawing and adds it; the files that it was read from.
 fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let drawing: Input<Pslg> = read_drawing(path)?;
+    let drawing: Input<Pslg> = read_drawing(path)?.with_notes_shown();
     let names = Names::of(&drawing);
     trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
     experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;

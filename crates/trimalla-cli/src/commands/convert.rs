@@ -42,12 +42,12 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     outputs::recover([&options.output], false);
     let output = OutputOptions { output: vec![options.output.clone()], format: options.format };
     if is_mesh(&options.input) {
-        let mesh = read_mesh(&options.input)?;
+        let mesh = read_mesh(&options.input)?.with_notes_shown();
         let outputs = Outputs::plan(&output, &mesh)?;
         progress::begin_writing()?;
         outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh.value, &[])?.commit()?;
     } else {
-        let drawing = read_drawing(&options.input)?;
+        let drawing = read_drawing(&options.input)?.with_notes_shown();
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
         let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {

@@ -78,7 +78,9 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             let foreseen = std::mem::take(&mut foresight.warnings);
             match made {
                 Ok(meshed) => {
-                    let warnings = meshed.warnings.iter().map(|w| names.warning(w)).collect();
+                    let warnings =
+                        drawing.notes.iter().cloned().chain(meshed.warnings.iter().map(|w| names.warning(w)));
+                    let warnings = warnings.collect();
                     let floor = text::floor(&meshed, refine, &drawing);
                     Ok(Made { meshed, warnings, foreseen, floor })
                 }

@@ -29,7 +29,9 @@ Examples:
   trimalla refine key.1.ele --input key.poly --pick 12,31 -o key.2.ele
                                                   two triangles treated, no others
 
-The mesh is an .ele file with its .node file beside it; what lies beside them counts too:
+A soup (.soup or .txt) has the six coordinates of a triangle in each line: neighbours are found, and what
+only one triangle has is the boundary. A .mesh is MeshSuite's single file. Otherwise the mesh is an .ele file
+with its .node file beside it, and what lies beside them counts too:
   .poly  subsegments with their markers, and holes
   .area  for each triangle the largest area that triangles in it may have (none if not positive)
 Triangles are taken as they are, attributes are handed down. The vertices of the mesh come first
@@ -49,7 +51,7 @@ place) is named with triangles, vertices and coordinates, in the numbers of the 
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The mesh: an .ele file with its .node file beside it, or the stem of both
+    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles (.soup, .txt)
     mesh: PathBuf,
 
     /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'
@@ -79,7 +81,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             let input = drawing.as_ref().map(|drawing| &drawing.value);
             let meshed = trimalla::refine_mesh_with(&mesh.value, &areas, input, refine, &mut watch)
                 .map_err(|error| failure(error, &mesh, drawing.as_ref()))?;
-            let warnings = meshed.warnings.iter().map(|w| warning(w, &mesh, drawing.as_ref())).collect();
+            let notes = mesh.notes.iter().chain(drawing.iter().flat_map(|drawing| &drawing.notes)).cloned();
+            let warnings = notes.chain(meshed.warnings.iter().map(|w| warning(w, &mesh, drawing.as_ref()))).collect();
             Ok(Made { meshed, warnings, foreseen: Vec::new(), floor: None })
         },
     };

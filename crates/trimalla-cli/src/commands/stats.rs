@@ -22,7 +22,7 @@ is the circumradius over twice the inradius: 1 for an equilateral triangle.";
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The mesh: an .ele file with its .node file beside it, or the stem of both
+    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles (.soup, .txt)
     mesh: PathBuf,
 
     /// Print one JSON object
@@ -32,7 +32,7 @@ pub(crate) struct Options {
 
 /// Runs it.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
-    let mesh = read_mesh(&options.mesh)?;
+    let mesh = read_mesh(&options.mesh)?.with_notes_shown();
     let mut statistics = Statistics::of(&mesh.value);
     for at in [&mut statistics.min_angle, &mut statistics.max_angle].into_iter().flatten() {
         at.triangle += mesh.first_index as usize;
