@@ -109,7 +109,7 @@ impl<'a> Names<'a> {
     }
 
     fn pair(&self, pair: &CrossingPair) -> String {
-        let [a, b] = pair.segments.map(|s| self.drawing.number(s));
+        let [a, b] = pair.segments.map(|s| self.segment_number(s));
         let text = format!("segments {a} and {b} cross near {}", pair.at);
         let [i, j] = pair.segments.map(|s| self.records().segments.get(s));
         self.of_file(match (i, j) {
@@ -129,8 +129,29 @@ impl<'a> Names<'a> {
             Warning::ZeroLength { count: n, first } => {
                 let verb = if *n == 1 { "has no length and was" } else { "have no length and were" };
                 let text =
-                    format!("{} {verb} left out; the first is {}", count(*n, "segment"), self.drawing.number(*first));
+                    format!("{} {verb} left out; the first is {}", count(*n, "segment"), self.segment_number(*first));
                 self.at(self.records().segments.get(*first), text)
+            }
+            Warning::VerticesOutside { count: n, first } => {
+                let verb = if *n == 1 { "lies outside the domain and is" } else { "lie outside the domain and are" };
+                let numbers = self.listed(*n, first, |v| self.drawing.number(v).to_string());
+                self.of_file(format!("{} {verb} in no triangle: {numbers}", count(*n, "vertex")))
+            }
+            Warning::SegmentsOutside { count: n, first } => {
+                let verb = if *n == 1 { "lies outside the domain and is" } else { "lie outside the domain and are" };
+                let numbers = self.listed(*n, first, |s| self.segment_number(s));
+                self.of_file(format!("{} {verb} left out: {numbers}", count(*n, "segment")))
+            }
+            Warning::MarkersHidden { count: n, first } => {
+                let [hidden, shown] = first.map(|s| self.segment_number(s as usize));
+                let verb = if *n == 1 { "overlaps an earlier one" } else { "overlap earlier ones" };
+                self.at(
+                    self.records().segments.get(first[0] as usize),
+                    format!(
+                        "{} {verb} with another marker, which counts there; the first is {hidden}, on {shown}",
+                        count(*n, "segment")
+                    ),
+                )
             }
             Warning::IdleHole { seed, at } => {
                 self.of_seed("hole", *seed, *at, "has no effect: it lies outside, or in another hole")
@@ -149,6 +170,12 @@ impl<'a> Names<'a> {
         }
     }
 
+    /// Numbers in a list, which goes on where there are more.
+    fn listed(&self, count: usize, first: &[u32], number: impl Fn(usize) -> String) -> String {
+        let numbers: Vec<String> = first.iter().map(|&index| number(index as usize)).collect();
+        format!("{}{}", numbers.join(", "), if first.len() < count { ", …" } else { "" })
+    }
+
     /// A vertex; those after the input are where segments cross.
     pub(crate) fn vertex(&self, v: VertexId) -> String {
         if v.index() < self.drawing.value.points.len() {
@@ -160,7 +187,7 @@ impl<'a> Names<'a> {
 
     /// A segment, with its line where that is known.
     pub(crate) fn segment(&self, segment: usize) -> String {
-        let number = self.drawing.number(segment);
+        let number = self.segment_number(segment);
         match self.records().segments.get(segment) {
             Some(record) => format!("segment {number} (line {})", record.line),
             None => format!("segment {number}"),
@@ -172,7 +199,7 @@ impl<'a> Names<'a> {
     }
 
     fn of_segment(&self, segment: usize, text: &str) -> String {
-        let text = format!("segment {} {text}", self.drawing.number(segment));
+        let text = format!("segment {} {text}", self.segment_number(segment));
         self.at(self.records().segments.get(segment), text)
     }
 
@@ -186,6 +213,12 @@ impl<'a> Names<'a> {
             Some(record) => format!("{}:{}: {text}", self.drawing.name(), record.line),
             None => self.of_file(text),
         }
+    }
+
+    /// Segments may be numbered otherwise than vertices.
+    fn segment_number(&self, segment: usize) -> String {
+        let own = self.records().segments.get(segment).map(|record| record.number.clone());
+        own.unwrap_or_else(|| self.drawing.number(segment).to_string())
     }
 
     /// Seeds have a numbering of their own.

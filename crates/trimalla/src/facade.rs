@@ -5,7 +5,7 @@ use crate::delaunay::AlgorithmKey;
 use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Pslg, Warning};
 use crate::quality::{InputFault, against_input};
 use crate::refine::{
-    Initial, NoObserver, Observer, OptionError, Outlook, Prepare, Recipe, RefineOptions, Refinement, Report,
+    Limits, NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report, make_conforming,
 };
 use crate::triangulation::IndexedMesh;
 
@@ -185,23 +185,27 @@ pub fn refine_mesh_with(
     Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
 }
 
-/// The conforming Delaunay triangulation of a drawing's domain: segments inside are split until they are edges without being
-/// walls; the border is constrained.
+/// The conforming Delaunay triangulation of a drawing's domain: segments, those of boundaries among them, are split until they are edges
+/// of the Delaunay triangulation of all vertices.
 ///
 /// # Guarantees
-/// Those of [`mesh()`] without bounds on triangles. Splitting stops at the vertex budget and the length floor of
-/// [`Limits`](crate::refine::Limits); what is missing then is put in as whole edges.
+/// No circumcircle has a vertex inside, unless [`Warning::NotConforming`] says that the vertex budget or the length floor of
+/// [`Limits`](crate::refine::Limits) ended the splitting: then the missing pieces are constrained edges.
 ///
 /// # Errors
-/// [`Error`].
+/// [`DomainError`].
 ///
 /// # Source
 /// `[MeshSuite]` 2.6.1.
-pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), Error> {
-    let recipe = Recipe { initial: Initial::Conforming, prepare: Prepare::None, ..Recipe::default() };
-    let refine = RefineOptions { recipe, ..RefineOptions::default() }.with_min_angle_deg(0.0);
-    let meshed = mesh_with(pslg, &MeshOptions { domain: *options, refine }, &mut NoObserver)?;
-    Ok((meshed.mesh, meshed.warnings))
+pub fn triangulate_conforming(
+    pslg: &Pslg,
+    options: &DomainOptions,
+) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
+    let &DomainOptions { rule, crossings, algorithm } = options;
+    let max_vertices = Limits::default().max_vertices;
+    let split = |cdt: &mut ConstrainedDelaunay| make_conforming(cdt, max_vertices);
+    let (cdt, warnings) = domain::build_conforming(pslg, rule, crossings, algorithm, split)?;
+    Ok((cdt.into_indexed(pslg), warnings))
 }
 
 /// Triangulates a drawing and keeps its domain; no vertex is added but where segments cross.

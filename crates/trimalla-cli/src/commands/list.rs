@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla::refine::{Protect, Row, registry};
 use trimalla_io::Format;
 
+use crate::commands::triangulate;
 use crate::console;
 use crate::exit::{Failure, Status};
 
@@ -56,8 +56,8 @@ fn text() -> String {
     );
     add(
         &mut text,
-        "triangulators (triangulate --algorithm, mesh --triangulator)",
-        AlgorithmKey::ALL.iter().map(|a| (a.key(), a.summary().to_owned())),
+        "triangulators (triangulate --algorithm, and but for the last mesh --triangulator)",
+        triangulate::keys().map(|(key, summary)| (key, summary.to_owned())),
     );
     add(&mut text, "domain rules (--domain)", DomainRule::ALL.iter().map(|r| (r.key(), r.summary().to_owned())));
     add(

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use clap::Args;
-use trimalla::Error;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{Pslg, Warning};
 use trimalla::triangulation::IndexedMesh;
@@ -22,8 +21,9 @@ Examples:
   trimalla triangulate points.node -o points.svg --algorithm divide-and-conquer
 
 The triangulation is unique: cocircular points are decided by a fixed rule, so that algorithms
-and the order of the points make no difference. No vertex is added, but at crossings with
---crossings split; except by conforming-delaunay, which splits segments inside.";
+and the order of the points make no difference, but for the order in which triangles are listed.
+No vertex is added, but at crossings with
+--crossings split; except by conforming-delaunay, which splits segments and boundaries.";
 
 /// What to make, and how.
 #[derive(Clone, Copy, Debug)]
@@ -37,10 +37,15 @@ enum Kind {
 /// The key of the conforming triangulation.
 const CONFORMING: &str = "conforming-delaunay";
 
+/// Every key of --algorithm with its line of help.
+pub(crate) fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
+    Kind::all().map(|(key, summary, _)| (key, summary))
+}
+
 impl Kind {
     fn all() -> impl Iterator<Item = (&'static str, &'static str, Self)> {
         let constrained = AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), Self::Constrained(a)));
-        let conforming = "segments inside are split until the triangulation is Delaunay without walls";
+        let conforming = "segments and boundaries are split until no circumcircle has a vertex inside";
         constrained.into_iter().chain([(CONFORMING, conforming, Self::Conforming)])
     }
 
@@ -60,10 +65,8 @@ impl Kind {
             }
             Self::Conforming => {
                 let options = options.domain_options(AlgorithmKey::default());
-                trimalla::triangulate_conforming(&drawing.value, &options).map_err(|error| match error {
-                    Error::Domain(error) => names.failure(&error),
-                    other => Failure::bad_input(other.to_string()),
-                })
+                let made = trimalla::triangulate_conforming(&drawing.value, &options);
+                made.map_err(|error| names.failure(&error))
             }
         }
     }
@@ -76,7 +79,7 @@ pub(crate) struct Options {
     #[command(flatten)]
     drawing: DrawingOptions,
 
-    /// How the points are triangulated, on which the result does not depend; or a conforming triangulation
+    /// How the points are triangulated, on which only the order of triangles in files depends; or a conforming triangulation
     #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), value_parser = one_of(Kind::all()))]
     algorithm: Kind,
 
@@ -99,7 +102,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let (mesh, warnings) = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();
     progress::begin_writing()?;
-    let warnings: Vec<_> = warnings.iter().map(|w| names.warning(w)).collect();
+    let warnings = drawing.notes.iter().cloned().chain(warnings.iter().map(|w| names.warning(w)));
+    let warnings: Vec<_> = warnings.collect();
     options.report.warn(&warnings);
     let prepared = outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh, &[])?;
     let angles_deg = || text::extreme_angles_deg(&mesh);

@@ -19,7 +19,7 @@
 use super::constrained::ConstrainedDelaunay;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
-use crate::geometry::Point;
+use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, NoJournal, VertexId};
 
@@ -41,11 +41,30 @@ impl ConstrainedDelaunay {
     ///
     /// Returns what was let go, in the order of its vertices. The triangulation is Delaunay across it afterwards.
     pub(crate) fn release_inner_segments(&mut self) -> Vec<Released> {
-        let is_inner = |h: &HalfEdgeId| {
-            let (f, g) = (h.face(), self.t.twin(*h).face());
-            self.t.is_marked(*h) && self.t.is_real(f) && self.t.is_real(g) && self.t.region(f) == self.t.region(g)
-        };
-        let inner: Vec<HalfEdgeId> = self.t.edges().filter(is_inner).collect();
+        let inner = self.t.edges().filter(|&h| self.is_inner(h)).collect();
+        self.release_edges(inner)
+    }
+
+    /// Whether an edge is part of a segment with one region on both sides.
+    fn is_inner(&self, h: HalfEdgeId) -> bool {
+        let (f, g) = (h.face(), self.t.twin(h).face());
+        self.t.is_marked(h) && self.t.is_real(f) && self.t.is_real(g) && self.t.region(f) == self.t.region(g)
+    }
+
+    /// How many pieces of segments inside are edges only because they are constrained.
+    pub(crate) fn pieces_held_by_marks(&self) -> usize {
+        self.t.edges().filter(|&h| self.is_inner(h) && self.is_held_by_its_mark(h)).count()
+    }
+
+    /// Whether an edge between two faces fails the circle test, marked or not.
+    fn is_held_by_its_mark(&self, h: HalfEdgeId) -> bool {
+        let corners = [self.t.origin(h), self.t.dest(h), self.t.apex(h), self.t.apex(self.t.twin(h))];
+        let [a, b, c, d] = corners.map(|v| self.t.point(v));
+        in_circle_perturbed(a, b, c, d) == CircleSide::Inside
+    }
+
+    /// Lets go of edges that are parts of segments, and makes the triangulation Delaunay across them.
+    fn release_edges(&mut self, inner: Vec<HalfEdgeId>) -> Vec<Released> {
         let mut released: Vec<Released> = Vec::with_capacity(inner.len());
         for &h in &inner {
             let (a, b) = (self.t.origin(h), self.t.dest(h));

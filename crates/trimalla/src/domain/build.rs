@@ -3,6 +3,7 @@
 use super::error::{DomainError, OpenEnd, Warning};
 use super::flat_hull;
 use super::flood::{depths, flood};
+use super::left_out::left_out;
 use super::pslg::Pslg;
 use super::{regions, seeds};
 use crate::constrained::{ConstrainedDelaunay, Crossings};
@@ -19,9 +20,11 @@ pub enum DomainRule {
     /// A drawing without segments keeps its convex hull.
     #[default]
     Seeds,
-    /// Even–odd: kept is what lies behind an odd number of segments. Hole seeds remove their part too.
+    /// Even–odd: kept is what lies behind an odd number of segments.
     ///
-    /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts.
+    /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts. A hole seed in a part
+    /// behind an odd number removes that part, too; in one behind 2, 4, … it removes nothing more, as that part is a hole already;
+    /// outside of all segments it is an error, as under [`Seeds`](Self::Seeds).
     Nesting,
     /// The convex hull, less what hole seeds reach.
     ///
@@ -48,7 +51,7 @@ impl DomainRule {
     pub const fn summary(self) -> &'static str {
         match self {
             Self::Seeds => "removes what the outside or a hole seed reaches without crossing a segment",
-            Self::Nesting => "keeps what lies behind an odd number of segments",
+            Self::Nesting => "keeps what lies behind an odd number of segments, less what hole seeds reach",
             Self::Hull => "keeps the convex hull, less what hole seeds reach",
         }
     }
@@ -86,7 +89,8 @@ pub fn build(
     crossings: Crossings,
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
-    carved(pslg, rule, crossings, algorithm, flat_hull::leave_out)
+    let (cdt, warnings) = triangulate(pslg, crossings, algorithm)?;
+    carved(cdt, warnings, pslg, rule, flat_hull::leave_out)
 }
 
 /// Triangulates a drawing and carves out its domain exactly: where that is the convex hull, up to the hull.
@@ -99,47 +103,86 @@ pub fn build_exactly(
     crossings: Crossings,
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
-    carved(pslg, rule, crossings, algorithm, |_, _| {})
+    let (cdt, warnings) = triangulate(pslg, crossings, algorithm)?;
+    carved(cdt, warnings, pslg, rule, |_, _| {})
 }
 
-/// Triangulates a drawing and removes what is outside; `trim` may add to that where the domain is the convex hull.
-fn carved(
+/// [`build_exactly`] with a step before the outside is removed: it makes the triangulation of the whole drawing conforming, and
+/// says how many pieces of segments it had to put in whole.
+///
+/// # Errors
+/// See [`build`].
+pub(crate) fn build_conforming(
     pslg: &Pslg,
     rule: DomainRule,
     crossings: Crossings,
     algorithm: AlgorithmKey,
-    trim: impl FnOnce(&ConstrainedDelaunay, &mut [bool]),
+    make_conforming: impl FnOnce(&mut ConstrainedDelaunay) -> usize,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     let (mut cdt, mut warnings) = triangulate(pslg, crossings, algorithm)?;
+    if cdt.dimension() == 2 {
+        let pieces = make_conforming(&mut cdt);
+        if pieces > 0 {
+            warnings.push(Warning::NotConforming { pieces });
+        }
+    }
+    carved(cdt, warnings, pslg, rule, |_, _| {})
+}
+
+/// Removes from a triangulation of a whole drawing what does not belong to the domain; `trim` may add to that where the domain
+/// is the convex hull.
+fn carved(
+    mut cdt: ConstrainedDelaunay,
+    mut warnings: Vec<Warning>,
+    pslg: &Pslg,
+    rule: DomainRule,
+    trim: impl FnOnce(&ConstrainedDelaunay, &mut [bool]),
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     if cdt.dimension() < 2 {
         return Err(DomainError::Flat { points: pslg.points.len() });
     }
     let rule = if rule == DomainRule::Seeds && pslg.segments.is_empty() { DomainRule::Hull } else { rule };
     let mut outside = outside(&cdt, rule)?;
     if rule == DomainRule::Hull {
-        trim(&cdt, &mut outside);
+        trim(&cdt, &mut outside.is_outside);
     }
     let removed = remove_holes(&cdt, &pslg.holes, outside, &mut warnings)?;
     let mut kept: Vec<bool> = removed.into_iter().map(|r| !r).collect();
     // Ghosts are outside by every rule, and nothing is in slots that are free.
     cdt.free_faces().iter().for_each(|f| kept[f.index()] = false);
     cdt.carve_real(&kept, &mut NoJournal);
+    warnings.extend(left_out(&cdt, pslg));
     regions::assign(&mut cdt, &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))
 }
 
-/// The faces that the rule puts outside, ghosts among them.
-fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, DomainError> {
+/// The faces that a rule puts outside, ghosts among them.
+struct Outside {
+    is_outside: Vec<bool>,
+    /// How many segments lie between the outside and each face, where the rule counts them.
+    depth: Option<Vec<u32>>,
+}
+
+impl Outside {
+    /// Whether a face is in a hole that the rule has found itself, without a seed.
+    fn is_hole(&self, f: FaceId) -> bool {
+        self.is_outside[f.index()] && self.depth.as_ref().is_some_and(|depth| depth[f.index()] > 0)
+    }
+}
+
+fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Outside, DomainError> {
     let mut outside = vec![false; cdt.face_slots()];
+    let mut counted = None;
     let ghosts = cdt.ghost_faces();
     match rule {
         DomainRule::Seeds => drop(flood(cdt, ghosts, &mut outside)),
         DomainRule::Hull => ghosts.for_each(|f| outside[f.index()] = true),
         DomainRule::Nesting => {
             let depth = depths(cdt, |mark| cdt.segments_of_class(mark).len() as u32);
-            for (out, depth) in outside.iter_mut().zip(depth) {
+            for (out, depth) in outside.iter_mut().zip(&depth) {
                 *out = depth % 2 == 0;
             }
+            counted = Some(depth);
         }
     }
     if cdt.real_faces().all(|f| outside[f.index()]) {
@@ -148,31 +191,32 @@ fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Vec<bool>, Dom
             _ => DomainError::OpenOutline { end: open_end(cdt, &outside) },
         });
     }
-    Ok(outside)
+    Ok(Outside { is_outside: outside, depth: counted })
 }
 
 /// Adds what hole seeds reach to what is outside.
 fn remove_holes(
     cdt: &ConstrainedDelaunay,
     holes: &[Point],
-    outside: Vec<bool>,
+    outside: Outside,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<bool>, DomainError> {
     if holes.is_empty() {
-        return Ok(outside);
+        return Ok(outside.is_outside);
     }
-    let mut removed = outside.clone();
+    let mut removed = outside.is_outside.clone();
     for (seed, &at) in holes.iter().enumerate() {
         match seed_face(cdt, at) {
             SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "hole", seed, at }),
             SeedPlace::Outside => warnings.push(Warning::IdleHole { seed, at }),
-            SeedPlace::Face(f) if outside[f.index()] => return Err(DomainError::SeedLeaks { seed, at }),
+            SeedPlace::Face(f) if outside.is_hole(f) => {}
+            SeedPlace::Face(f) if outside.is_outside[f.index()] => return Err(DomainError::SeedLeaks { seed, at }),
             SeedPlace::Face(f) if removed[f.index()] => warnings.push(Warning::IdleHole { seed, at }),
             SeedPlace::Face(f) => {
                 flood(cdt, [f], &mut removed);
                 if cdt.real_faces().all(|f| removed[f.index()]) {
                     // Had the outline been closed, the seed might have left something.
-                    return Err(match open_end(cdt, &outside) {
+                    return Err(match open_end(cdt, &outside.is_outside) {
                         None => DomainError::SeedTakesAll { seed, at },
                         end => DomainError::OpenOutline { end },
                     });

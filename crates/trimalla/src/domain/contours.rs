@@ -30,7 +30,8 @@ impl Contours {
     /// crosses few triangles. With divide and conquer they go in last. The result is the same.
     ///
     /// # Errors
-    /// [`DomainError`]: a contour that is flat or runs the wrong way, and what [`build`](super::build()) refuses.
+    /// [`DomainError`]: a contour that is flat or runs the wrong way, a hole that removes nothing, and what
+    /// [`build`](super::build()) refuses.
     ///
     /// # Complexity
     /// That of the triangulation, and linear.
@@ -47,7 +48,26 @@ impl Contours {
         }
         let removed = self.right_of_contours(&cdt);
         let keep: Vec<bool> = removed.into_iter().map(|r| !r).collect();
-        if cdt.carve(&keep, &mut NoJournal) { Ok(cdt) } else { Err(DomainError::OpenOutline { end: None }) }
+        let idle = self.idle_hole(&cdt, &keep);
+        if !cdt.carve(&keep, &mut NoJournal) {
+            return Err(DomainError::OpenOutline { end: None });
+        }
+        idle.map_or(Ok(cdt), |contour| Err(DomainError::IdleContour { contour }))
+    }
+
+    /// The first hole without an edge that has a kept face on its left: it lies outside or in another hole.
+    fn idle_hole(&self, cdt: &ConstrainedDelaunay, keep: &[bool]) -> Option<usize> {
+        let mut segment = 0;
+        let first_hole = usize::from(self.outer.is_some());
+        for (contour, ring) in self.rings().enumerate() {
+            let mut edges = (segment..segment + ring.len() as u32).flat_map(|s| cdt.chain(s));
+            segment += ring.len() as u32;
+            let bounds_kept = edges.any(|h| cdt.is_real(h.face()) && keep[h.face().index()]);
+            if contour >= first_hole && !bounds_kept {
+                return Some(contour);
+            }
+        }
+        None
     }
 
     /// The contours as segments, ring after ring, the outer one first.

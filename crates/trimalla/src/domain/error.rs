@@ -80,6 +80,12 @@ pub enum DomainError {
         /// The orientation it has.
         found: &'static str,
     },
+    /// A hole contour removes nothing: it lies outside the outer contour or inside another hole.
+    #[error("contour {contour} removes nothing: it lies outside the outer contour or in another hole")]
+    IdleContour {
+        /// Index of the contour, the outer one first.
+        contour: usize,
+    },
     /// A column has the wrong length.
     #[error("{what} has {found} entries where {expected} are needed")]
     Column {
@@ -122,6 +128,32 @@ pub enum Warning {
         count: usize,
         /// Index of the first.
         first: usize,
+    },
+    /// Input vertices outside the domain: no triangle has them as a corner. They keep their places in the output.
+    VerticesOutside {
+        /// How many, duplicates not among them.
+        count: usize,
+        /// The first of them, at most [`Warning::NAMED`].
+        first: Vec<u32>,
+    },
+    /// Segments outside the domain: no edge of the mesh is part of them.
+    SegmentsOutside {
+        /// How many.
+        count: usize,
+        /// The first of them, at most [`Warning::NAMED`].
+        first: Vec<u32>,
+    },
+    /// Segments that overlap earlier ones with another marker, which counts there.
+    MarkersHidden {
+        /// How many.
+        count: usize,
+        /// The first of them and the one whose marker counts.
+        first: [u32; 2],
+    },
+    /// Segments that could not be split until all were edges of the Delaunay triangulation: pieces of them were put in whole.
+    NotConforming {
+        /// How many pieces.
+        pieces: usize,
     },
     /// A hole seed outside the convex hull or in what another seed removed; of no effect.
     IdleHole {
@@ -176,6 +208,17 @@ pub enum Warning {
     },
 }
 
+impl Warning {
+    /// No more vertices or segments than this are named one by one.
+    pub const NAMED: usize = 5;
+}
+
+/// Numbers in a list, which goes on where there are more.
+fn listed(count: usize, first: &[u32]) -> String {
+    let numbers: Vec<String> = first.iter().map(ToString::to_string).collect();
+    format!("{}{}", numbers.join(", "), if first.len() < count { ", …" } else { "" })
+}
+
 impl std::fmt::Display for Warning {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -184,6 +227,21 @@ impl std::fmt::Display for Warning {
             }
             Self::ZeroLength { count, first } => {
                 write!(f, "{count} segments have no length and were dropped; the first is {first}")
+            }
+            Self::VerticesOutside { count, first } => {
+                write!(f, "{count} vertices lie outside the domain and are in no triangle: {}", listed(*count, first))
+            }
+            Self::SegmentsOutside { count, first } => {
+                write!(f, "{count} segments lie outside the domain and are in no mesh: {}", listed(*count, first))
+            }
+            Self::MarkersHidden { count, first: [hidden, shown] } => {
+                write!(
+                    f,
+                    "{count} segments overlap earlier ones with another marker, which counts there; the first is {hidden}, on {shown}"
+                )
+            }
+            Self::NotConforming { pieces } => {
+                write!(f, "{pieces} pieces of segments were put in whole, as the limits left no room to split them")
             }
             Self::IdleHole { seed, at } => {
                 write!(f, "hole seed {seed} at {at} has no effect: it lies outside, or in another hole")

@@ -6,7 +6,7 @@
 //! | rule | kept |
 //! |---|---|
 //! | `seeds` | what cannot be reached from outside the hull or from a hole seed without crossing a segment |
-//! | `nesting` | what lies behind an odd number of segments, counted from outside |
+//! | `nesting` | what lies behind an odd number of segments, counted from outside, but what hole seeds reach |
 //! | `hull` | the convex hull, but what hole seeds reach |
 //!
 //! [`from_mesh()`] takes up a mesh that exists, triangle by triangle, and finds its segments again.
@@ -25,6 +25,7 @@ mod flood;
 mod from_mesh;
 mod given;
 mod indexed;
+mod left_out;
 mod mesh_error;
 mod pslg;
 mod regions;
@@ -33,6 +34,7 @@ mod shells;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use build::build_conforming;
 pub use build::{DomainRule, build, build_exactly, triangulate};
 pub use contours::Contours;
 pub(crate) use course::{Adjacency, Beside, Course, Courses, Leg};

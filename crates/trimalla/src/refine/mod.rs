@@ -76,4 +76,5 @@ pub use recipe::{
 pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
 pub use ruler::Ruler;
+pub(crate) use s5_recover::make_conforming;
 pub use stopwatch::{Clock, StepTimes};

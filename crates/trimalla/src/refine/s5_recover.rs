@@ -13,9 +13,11 @@ mod whole_edge;
 use std::sync::Arc;
 
 use super::event::InsertedKind;
+use super::joints::Joints;
 use super::mirror::Mirrors;
 use super::recipe::{Recipe, Recover};
-use super::refinement::Refinement;
+use super::refinement::{Refinement, precision_floor};
+use super::ruler::Ruler;
 use super::steps::RecoverStep;
 use super::stopwatch::Part;
 use crate::constrained::{ConstrainedDelaunay, SegmentPlan, SplitLimits};
@@ -73,6 +75,27 @@ impl Refinement {
         lost.dedup();
         self.report.lost_segments = lost;
     }
+}
+
+/// Splits the segments of a triangulation from which nothing was removed, until each is a chain of edges of the Delaunay
+/// triangulation of all vertices.
+///
+/// Returns how many pieces are edges only because they are constrained: those that `max_vertices`, or the distance of 256 units
+/// in the last place of the largest coordinate between vertices, left no room to split.
+pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize) -> usize {
+    let bounds = cdt.bounding_box();
+    let ruler = Ruler::for_box(bounds);
+    let floor = precision_floor(bounds, ruler);
+    let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor * floor;
+    let joints = Joints::of(cdt);
+    let mirrors = Mirrors::new(cdt, &joints, ruler);
+    let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+    let vertices = max_vertices.saturating_sub(cdt.points().len());
+    // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
+    let released = cdt.release_inner_segments();
+    let limits = SplitLimits { vertices, may_part: &may_part, place: &place };
+    cdt.recover_by_splitting(released, &limits, &mut NoJournal);
+    cdt.pieces_held_by_marks()
 }
 
 #[cfg(test)]

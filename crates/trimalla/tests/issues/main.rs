@@ -5,6 +5,7 @@
 //! after when it was found.
 
 mod cost;
+mod domains;
 mod earlier;
 mod judge;
 

@@ -1,0 +1,84 @@
+//! What a drawing has and its mesh has not, told as warnings.
+
+use super::error::Warning;
+use super::pslg::Pslg;
+use crate::constrained::ConstrainedDelaunay;
+use crate::mesh::VertexId;
+
+/// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
+///
+/// # Complexity
+/// Linear in vertices and edges.
+pub(super) fn left_out(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let is_unused = |v: &VertexId| !cdt.is_used(*v) && cdt.representative(*v) == *v;
+    let vertices = (0..pslg.points.len()).map(VertexId::from_index).filter(is_unused).map(|v| v.0);
+    if let Some((count, first)) = counted(vertices) {
+        warnings.push(Warning::VerticesOutside { count, first });
+    }
+    if !pslg.segments.is_empty() {
+        let found = Found::of(cdt, pslg);
+        let has_length = |s: &u32| cdt.segments().get(*s as usize).is_some_and(|[a, b]| a != b);
+        let segments = (0..found.is_there.len() as u32).filter(|&s| !found.is_there[s as usize]).filter(has_length);
+        if let Some((count, first)) = counted(segments) {
+            warnings.push(Warning::SegmentsOutside { count, first });
+        }
+        let count = found.is_hidden.iter().filter(|&&is_hidden| is_hidden).count();
+        warnings.extend(found.first_hidden.map(|first| Warning::MarkersHidden { count, first }));
+    }
+    warnings
+}
+
+/// How many there are, and the first few; `None` without any.
+fn counted(all: impl Iterator<Item = u32>) -> Option<(usize, Vec<u32>)> {
+    let (mut count, mut first) = (0, Vec::new());
+    for id in all {
+        count += 1;
+        if first.len() < Warning::NAMED {
+            first.push(id);
+        }
+    }
+    (count > 0).then_some((count, first))
+}
+
+/// What of the segments of a drawing is found in a mesh.
+struct Found {
+    /// Whether an edge is part of each segment.
+    is_there: Vec<bool>,
+    /// Whether the marker of each segment is not that of an edge that is part of it.
+    is_hidden: Vec<bool>,
+    /// The lowest segment whose marker is hidden, and the one whose marker counts there.
+    first_hidden: Option<[u32; 2]>,
+}
+
+impl Found {
+    fn of(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Self {
+        let n = pslg.segments.len();
+        let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
+        // Edges of one class are parts of the same segments: each class is looked at once.
+        let mut is_seen = vec![false; cdt.constraints.len() + 1];
+        cdt.marked_edges().for_each(|h| is_seen[cdt.mark(h) as usize] = true);
+        for (mark, _) in (0..).zip(is_seen).filter(|&(_, is_seen)| is_seen) {
+            found.look_at_class(cdt.segments_of_class(mark), pslg);
+        }
+        found
+    }
+
+    /// Looks at the segments of one class; the lowest one with a marker gives its marker to the edges.
+    fn look_at_class(&mut self, segments: &[u32], pslg: &Pslg) {
+        let mut shown: Option<(u32, i32)> = None;
+        for &s in segments.iter().filter(|&&s| (s as usize) < pslg.segments.len()) {
+            self.is_there[s as usize] = true;
+            match (shown, pslg.segment_markers.get(s as usize).copied().filter(|&marker| marker != 0)) {
+                (None, Some(marker)) => shown = Some((s, marker)),
+                (Some((lowest, marker)), Some(other)) if marker != other => {
+                    self.is_hidden[s as usize] = true;
+                    if self.first_hidden.is_none_or(|[hidden, _]| s < hidden) {
+                        self.first_hidden = Some([s, lowest]);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
