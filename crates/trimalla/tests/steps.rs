@@ -10,7 +10,7 @@ use trimalla::geometry::{Orientation, Point, Triangle};
 use trimalla::mesh::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
-    Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
+    Asked, Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
     RefineOptions, Refinement, Report, Select, StepOutcome,
 };
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
@@ -142,12 +142,13 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
         let worst = cdt.real_faces().map(|f| aspect_ratio(&triangle(&cdt, f))).fold(0.0, f64::max);
         assert!(worst <= ratio && worst > 0.6 * ratio, "{worst} where {ratio} is allowed");
     }
-    let fine = |t: Triangle, _: f64| t.centroid().y > 0.0 && t.area() > 1.0;
-    let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(fine);
+    let fine = |t: &Triangle| t.centroid().y > 0.0 && t.area() > 1.0;
+    let test = move |asked: Asked| fine(&asked.triangle);
+    let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(test);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
     assert_eq!((report.leftovers.len(), cdt.check()), (0, vec![]));
-    assert!(cdt.real_faces().all(|f| !fine(triangle(&cdt, f), 0.0)));
+    assert!(cdt.real_faces().all(|f| !fine(&triangle(&cdt, f))));
     let coarse = cdt.real_faces().map(|f| triangle(&cdt, f).area()).fold(0.0, f64::max);
     assert!(coarse > 1.0, "below the axis triangles stay large");
 }
@@ -159,7 +160,7 @@ fn a_test_of_the_caller_gets_triangles_of_the_domain() {
     let mut drawing = shape("key");
     drawing.points.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
     drawing.holes.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
-    let asked = |t: Triangle, _: f64| {
+    let asked = |Asked { triangle: t, .. }: Asked| {
         assert!(t.orientation() == Orientation::CounterClockwise && t.centroid().x > 5e3, "{t:?}");
         t.area() > 0.5
     };

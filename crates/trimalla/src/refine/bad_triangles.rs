@@ -89,9 +89,18 @@ impl Everywhere {
     }
 }
 
-/// A test of the caller's own: whether a triangle, counter-clockwise, with the attribute of its region (0 without), must
-/// be refined.
-pub type UserTest = dyn Fn(Triangle, f64) -> bool + Send + Sync;
+/// What a test of the caller's own is asked about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Asked {
+    /// The triangle, counter-clockwise.
+    pub triangle: Triangle,
+    /// The attribute of its region; 0 where it lies in none. The area is [`Triangle::area`].
+    pub region_attribute: f64,
+}
+
+/// A test of the caller's own: whether a triangle must be refined.
+pub type UserTest = dyn Fn(Asked) -> bool + Send + Sync;
 
 /// The criteria, ready to be tested.
 #[derive(Clone)]
@@ -185,8 +194,8 @@ impl Test {
     /// Whether the caller's own test refuses a triangle of a region.
     #[inline(never)]
     fn is_refused(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> bool {
-        let attribute = region.map_or(0.0, |r| r.attribute);
-        self.asked.as_ref().is_some_and(|test| test(Triangle::new(a, b, c), attribute))
+        let (triangle, region_attribute) = (Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute));
+        self.asked.as_ref().is_some_and(|test| test(Asked { triangle, region_attribute }))
     }
 
     #[inline(never)]

@@ -46,6 +46,7 @@ mod look;
 mod mirror;
 mod options;
 mod outlook;
+mod overview;
 mod queue;
 mod recipe;
 mod refinement;
@@ -63,12 +64,13 @@ mod stopwatch;
 mod tests;
 mod treat;
 
-pub use bad_triangles::UserTest;
+pub use bad_triangles::{Asked, UserTest};
 pub use event::{Candidate, Event, InsertedKind, InsertedVertex, Name, Why};
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use lepp::{Centroid, Lepp, LeppRule};
-pub use options::{Criteria, Limits, OptionError, Protect, RefineOptions};
+pub use options::{Criteria, Limits, Missed, OptionError, Protect, RefineOptions};
 pub use outlook::Outlook;
+pub use overview::Overview;
 pub use recipe::{
     ConstrainedSecond, Encroachment, Fill, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover,
     Row, Select, Terminal, UnknownKey, registry,

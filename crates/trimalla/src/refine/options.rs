@@ -1,7 +1,8 @@
 //! What is asked of a refinement, and where it stops.
 
 use super::recipe::{Fill, Preset, Recipe};
-use crate::geometry::{Angle, math};
+use crate::geometry::{Angle, Triangle, math, triangle_angles_at_least};
+use crate::quality::aspect_ratio;
 
 /// What makes a triangle bad.
 ///
@@ -34,6 +35,31 @@ impl Criteria {
             2.0 * math::asin(half_sine)
         });
         if of_ratio > self.min_angle.radians() { Angle::from_radians(of_ratio) } else { self.min_angle }
+    }
+}
+
+/// Which bounds a triangle misses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Missed {
+    /// An angle is below the bound.
+    pub angle: bool,
+    /// The area is above the bound.
+    pub area: bool,
+    /// The aspect ratio is above the bound.
+    pub aspect_ratio: bool,
+}
+
+impl Criteria {
+    /// Which of these bounds a triangle, counter-clockwise, misses; angles are certified exactly.
+    #[must_use]
+    pub fn missed_by(&self, triangle: &Triangle) -> Missed {
+        let [a, b, c] = triangle.corners;
+        let is_bounded = self.min_angle.radians() > 0.0;
+        Missed {
+            angle: is_bounded && !triangle_angles_at_least(a, b, c, self.min_angle.cos_sq()),
+            area: self.max_area.is_some_and(|area| (b - a).cross(c - a) > 2.0 * area),
+            aspect_ratio: self.max_aspect_ratio.is_some_and(|ratio| aspect_ratio(triangle) > ratio),
+        }
     }
 }
 

@@ -133,8 +133,8 @@ step! {
         Circumcenter = "circumcenter", "the center of the circumcircle", "Ruppert95";
         LeppMidpoint = "lepp-midpoint", "the middle of the path's terminal edge", "Rivara97";
         LeppCentroid = "lepp-centroid", "the centroid of the path's two terminal triangles", "RivaraCalderon10";
-        LeppCircumcenter = "lepp-circumcenter", "the circumcenter of the larger terminal triangle", "MeshSuite";
-        LeppOffCenter = "lepp-off-center", "the off-center of the larger terminal triangle", "MeshSuite";
+        LeppCircumcenter = "lepp-circumcenter", "the circumcenter of a terminal triangle: see terminal", "MeshSuite";
+        LeppOffCenter = "lepp-off-center", "the off-center of a terminal triangle: see terminal", "MeshSuite";
     }
 }
 
@@ -151,9 +151,12 @@ step! {
 
 step! {
     /// Which terminal triangle gives the circumcenter or off-center.
-    Terminal, 3, "terminal", Larger, {
-        Larger = "larger", "the one with the larger circumcircle", "MeshSuite";
-        Last = "last", "the last one of the path", "MeshSuite";
+    ///
+    /// At 37 degrees the last one of the path ends where the larger one does not: on 20 of 20 sets of 50 random points (the larger one on 2),
+    /// and on 9 of 9 drawings (4). Up to 36 degrees both end, and the larger one needs 5 to 20 % fewer vertices.
+    Terminal, 3, "terminal", Last, {
+        Larger = "larger", "the one with the larger circumcircle: fewer vertices up to 36 degrees, hardly ever an end at 37", "MeshSuite";
+        Last = "last", "the last one of the path: ends at 37 degrees, too", "MeshSuite";
     }
 }
 
@@ -268,6 +271,30 @@ impl Preset {
                 ..lepp
             },
         }
+    }
+}
+
+impl Recipe {
+    /// Every choice of it: the [option](Row::option), and the key that is chosen.
+    #[must_use]
+    pub const fn choices(&self) -> [(&'static str, &'static str); 14] {
+        let until_destroyed = if self.until_destroyed { "true" } else { "false" };
+        [
+            ("initial", self.initial.key()),
+            ("fill", self.fill.key()),
+            ("prepare", self.prepare.key()),
+            ("prepare-when", self.prepare_when.key()),
+            ("encroachment", self.encroachment.key()),
+            ("select", self.select.key()),
+            ("until-destroyed", until_destroyed),
+            ("point", self.point.key()),
+            ("lepp-stop", self.lepp_rule.key()),
+            ("centroid", self.centroid.key()),
+            ("constrained-second", self.constrained_second.key()),
+            ("terminal", self.terminal.key()),
+            ("insert", self.insert.key()),
+            ("recover", self.recover.key()),
+        ]
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Test, sorted};
+use super::bad_triangles::{Asked, Test, sorted};
 use super::encroachment::Region;
 use super::event::Event;
 use super::fill::FillStage;
@@ -20,7 +20,7 @@ use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, Se
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::delaunay::max_points;
-use crate::geometry::{BoundingBox, Triangle};
+use crate::geometry::BoundingBox;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
@@ -309,25 +309,25 @@ impl Refinement {
 
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
     ///
-    /// The test gets the triangle, counter-clockwise, and the attribute of its region (0 without). It must answer the same
-    /// for the same triangle, or the result depends on when it is asked; whatever it answers, the limits end the work.
+    /// The test is asked about a triangle and the attribute of its region: [`Asked`]. It must answer the same for the same triangle, or
+    /// the result depends on when it is asked; whatever it answers, the limits end the work.
     ///
     /// # Examples
     /// ```
-    /// use trimalla::refine::{NoObserver, RefineOptions, Refinement};
+    /// use trimalla::refine::{Asked, NoObserver, RefineOptions, Refinement};
     /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, Pslg, build}, geometry::Point};
     /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
     /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
     /// // The smaller the farther left.
-    /// let fine = |t: trimalla::geometry::Triangle, _| t.area() > 0.05 + 0.1 * t.centroid().x;
+    /// let fine = |asked: Asked| asked.triangle.area() > 0.05 + 0.1 * asked.triangle.centroid().x;
     /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(fine);
     /// refinement.run(&mut NoObserver);
     /// # assert!(refinement.finish().1.triangles > 20);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn with_test(mut self, test: impl Fn(Triangle, f64) -> bool + Send + Sync + 'static) -> Self {
+    pub fn with_test(mut self, test: impl Fn(Asked) -> bool + Send + Sync + 'static) -> Self {
         self.test = self.test.clone().with_asked(Arc::new(test));
         if !self.is_filling() {
             self.look_at_everything();

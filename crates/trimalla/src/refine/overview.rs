@@ -1,0 +1,43 @@
+//! How large a triangulation under refinement is at the moment, and its smallest angle.
+
+use super::bad_triangles::SureBounds;
+use super::extremes::Extremes;
+use super::refinement::Refinement;
+use crate::geometry::Triangle;
+use crate::triangulation::corners_of_two;
+
+/// Size and smallest angle of a triangulation under refinement.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overview {
+    /// Vertices, those of the input that are in no triangle included.
+    pub vertices: usize,
+    /// Triangles.
+    pub triangles: usize,
+    /// The smallest angle in degrees; `None` without a triangle.
+    pub min_angle_deg: Option<f64>,
+}
+
+impl Refinement {
+    /// Size and smallest angle of the triangulation as it is now.
+    ///
+    /// # Complexity
+    /// Linear.
+    #[must_use]
+    pub fn overview(&self) -> Overview {
+        let nothing_is_bad = SureBounds { sine_sq: 0.0, doubled_area: f64::INFINITY };
+        let mut extremes = Extremes::new(self.ruler, nothing_is_bad);
+        let mut triangles = 0;
+        self.cdt.for_each_two_triangles(|two, count| {
+            let are_plain = extremes.are_plain(corners_of_two(two));
+            for (t, _) in two[..count].iter().zip(are_plain).filter(|(_, is_plain)| !is_plain) {
+                extremes.see(t.face, self.cdt.corners_from_newest(t.face));
+            }
+            triangles += count;
+        });
+        let angle = extremes.sharpest.map(|f| {
+            let [a, b, c] = self.cdt.corners_from_newest(f);
+            Triangle::new(a, b, c).min_angle().degrees()
+        });
+        Overview { vertices: self.vertices, triangles, min_angle_deg: angle }
+    }
+}
