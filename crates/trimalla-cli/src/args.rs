@@ -63,6 +63,11 @@ pub(crate) struct DrawingOptions {
 }
 
 impl DrawingOptions {
+    /// The key of what is done where segments cross.
+    pub(crate) fn crossings_key(&self) -> &'static str {
+        CROSSINGS.iter().find(|row| row.2 == self.crossings).map_or("", |row| row.0)
+    }
+
     /// How the library is to read the drawing.
     pub(crate) fn domain_options(&self, algorithm: AlgorithmKey) -> DomainOptions {
         DomainOptions { rule: self.domain, crossings: self.crossings, algorithm }

@@ -3,11 +3,13 @@
 use serde_json::{Map, Value, json};
 use trimalla::Meshed;
 use trimalla::quality::{Classes, Histogram, Spread, Statistics};
-use trimalla::refine::{Report, StopReason};
+use trimalla::refine::{Overview, Report, StopReason};
 use trimalla::triangulation::IndexedMesh;
+use trimalla_io::RecipeFile;
 
 use crate::console;
 use crate::exit::Failure;
+use crate::missed::MissedBounds;
 use crate::refining::Made;
 
 /// The report of a refinement.
@@ -41,6 +43,38 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
         "forecast_triangles": outlook.as_ref().map(|o| whole(o.forecast.triangles)),
         "warnings": warnings,
     })
+}
+
+/// Adds what was asked for, what refinement began with, the bounds missed, and the command that repeats the run.
+pub(crate) fn add_asked(
+    object: &mut Value,
+    asked: &RecipeFile,
+    before: Option<Overview>,
+    missed: &MissedBounds,
+    command: &str,
+) {
+    let choice = |(option, key): (&str, &str)| match key {
+        "true" | "false" => (option.to_owned(), json!(key == "true")),
+        _ => (option.to_owned(), json!(key)),
+    };
+    object["recipe"] = Value::Object(asked.recipe.choices().into_iter().map(choice).collect());
+    object["recipe"]["preset"] = json!(asked.preset.unwrap_or_default().key());
+    object["bounds"] = json!({
+        "min_angle": asked.min_angle_deg,
+        "max_area": asked.max_area,
+        "max_aspect_ratio": asked.max_aspect_ratio,
+        "protect": asked.protect.unwrap_or_default().key(),
+        "max_vertices": asked.max_vertices,
+        "length_floor": asked.length_floor,
+    });
+    object["before"] = json!(before.map(|Overview { vertices, triangles, min_angle_deg }| json!({
+        "vertices": vertices,
+        "triangles": triangles,
+        "min_angle": min_angle_deg,
+    })));
+    object["missed"] = json!({ "angle": missed.angle, "area": missed.area, "aspect_ratio": missed.aspect_ratio });
+    object["command"] = json!(command);
+    object["version"] = json!(env!("CARGO_PKG_VERSION"));
 }
 
 /// What `--details` adds.

@@ -6,14 +6,16 @@
 //! ```
 //! A second Ctrl-C ends the program at once, whatever it is doing.
 
+use std::cell::Cell;
 use std::process;
+use std::rc::Rc;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::constrained::ConstrainedDelaunay;
-use trimalla::refine::{Clock, Event, Observer, Progress, Refinement};
+use trimalla::refine::{Clock, Event, Observer, Overview, Progress, Refinement};
 
 use crate::console;
 use crate::exit::{Failure, Status};
@@ -76,6 +78,8 @@ pub(crate) struct Watch {
     picks: Picks,
     /// Whether there is no way to begin.
     is_void: bool,
+    /// What refinement began with, once it has.
+    before: Rc<Cell<Option<Overview>>>,
 }
 
 impl Watch {
@@ -92,12 +96,18 @@ impl Watch {
     }
 
     fn of(line: ProgressBar) -> Self {
-        Self { line, trace: None, is_timed: false, picks: Picks::default(), is_void: false }
+        Self { line, trace: None, is_timed: false, picks: Picks::default(), is_void: false, before: Rc::default() }
     }
 
     /// The same, picking triangles.
     pub(crate) fn with_picks(mut self, picks: Picks) -> Self {
         self.picks = picks;
+        self
+    }
+
+    /// The same, leaving here what refinement begins with.
+    pub(crate) fn with_overview(mut self, before: Rc<Cell<Option<Overview>>>) -> Self {
+        self.before = before;
         self
     }
 
@@ -117,6 +127,7 @@ impl Watch {
 impl Observer for Watch {
     fn begins(&mut self, refinement: &mut Refinement) {
         be_patient(); // From here on temporary files may be there.
+        self.before.set(Some(refinement.overview()));
         self.is_void = !self.picks.pick(refinement);
     }
 

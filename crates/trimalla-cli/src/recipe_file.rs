@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use trimalla::refine::Recipe;
 use trimalla_io::{RecipeFile, recipe};
 
 use crate::console::shown;
@@ -47,8 +48,39 @@ pub(crate) fn named(mut file: RecipeFile, path: &Path) -> RecipeFile {
     file
 }
 
-/// What reports call a recipe: its name, without what a terminal would obey.
+/// What tables call a recipe: its name, without what a terminal would obey.
 pub(crate) fn title(file: &RecipeFile) -> String {
     let of_preset = file.preset.unwrap_or_default().key();
     shown(Path::new(file.name.as_deref().unwrap_or(of_preset)))
+}
+
+/// What reports for programs call a recipe: its own name if it has one, or else that of the preset and the steps that were changed.
+pub(crate) fn key(file: &RecipeFile) -> String {
+    if file.name.is_some() { title(file) } else { full_title(file) }
+}
+
+/// What reports for people call a recipe: its name, the preset that it started from if that is another, and the steps that were changed since.
+pub(crate) fn full_title(file: &RecipeFile) -> String {
+    let (name, preset) = (title(file), file.preset.unwrap_or_default().key());
+    let changes: Vec<String> = changes(file).iter().map(|(option, key)| format!("{option} {key}")).collect();
+    match (name == preset, changes.is_empty()) {
+        (true, true) => name,
+        (true, false) => format!("{preset}, changed: {}", changes.join(", ")),
+        (false, true) => format!("{name} ({preset})"),
+        (false, false) => format!("{name} ({preset}, changed: {})", changes.join(", ")),
+    }
+}
+
+/// The choices of a recipe that are not those of its preset: the option and the key.
+pub(crate) fn changes(file: &RecipeFile) -> Vec<(&'static str, &'static str)> {
+    let of_preset = file.preset.unwrap_or_default().recipe().choices();
+    file.recipe.choices().into_iter().zip(of_preset).filter(|(own, preset)| own != preset).map(|(own, _)| own).collect()
+}
+
+/// Every step of a recipe, in words; what only longest-edge paths need is there where they are followed.
+pub(crate) fn steps(recipe: &Recipe) -> String {
+    let is_lepp = recipe.point.key().starts_with("lepp");
+    let of_paths = ["lepp-stop", "centroid", "constrained-second", "terminal"];
+    let choices = recipe.choices().into_iter().filter(|(option, _)| is_lepp || !of_paths.contains(option));
+    choices.map(|(option, key)| format!("{option} {key}")).collect::<Vec<_>>().join(", ")
 }

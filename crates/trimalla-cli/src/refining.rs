@@ -1,5 +1,6 @@
 //! What `mesh` and `refine` share: the options of a refinement, the flow from input to output, the report.
 
+use std::rc::Rc;
 use std::time::Instant;
 
 use clap::Args;
@@ -12,11 +13,13 @@ use crate::args::{OutputOptions, ReportOptions, one_of};
 use crate::console;
 use crate::exit::{Failure, Status};
 use crate::input::Input;
+use crate::missed::MissedBounds;
 use crate::outputs::{self, Outputs};
 use crate::picks::PickOptions;
 use crate::progress::{self, Watch};
 use crate::recipe_file::{self, RecipeFileOptions};
 use crate::recipe_options::RecipeOptions;
+use crate::repeat::CommandLine;
 use crate::trace::TraceOptions;
 use crate::{json, text};
 
@@ -93,6 +96,8 @@ pub(crate) type Make<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Made, F
 pub(crate) struct Read<'a> {
     /// The line of the report that says what it was.
     pub(crate) heading: String,
+    /// The command that repeats the run, as far as the input goes.
+    pub(crate) command: CommandLine,
     /// The number of the first vertex in the file.
     pub(crate) first_index: u32,
     /// Vertices that are not new.
@@ -141,7 +146,11 @@ impl RefiningOptions {
         let start = Instant::now();
         let trace = self.trace.begin();
         let picks = self.pick.of(read.first_index, read.triangles)?;
-        let watch = Watch::new(!self.report.json && !self.report.quiet).with_trace(trace.clone()).timed(self.details);
+        let before = Rc::default();
+        let watch = Watch::new(!self.report.json && !self.report.quiet)
+            .with_trace(trace.clone())
+            .timed(self.details)
+            .with_overview(Rc::clone(&before));
         let mut made = (read.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
         picks.check()?;
         made.warnings.extend(self.pick.warning(asked.recipe.select));
@@ -150,11 +159,14 @@ impl RefiningOptions {
         progress::begin_writing()?;
         let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
+        let command = read.command.clone().with_refinement(asked, self.pick.numbers());
+        let missed = MissedBounds::of(mesh, report, &asked.refine_options().criteria);
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
         let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.recipe_file, asked)?;
         if self.report.json {
-            let mut object = json::of_meshing(&made, &recipe_file::title(asked), seconds);
+            let mut object = json::of_meshing(&made, &recipe_file::key(asked), seconds);
+            json::add_asked(&mut object, asked, before.get(), &missed, &command);
             if let Some(statistics) = &details {
                 object["details"] = json::of_details(statistics, report);
             }
@@ -162,12 +174,15 @@ impl RefiningOptions {
         } else {
             let mut lines = text::Lines::default();
             lines.heading(&read.heading);
-            lines.row("algorithm", recipe_file::title(asked));
+            lines.row("algorithm", recipe_file::full_title(asked));
+            lines.row("steps", recipe_file::steps(&asked.recipe));
+            text::add_before(&mut lines, before.get());
             text::add_counts(&mut lines, mesh, read.vertices);
-            text::add_outcome(&mut lines, report, asked.min_angle_deg.unwrap_or_default());
+            text::add_outcome(&mut lines, report, asked, &missed);
             if let Some(floor) = &made.floor {
                 lines.row("floor", floor);
             }
+            lines.row("repeat", &command);
             text::add_end(&mut lines, seconds, &outputs.files());
             let smallest = details.as_ref().map(bars::smallest_angles);
             smallest
@@ -181,7 +196,7 @@ impl RefiningOptions {
             return Ok(Status::Done);
         }
         if !self.report.quiet {
-            text::name_leftovers(mesh, read.first_index, report);
+            text::name_leftovers(mesh, read.first_index, report, &missed);
         }
         Ok(Status::Unmet)
     }

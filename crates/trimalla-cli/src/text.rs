@@ -5,12 +5,15 @@ use std::fmt::Write as _;
 use trimalla::Meshed;
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::refine::{Leftover, Reason, RefineOptions, Report};
+use trimalla::quality::aspect_ratio;
+use trimalla::refine::{Leftover, Missed, Overview, Protect, Reason, RefineOptions, Report};
 use trimalla::triangulation::IndexedMesh;
 use trimalla_compare::facts;
+use trimalla_io::RecipeFile;
 
 use crate::console::{self, count};
 use crate::input::Input;
+use crate::missed::MissedBounds;
 
 /// Lines of a label and a value, in columns.
 #[derive(Debug, Default)]
@@ -46,13 +49,25 @@ pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
     lines.row("triangles", mesh.triangles.len());
 }
 
-/// What came of a refinement.
-pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
+/// What a refinement began with.
+pub(crate) fn add_before(lines: &mut Lines, before: Option<Overview>) {
+    let Some(Overview { vertices, triangles, min_angle_deg }) = before else { return };
+    let angle = min_angle_deg.map_or_else(String::new, |angle| format!(", smallest angle {angle:.2} degrees"));
+    lines.row("before", format_args!("{}, {}{angle}", count(vertices, "vertex"), count(triangles, "triangle")));
+}
+
+/// What came of a refinement, and the bounds that it was held against.
+pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &RecipeFile, missed: &MissedBounds) {
     lines.row("angles", angles([report.min_angle_deg, report.max_angle_deg]));
-    let reasons: Vec<_> = report.reasons().iter().map(|(reason, n)| format!("{reason} {n}")).collect();
-    match report.leftovers.len() {
-        0 => lines.row("bound", format_args!("{bound_deg} degrees, met everywhere")),
-        n => lines.row("below bound", format_args!("{n} ({})", reasons.join(", "))),
+    let bounds = bounds(asked);
+    if report.leftovers.is_empty() {
+        lines.row("bounds", format_args!("{bounds}: met everywhere"));
+    } else {
+        let by_bound = missed.counts().into_iter().filter(|&(_, n)| n > 0).map(|(bound, n)| format!("{bound} {n}"));
+        let reasons = report.reasons().into_iter().map(|(reason, n)| format!("{reason} {n}"));
+        let [by_bound, reasons] = [by_bound.collect::<Vec<_>>(), reasons.collect()].map(|list| list.join(", "));
+        lines.row("bounds", bounds);
+        lines.row("missed", format_args!("by {}: {by_bound} ({reasons})", count(report.leftovers.len(), "triangle")));
     }
     if let Some(paths) = paths(&report.lepp_lengths) {
         lines.row("paths", paths);
@@ -60,6 +75,16 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, bound_deg: f64) {
     if !report.lost_segments.is_empty() {
         lines.row("lost", format_args!("{} (no chain of edges)", count(report.lost_segments.len(), "segment")));
     }
+}
+
+/// Every bound on triangles that was asked for.
+fn bounds(asked: &RecipeFile) -> String {
+    let angle = format!("angle {} degrees", asked.min_angle_deg.unwrap_or_default());
+    let area = asked.max_area.map(|area| format!("area {area}"));
+    let aspect_ratio = asked.max_aspect_ratio.map(|ratio| format!("aspect ratio {ratio}"));
+    let protect = asked.protect.filter(|&protect| protect != Protect::None);
+    let protect = protect.map(|protect| format!("protected segments: {}", protect.key()));
+    [Some(angle), area, aspect_ratio, protect].into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// What the smallest input angle costs at worst, where some triangle pays for it and the argument for it holds.
@@ -99,29 +124,40 @@ pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
     }
 }
 
-/// Names the first triangles that limits left below the bound, on standard error; those that nobody picked are none of them.
-pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report) {
+/// Names the first triangles that limits kept from meeting a bound, on standard error; those that nobody picked are none of them.
+pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report, missed: &MissedBounds) {
     const SHOWN: usize = 10;
-    let unmet: Vec<&Leftover> =
-        report.leftovers.iter().filter(|l| !l.reason.is_forced() && l.reason != Reason::NotPicked).collect();
+    let all = report.leftovers.iter().zip(&missed.by_leftover);
+    let unmet: Vec<_> = all.filter(|(l, _)| !l.reason.is_forced() && l.reason != Reason::NotPicked).collect();
     if unmet.is_empty() {
         return;
     }
-    let verb = if unmet.len() == 1 { "stays" } else { "stay" };
     let total = count(unmet.len(), "triangle");
-    console::note("warning", &format!("{total} {verb} below the bound, though no angle of the input forces it"));
-    for leftover in unmet.iter().take(SHOWN) {
-        console::note_more(describe(mesh, first_index, leftover));
+    let are_of_angles = unmet.iter().all(|(_, missed)| missed.angle && !missed.area && !missed.aspect_ratio);
+    let what = match (are_of_angles, unmet.len()) {
+        (true, 1) => "stays below the bound",
+        (true, _) => "stay below the bound",
+        (false, 1) => "misses a bound",
+        (false, _) => "miss bounds",
+    };
+    console::note("warning", &format!("{total} {what}, though the input does not force it"));
+    for (leftover, missed) in unmet.iter().take(SHOWN) {
+        console::note_more(describe(mesh, first_index, leftover, missed));
     }
     if unmet.len() > SHOWN {
         console::note_more(format_args!("and {} more", unmet.len() - SHOWN));
     }
 }
 
-fn describe(mesh: &IndexedMesh, first_index: u32, leftover: &Leftover) -> String {
+fn describe(mesh: &IndexedMesh, first_index: u32, leftover: &Leftover, missed: &Missed) -> String {
     let number = leftover.triangle + first_index as usize;
-    let at = corners(mesh, leftover.triangle).map(|c| format!(" at {}", c.centroid()));
-    format!("triangle {number}{}: {:.2} degrees, {}", at.unwrap_or_default(), leftover.min_angle_deg, leftover.reason)
+    let corners = corners(mesh, leftover.triangle);
+    let at = corners.map(|c| format!(" at {}", c.centroid()));
+    let angle = missed.angle.then(|| format!("{:.2} degrees", leftover.min_angle_deg));
+    let area = corners.filter(|_| missed.area).map(|c| format!("area {:.3e}", c.area()));
+    let ratio = corners.filter(|_| missed.aspect_ratio).map(|c| format!("aspect ratio {:.2}", aspect_ratio(&c)));
+    let what = [angle, area, ratio, Some(leftover.reason.to_string())].into_iter().flatten().collect::<Vec<_>>();
+    format!("triangle {number}{}: {}", at.unwrap_or_default(), what.join(", "))
 }
 
 /// The corners of a triangle, if all are there.

@@ -10,6 +10,7 @@ use crate::foresight::Foresight;
 use crate::input::read_drawing;
 use crate::names::Names;
 use crate::refining::{Made, Read, RefiningOptions};
+use crate::repeat::CommandLine;
 use crate::{progress, text};
 
 const HELP: &str = "\
@@ -49,7 +50,7 @@ pub(crate) struct Options {
     #[command(flatten)]
     drawing: DrawingOptions,
 
-    /// How the points are triangulated first; the result does not depend on it
+    /// How the points are triangulated first; vertices and triangles do not depend on it, the order of triangles in files does
     #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), help_heading = "Drawing",
           value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), a))))]
     triangulator: AlgorithmKey,
@@ -69,6 +70,11 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let domain = options.drawing.domain_options(options.triangulator);
     let read = Read {
         heading: text::of_drawing(&drawing),
+        command: CommandLine::new("mesh", &options.drawing.input).with_domain(
+            domain.rule,
+            options.drawing.crossings_key(),
+            options.triangulator.key(),
+        ),
         first_index: drawing.first_index,
         vertices: drawing.value.points.len(),
         triangles: None,

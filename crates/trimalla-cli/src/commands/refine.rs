@@ -7,13 +7,14 @@ use trimalla::Error;
 use trimalla::domain::{MeshError, Pslg, Warning};
 use trimalla::triangulation::IndexedMesh;
 
-use crate::console::count;
+use crate::console::{count, shown};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::names::Names;
 use crate::progress;
 use crate::refining::{Made, Read, RefiningOptions};
 use crate::renumber::Renumber as _;
+use crate::repeat::CommandLine;
 
 /// No more faults than this are named one by one.
 const MOST_FAULTS: usize = 50;
@@ -74,6 +75,10 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let outputs = options.refining.outputs(&mesh)?;
     let read = Read {
         heading: heading(&mesh),
+        command: options
+            .input
+            .iter()
+            .fold(CommandLine::new("refine", &options.mesh), |line, input| line.with("input", shown(input))),
         first_index: mesh.first_index,
         vertices: mesh.value.points.len(),
         triangles: Some(&mesh.value.triangles),

@@ -39,7 +39,7 @@ fn text_faults_name_file_line_and_column() {
     refused(damaged("2 1 0", "2 1 1e999"), "found '1e999'");
     refused(damaged("5 1 3", "5 1 9"), "expected a vertex index between 1 and 4, found '9'");
     refused(damaged("5 1 3", "5 0 3"), "expected a vertex index between 1 and 4, found '0'");
-    refused(damaged("1 1 2\n", "0 1 2\n"), "found '0'");
+    refused(damaged("1 1 2\n", "0 1 2\n"), "bad.poly:8:1: expected segment number 1, found '2'");
     refused(damaged("5 0\n", "-5 0\n"), "found '-5'");
     refused(format!("{SQUARE}0\n7 7 7\n"), "found '7'");
 }

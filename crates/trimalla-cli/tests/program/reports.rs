@@ -14,8 +14,21 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 7] =
-    ["angle_ceiling", "forecast_triangles", "insertions", "lepp_lengths", "lost_segments", "stop", "warnings"];
+const EXTRA: [&str; 13] = [
+    "angle_ceiling",
+    "before",
+    "bounds",
+    "command",
+    "forecast_triangles",
+    "insertions",
+    "lepp_lengths",
+    "lost_segments",
+    "missed",
+    "recipe",
+    "stop",
+    "version",
+    "warnings",
+];
 
 #[test]
 fn json_has_the_promised_keys_and_no_others() {

@@ -1,0 +1,40 @@
+//! Which bounds the triangles miss that were left.
+
+use trimalla::refine::{Criteria, Missed, Report};
+use trimalla::triangulation::IndexedMesh;
+
+use crate::text::corners;
+
+/// The bounds that each leftover misses, and how many miss each; one that misses several counts in each.
+#[derive(Debug, Default)]
+pub(crate) struct MissedBounds {
+    /// For each leftover of the report, in order.
+    pub(crate) by_leftover: Vec<Missed>,
+    /// Triangles with an angle below the bound.
+    pub(crate) angle: usize,
+    /// Triangles above an area bound: that of all triangles, or one of their own.
+    pub(crate) area: usize,
+    /// Triangles above the bound on the aspect ratio.
+    pub(crate) aspect_ratio: usize,
+}
+
+impl MissedBounds {
+    /// Looks at the leftovers of a report. One that meets every bound that holds for all triangles misses the area bound of its region.
+    pub(crate) fn of(mesh: &IndexedMesh, report: &Report, criteria: &Criteria) -> Self {
+        let mut all = Self::default();
+        for leftover in &report.leftovers {
+            let found = corners(mesh, leftover.triangle).map(|t| criteria.missed_by(&t)).unwrap_or_default();
+            let missed = if found == Missed::default() { Missed { area: true, ..found } } else { found };
+            all.angle += usize::from(missed.angle);
+            all.area += usize::from(missed.area);
+            all.aspect_ratio += usize::from(missed.aspect_ratio);
+            all.by_leftover.push(missed);
+        }
+        all
+    }
+
+    /// The bounds by name, and how many triangles miss each.
+    pub(crate) fn counts(&self) -> [(&'static str, usize); 3] {
+        [("angle", self.angle), ("area", self.area), ("aspect ratio", self.aspect_ratio)]
+    }
+}
