@@ -17,6 +17,7 @@ mod delaunay;
 mod euler;
 mod exact;
 mod hull;
+mod sound;
 
 pub use area::{RBig, covers_hull, doubled_area, doubled_ring_area};
 pub use chains::chain_faults;
@@ -30,3 +31,4 @@ pub use exact::{
     orient_scaled,
 };
 pub use hull::{convex_hull, convex_hull_size, delaunay_triangle_count};
+pub use sound::{BESIDE_ULPS, Flaw, first_flaw};
