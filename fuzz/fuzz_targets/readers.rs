@@ -1,0 +1,4 @@
+//! The target `readers` for cargo-fuzz.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| trimalla_fuzz::targets::assert_sound("readers", data));

@@ -1,0 +1,109 @@
+//! What must hold of a mesh, and how a broken promise is called.
+
+use std::fmt::Debug;
+
+use trimalla::domain::Pslg;
+use trimalla::quality::against_input;
+use trimalla::refine::RefineOptions;
+use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
+use trimalla_testkit::oracles::first_flaw;
+
+/// A broken promise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// What kind, the same for all faults of the kind.
+    pub kind: String,
+    /// The particulars.
+    pub detail: String,
+}
+
+/// What a judge says.
+pub type Verdict = Result<(), Fault>;
+
+/// What was done, counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Meshes or triangulations that were judged.
+    pub meshes: u64,
+    /// Inputs that were refused with a reason.
+    pub refused: u64,
+}
+
+/// A fault of a kind.
+///
+/// # Errors
+/// Always: the fault.
+pub fn fault<T>(kind: impl Into<String>, detail: impl Into<String>) -> Result<T, Fault> {
+    Err(Fault { kind: kind.into(), detail: detail.into() })
+}
+
+/// A fault unless something holds.
+///
+/// # Errors
+/// The fault.
+pub fn must(holds: bool, kind: &str, detail: impl FnOnce() -> String) -> Verdict {
+    if holds { Ok(()) } else { fault(kind, detail()) }
+}
+
+/// A fault if a checker found anything: the name of the first finding is part of the kind.
+///
+/// # Errors
+/// The fault.
+pub fn none<T: Debug>(checker: &str, found: &[T]) -> Verdict {
+    let Some(first) = found.first() else { return Ok(()) };
+    let words = format!("{first:?}");
+    let name = words.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+    fault(format!("{checker}: {name}"), format!("{} findings, first {words}", found.len()))
+}
+
+/// Everything that must hold of a mesh of a drawing: the library's checkers and the testkit's are silent, and the library takes
+/// the mesh up again and leaves it as it is.
+///
+/// `is_delaunay` says whether edges between subsegments must pass the circle test; `lost` names the segments that the report
+/// gives up.
+///
+/// # Errors
+/// The first fault.
+pub fn mesh_of(drawing: &Pslg, mesh: &IndexedMesh, is_delaunay: bool, lost: &[u32], tally: &mut Tally) -> Verdict {
+    tally.meshes += 1;
+    sound(mesh, is_delaunay)?;
+    let is_kept = |s: &usize| !lost.contains(&(*s as u32));
+    let segments = (0..drawing.segments.len()).filter(is_kept).map(|s| drawing.segments[s]).collect();
+    let input = Pslg { segments, segment_markers: Vec::new(), regions: Vec::new(), ..drawing.clone() };
+    if let Some(flaw) = first_flaw(mesh, Some(&input), is_delaunay) {
+        return fault(format!("exact: {}", flaw.key()), flaw.to_string());
+    }
+    none("against input", &against_input(mesh, &input).faults)?;
+    taken_up_again(&input, mesh, is_delaunay)
+}
+
+/// What must hold of a mesh wherever it comes from.
+///
+/// # Errors
+/// The first fault.
+pub fn sound(mesh: &IndexedMesh, is_delaunay: bool) -> Verdict {
+    let wild = mesh.points.iter().find(|p| !p.is_finite());
+    must(wild.is_none(), "not finite", || format!("{wild:?}"))?;
+    none("check mesh", &check_mesh(mesh))?;
+    if is_delaunay {
+        none("check mesh", &check_mesh_delaunay(mesh, &[]))?;
+    }
+    Ok(())
+}
+
+/// A refinement that asks for nothing takes the mesh, with its drawing and without, and gives it back.
+fn taken_up_again(drawing: &Pslg, mesh: &IndexedMesh, is_delaunay: bool) -> Verdict {
+    let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_vertices(mesh.points.len());
+    for (input, name) in [(Some(drawing), "with its drawing"), (None, "alone")] {
+        let again = match trimalla::refine_mesh(mesh, input, &options) {
+            Ok(again) => again,
+            Err(error) => return none(&format!("own mesh refused {name}"), &[error]),
+        };
+        let (was, is) = (&mesh.points, &again.mesh.points);
+        must(was == is, &format!("own mesh changed {name}: vertices"), || format!("{} to {}", was.len(), is.len()))?;
+        let same = !is_delaunay || again.mesh.triangles == mesh.triangles;
+        let flips = again.report.edges_flipped;
+        must(same, &format!("own mesh changed {name}: triangles"), || format!("{flips} edges flipped"))?;
+    }
+    Ok(())
+}
