@@ -35,6 +35,8 @@ pub fn drawing(d: &mut Draws<'_>) -> Pslg {
     }
     spoil(d, &mut made);
     let mut made = placed(d, made);
+    made.points.iter_mut().for_each(|p| *p = finite(*p));
+    made.holes.retain(|h| h.is_finite());
     seeds(d, &mut made);
     columns(d, &mut made);
     made
@@ -316,6 +318,12 @@ fn placed(d: &mut Draws<'_>, pslg: Pslg) -> Pslg {
         13 => scaled(&pslg, d.pick(&[1e-300, 1e300, 1e307, 5e-324])),
         _ => pslg,
     }
+}
+
+/// A point that left the range, back at its end.
+fn finite(p: Point) -> Point {
+    let back = |v: f64| if v.is_nan() { 0.0 } else { v.clamp(f64::MIN, f64::MAX) };
+    Point::new(back(p.x), back(p.y))
 }
 
 /// A power of two with an exponent up to `most` either way.

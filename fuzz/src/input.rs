@@ -159,12 +159,11 @@ impl Case {
         self.edits.iter().for_each(|edit| {
             let _ = writeln!(head, "# edit {}", edit.to_text());
         });
-        let mut toml = Vec::new();
-        if recipe::write(&mut toml, &self.recipe).is_ok() {
-            String::from_utf8_lossy(&toml).lines().filter(|l| !l.is_empty()).for_each(|line| {
-                let _ = writeln!(head, "# recipe {line}");
-            });
-        }
+        let plain = lines_of(&self.recipe.preset.map(RecipeFile::of).unwrap_or_default());
+        let told = |line: &String| line.starts_with("preset") || !plain.contains(line);
+        lines_of(&self.recipe).iter().filter(|l| told(l)).for_each(|line| {
+            let _ = writeln!(head, "# recipe {line}");
+        });
         let mut bytes = head.into_bytes();
         if let Err(error) = poly::write_pslg(&mut bytes, &self.drawing, 0) {
             bytes.extend(format!("# the drawing cannot be written: {error}\n# {:?}\n", self.drawing).into_bytes());
@@ -192,6 +191,14 @@ impl Case {
         case.recipe = recipe::read(toml.as_bytes(), "recipe").map_err(|e| e.to_string())?;
         Ok((case, target))
     }
+}
+
+/// A recipe as lines, without comments.
+fn lines_of(recipe: &RecipeFile) -> Vec<String> {
+    let mut toml = Vec::new();
+    let _ = recipe::write(&mut toml, recipe);
+    let text = String::from_utf8_lossy(&toml).into_owned();
+    text.lines().filter(|l| !l.is_empty() && !l.starts_with('#')).map(str::to_owned).collect()
 }
 
 fn domain_of(text: &str) -> Option<DomainOptions> {

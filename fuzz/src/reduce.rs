@@ -204,7 +204,7 @@ fn rounder(best: &mut Input, fails: Fails<'_>) {
         candidates.push(mapped(&case(best), &|_, p| Point::new(rounded(p.x, digits), rounded(p.y, digits))));
     }
     for candidate in candidates {
-        if candidate != *best && fails(&candidate) {
+        if is_finite(&candidate) && candidate != *best && fails(&candidate) {
             *best = candidate;
             break;
         }
@@ -223,6 +223,11 @@ fn rounder(best: &mut Input, fails: Fails<'_>) {
             }
         }
     }
+}
+
+/// NaN is not equal to itself: with it, nothing would come to an end.
+fn is_finite(input: &Input) -> bool {
+    case(input).drawing.points.iter().all(|p| p.is_finite())
 }
 
 /// A number with so many digits.

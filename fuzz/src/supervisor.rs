@@ -258,18 +258,19 @@ fn slug(text: &str) -> String {
 #[must_use]
 pub fn table(results: &[(&'static Target, Result)], plan: &Plan) -> String {
     let mut text = String::from(
-        "| target | executions | meshes | refused | faults | seconds | a second | slowest ms | peak MB |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+        "| target | executions | meshes | refused | faults | seconds | a second | slowest ms | (its number) | peak MB |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
     let mut row = |name: &str, r: &Result, faults: u64| {
         let rate = r.executions as f64 / r.seconds.max(1e-9);
         let _ = writeln!(
             text,
-            "| {name} | {} | {} | {} | {faults} | {:.0} | {rate:.0} | {} | {} |",
+            "| {name} | {} | {} | {} | {faults} | {:.0} | {rate:.0} | {} | {} | {} |",
             r.executions,
             r.meshes,
             r.refused,
             r.seconds,
             r.slowest.0,
+            r.slowest.1,
             r.peak >> 20
         );
     };

@@ -137,6 +137,8 @@ fn of_mesh(mesh: IndexedMesh, tally: &mut Tally) -> Verdict {
             tally.meshes += 1;
             sound(&made.mesh, true)
         }
-        Err(_) => must(!faults.is_empty(), "a sound mesh is refused", || format!("{mesh:?}")),
+        Err(_) => {
+            must(!faults.is_empty() || mesh.triangles.is_empty(), "a sound mesh is refused", || format!("{mesh:?}"))
+        }
     }
 }

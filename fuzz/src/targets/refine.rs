@@ -72,7 +72,9 @@ pub(super) fn keeps_delaunay(options: &RefineOptions) -> bool {
 /// Every other triangle, and one that is not there.
 fn pick_some(refinement: &mut Refinement) {
     let faces: Vec<FaceId> = refinement.triangulation().real_faces().step_by(2).collect();
-    faces.into_iter().for_each(|f| drop(refinement.pick(f)));
+    faces.into_iter().for_each(|f| {
+        refinement.pick(f);
+    });
     refinement.pick(FaceId(u32::MAX / 4));
 }
 

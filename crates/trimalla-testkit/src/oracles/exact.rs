@@ -33,6 +33,9 @@ pub fn orient(a: Point, b: Point, c: Point) -> i32 {
             return sign;
         }
     }
+    if a == b || b == c || c == a {
+        return 0;
+    }
     orient_scaled(a, b, c)
 }
 
@@ -143,6 +146,9 @@ fn certain_sign(sum: f64, size: f64) -> Option<i32> {
 
 /// The orientation sign of three points given as `x y x y x y`, after `exactly` made them integers.
 fn orient_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
+    if let Some(v) = small_integers::<6>(v, 62) {
+        return sign_of(((v[2] - v[0]) * (v[5] - v[1])).cmp(&((v[3] - v[1]) * (v[4] - v[0]))));
+    }
     let v = exactly(v);
     let left = (&v[2] - &v[0]) * (&v[5] - &v[1]);
     let right = (&v[3] - &v[1]) * (&v[4] - &v[0]);
@@ -152,6 +158,12 @@ fn orient_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
 /// The in-circle sign of four points given as `x y x y x y x y`, after `exactly` made them
 /// integers.
 fn in_circle_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
+    if let Some(v) = small_integers::<8>(v, 28) {
+        let [a, b, c] = [0, 2, 4].map(|i| [v[i] - v[6], v[i + 1] - v[7]]);
+        let lift = |p: [i128; 2]| p[0] * p[0] + p[1] * p[1];
+        let cross = |p: [i128; 2], q: [i128; 2]| p[0] * q[1] - p[1] * q[0];
+        return sign_of((lift(a) * cross(b, c) + lift(b) * cross(c, a) + lift(c) * cross(a, b)).cmp(&0));
+    }
     let v = exactly(v);
     let [a, b, c] = [0, 2, 4].map(|i| {
         let (x, y) = (&v[i] - &v[6], &v[i + 1] - &v[7]);
@@ -162,6 +174,21 @@ fn in_circle_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
         + &b[2] * (&c[0] * &a[1] - &c[1] * &a[0])
         + &c[2] * (&a[0] * &b[1] - &a[1] * &b[0]);
     sign_of(det.cmp(&IBig::ZERO))
+}
+
+/// The values times one common power of two that makes all of them integers, if none has more than so many bits then.
+fn small_integers<const N: usize>(values: &[f64], bits: i32) -> Option<[i128; N]> {
+    let mut parts = [(0, 0); N];
+    for (part, &value) in parts.iter_mut().zip(values) {
+        let (m, e) = decompose(value);
+        // Without the zeros at the end of its bits.
+        let zeros = m.trailing_zeros();
+        *part = if m == 0 { (0, 0) } else { (m >> zeros, e + i32::try_from(zeros).unwrap()) };
+    }
+    let lowest = parts.iter().filter(|p| p.0 != 0).map(|p| p.1).min().unwrap_or(0);
+    let length = |m: i64| 64 - i32::try_from(m.unsigned_abs().leading_zeros()).unwrap();
+    let fits = parts.iter().all(|&(m, e)| m == 0 || length(m) + e - lowest <= bits);
+    fits.then(|| parts.map(|(m, e)| if m == 0 { 0 } else { i128::from(m) << (e - lowest) }))
 }
 
 /// The values times one common power of two that makes all of them integers.

@@ -318,6 +318,9 @@ fn used_twins(input: &Pslg, sides: &Sides) -> Vec<Option<u32>> {
     twins
 }
 
+/// The smallest positive number: what rounding moves a coordinate by at least.
+const SMALLEST: f64 = 5e-324;
+
 /// An input segment between two used vertices.
 struct Line<'a> {
     mesh: &'a IndexedMesh,
@@ -326,6 +329,8 @@ struct Line<'a> {
     scale: f64,
     along: [f64; 2],
     length_sq: f64,
+    /// The largest [`beside`](Self::beside) of what counts as on the segment.
+    tolerance: f64,
 }
 
 impl<'a> Line<'a> {
@@ -333,9 +338,11 @@ impl<'a> Line<'a> {
         let [a, b] = [from, to].map(|v| mesh.points[v as usize]);
         let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         let scale = one_over_power_of_two(largest);
-        let mut line = Self { mesh, ends: [from, to], scale, along: [0.0; 2], length_sq: 0.0 };
+        let mut line = Self { mesh, ends: [from, to], scale, along: [0.0; 2], length_sq: 0.0, tolerance: 0.0 };
         line.along = line.local(to);
         line.length_sq = dot(line.along, line.along);
+        let last_place = f64::EPSILON * largest * scale + SMALLEST * scale;
+        line.tolerance = BESIDE_ULPS * last_place * line.length_sq.sqrt();
         line
     }
 
@@ -351,11 +358,6 @@ impl<'a> Line<'a> {
         self.along[0] * p[1] - self.along[1] * p[0]
     }
 
-    /// The largest [`beside`](Self::beside) of what counts as on the segment.
-    fn tolerance(&self) -> f64 {
-        BESIDE_ULPS * f64::EPSILON * self.length_sq.sqrt()
-    }
-
     /// How far along the segment a vertex lies, from 0 to 1; nothing if it is not on it.
     fn parameter(&self, v: u32) -> Option<f64> {
         if self.ends.contains(&v) {
@@ -363,7 +365,7 @@ impl<'a> Line<'a> {
         }
         let [p, a, b] = [v, self.ends[0], self.ends[1]].map(|v| self.mesh.points[v as usize]);
         let t = dot(self.local(v), self.along) / self.length_sq;
-        let is_on = self.beside(v).abs() <= self.tolerance() && (0.0..=1.0).contains(&t);
+        let is_on = self.beside(v).abs() <= self.tolerance && (0.0..=1.0).contains(&t);
         (is_on || on_open_segment(p, a, b)).then_some(t.clamp(0.0, 1.0))
     }
 
@@ -411,8 +413,7 @@ impl<'a> Line<'a> {
             orient(a, b, p) <= 0 && orient(a, b, q) <= 0
         };
         let beside = t.map(|v| self.beside(v));
-        let on_both_sides =
-            beside.iter().any(|&d| d > self.tolerance()) && beside.iter().any(|&d| d < -self.tolerance());
+        let on_both_sides = beside.iter().any(|&d| d > self.tolerance) && beside.iter().any(|&d| d < -self.tolerance);
         p != q && on_both_sides && !(0..3).any(is_outside)
     }
 }
@@ -423,7 +424,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 /// The power of two that brings a number that is not negative into [1, 2), or near it where there is none.
 fn one_over_power_of_two(value: f64) -> f64 {
-    let exponent = (value.to_bits() >> 52).clamp(24, 2022);
+    let exponent = (value.to_bits() >> 52).clamp(24, 2045);
     f64::from_bits((2046 - exponent) << 52)
 }
 
@@ -450,7 +451,7 @@ mod tests {
             points: square.points.iter().map(|p| Point::new(p.x * 1e307, p.y * 1e307)).collect(),
             ..square
         };
-        assert_eq!(first_flaw(&far, None, true), None);
+        assert_eq!(first_flaw(&far, Some(&Pslg { points: far.points.clone(), ..input }), true), None);
     }
 
     #[test]
