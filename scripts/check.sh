@@ -32,3 +32,11 @@ step "examples"
 cargo run --quiet --locked -p trimalla --example five_points
 cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1
 cargo run --quiet --locked -p trimalla-compare --example own_strategy | tail -n 1
+step "random inputs"
+# fuzz/ is a workspace of its own, with packages of its own.
+if cargo fetch --quiet --locked --manifest-path fuzz/Cargo.toml 2>/dev/null; then
+    scripts/fuzz.sh --corpus fuzz/corpus
+    scripts/fuzz.sh --executions 40000
+else
+    echo "skipped: random inputs (the packages of fuzz/ cannot be fetched)"
+fi

@@ -11,7 +11,7 @@
 //! # recipe preset = "off-center"
 //! 3 2 0 0
 //! ```
-//! A file for the readers is kept as it is, its format in its name.
+//! A file for the readers is kept as it is, after a line such as `# fuzz readers poly`.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -92,43 +92,51 @@ impl Input {
         }
     }
 
-    /// The text or bytes of its file.
+    /// The bytes of its file.
     #[must_use]
     pub fn to_bytes(&self, target: &str) -> Vec<u8> {
         match self {
             Self::Drawing(case) => case.to_text(target),
-            Self::File(file) => file.bytes.clone(),
+            Self::File(file) => [format!("# fuzz {target} {}\n", file.format).as_bytes(), &file.bytes].concat(),
         }
     }
 
-    /// Writes `<folder>/<name>.<target>.poly`, or `<folder>/<name>.<target>.<format>.input`.
+    /// The input that bytes written by [`to_bytes`](Self::to_bytes) say, and its target; any `.poly` file is a drawing, without a
+    /// target. `formats` are those of files.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn of_bytes(bytes: &[u8], formats: &[&'static str]) -> Result<(Self, Option<String>), String> {
+        let end = bytes.iter().position(|b| *b == b'\n').unwrap_or(bytes.len());
+        let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
+        if let ["#", "fuzz", target, format] = head.split(' ').collect::<Vec<_>>()[..] {
+            let format = formats.iter().find(|f| **f == format).ok_or(format!("no format is called '{format}'"))?;
+            let bytes = bytes.get(end + 1..).unwrap_or_default().to_vec();
+            return Ok((Self::File(FileCase { format, bytes }), Some(target.to_owned())));
+        }
+        let (case, target) = Case::of_text(bytes)?;
+        Ok((Self::Drawing(Box::new(case)), target))
+    }
+
+    /// Writes `<folder>/<name>.<target>.poly`, or `<folder>/<name>.<target>.input` for a file.
     ///
     /// # Errors
     /// Those of the file system.
     pub fn save(&self, folder: &Path, name: &str, target: &str) -> io::Result<PathBuf> {
-        let path = match self {
-            Self::Drawing(_) => folder.join(format!("{name}.{target}.poly")),
-            Self::File(file) => folder.join(format!("{name}.{target}.{}.input", file.format)),
-        };
+        let ending = if matches!(self, Self::Drawing(_)) { "poly" } else { "input" };
+        let path = folder.join(format!("{name}.{target}.{ending}"));
         fs::create_dir_all(folder)?;
         fs::write(&path, self.to_bytes(target))?;
         Ok(path)
     }
 
-    /// Reads a file back that [`save`](Self::save) wrote, or any `.poly` file; and the target in its name or comments, if there is one.
+    /// Reads such a file.
     ///
     /// # Errors
     /// What is wrong, in words.
     pub fn load(path: &Path, formats: &[&'static str]) -> Result<(Self, Option<String>), String> {
         let bytes = fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let parts: Vec<&str> = name.split('.').collect();
-        if let [.., target, format, "input"] = parts[..] {
-            let format = formats.iter().find(|f| **f == format).ok_or(format!("no format is called '{format}'"))?;
-            return Ok((Self::File(FileCase { format, bytes }), Some(target.to_owned())));
-        }
-        let (case, target) = Case::of_text(&bytes).map_err(|e| format!("{}: {e}", path.display()))?;
-        Ok((Self::Drawing(Box::new(case)), target))
+        Self::of_bytes(&bytes, formats).map_err(|e| format!("{}: {e}", path.display()))
     }
 }
 

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 
-use trimalla_fuzz::draws::Draws;
 use trimalla_fuzz::input::Input;
 use trimalla_fuzz::judge::{Fault, Tally};
 use trimalla_fuzz::reduce;
@@ -176,7 +175,7 @@ fn repeat(files: &[&str]) -> Result<bool, String> {
     Ok(all_well)
 }
 
-/// Every file of a folder, for the target that its folder is called after: drawings as they are, others as bytes.
+/// Every file of a folder's folders, which are called after targets.
 fn corpus(folder: &Path) -> Result<bool, String> {
     let list = |path: &Path| -> Result<Vec<PathBuf>, String> {
         let entries = std::fs::read_dir(path).map_err(|e| format!("{}: {e}", path.display()))?;
@@ -189,10 +188,7 @@ fn corpus(folder: &Path) -> Result<bool, String> {
     for of_target in list(folder)?.into_iter().filter(|p| p.is_dir()) {
         let target = target(&of_target.file_name().unwrap_or_default().to_string_lossy())?;
         for file in list(&of_target)? {
-            let input = match file.extension().is_some_and(|e| e == "poly" || e == "input") {
-                true => loaded(&file)?.0,
-                false => (target.make)(&mut Draws::new(&std::fs::read(&file).map_err(|e| e.to_string())?)),
-            };
+            let input = target.input_of(&std::fs::read(&file).map_err(|e| e.to_string())?);
             worker::begin(tried, start);
             if let Err(Fault { kind, detail }) = target.try_out(&input, &mut Tally::default()) {
                 println!("fault {kind}\t{detail}\t{}", file.display());
