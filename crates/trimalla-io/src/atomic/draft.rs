@@ -40,9 +40,12 @@ impl Draft {
         Ok(Self::of(path, Sink::File(file), None))
     }
 
-    /// Begins a temporary file next to its target.
+    /// Begins a temporary file next to its target, with the permissions of the file that it replaces.
     pub(super) fn file(path: &Path, claim: Arc<Claim>, target: PathBuf) -> io::Result<Self> {
         let (temporary, file) = claim.create_file()?;
+        if let Ok(old) = fs::metadata(&target) {
+            file.set_permissions(old.permissions())?; // At once: what is private is never open to others.
+        }
         Ok(Self::of(path, Sink::File(file), Some((Temporary::new(temporary, Some(claim)), target))))
     }
 
@@ -54,15 +57,12 @@ impl Draft {
         &self.path
     }
 
-    /// Flushes it; a temporary file is synced and given the permissions of the file that it replaces.
+    /// Flushes it; a temporary file is synced.
     pub(super) fn finish(self) -> io::Result<Option<Move>> {
         let Self { buffer, staged, .. } = self;
         let mut sink = buffer.into_inner().map_err(IntoInnerError::into_error)?;
         sink.flush()?;
         let (Some((temporary, target)), Sink::File(file)) = (staged, sink) else { return Ok(None) };
-        if let Ok(old) = fs::metadata(&target) {
-            file.set_permissions(old.permissions())?;
-        }
         file.sync_all()?;
         Ok(Some(Move::new(temporary, target)))
     }

@@ -1,6 +1,6 @@
 //! A folder of numbered pictures on its way.
 
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -64,7 +64,7 @@ impl Pictures {
     /// Syncs the pictures, and gives their folder the permissions of the one that it replaces.
     pub(super) fn finish(self) -> io::Result<Move> {
         for file in &self.files {
-            File::open(file)?.sync_all()?; // After all are written: one by one, each would wait for the disk.
+            OpenOptions::new().write(true).open(file)?.sync_all()?; // After all are written: one by one, each would wait for the disk.
         }
         if let Ok(old) = fs::metadata(&self.target) {
             fs::set_permissions(self.temporary.path(), old.permissions())?;

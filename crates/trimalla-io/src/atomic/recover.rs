@@ -36,8 +36,9 @@ pub struct Recovered {
 /// their places, and removes their temporary files. What belongs to a process that lives is left alone.
 ///
 /// # Guarantees
-/// Two processes may do this at the same time. A target that was changed after the kill is not replaced. Where the file system
-/// has no locks, nothing is done, as nobody can tell who lives.
+/// Two processes may do this at the same time. A target that was changed after the kill is not replaced. What another user's process
+/// has left stays, except temporary files without a lock file. Where the file system has no locks, nothing is done, as nobody can
+/// tell who lives.
 ///
 /// # Examples
 /// ```
