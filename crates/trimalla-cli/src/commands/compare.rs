@@ -189,7 +189,10 @@ impl Options {
         for path in &self.inputs {
             match add_drawing(&mut experiment, path) {
                 Ok(read) => files.extend(read),
-                Err(failure) => experiment.add_drawing_at_fault(shown(path), &stem(path), failure.into_messages()),
+                Err(failure) => {
+                    experiment.add_drawing_at_fault(shown(path), &stem(path), failure.into_messages());
+                    files.extend(["", ".poly", ".node"].map(|ending| with_ending(path, ending)));
+                }
             }
         }
         Ok((experiment, files))
@@ -261,11 +264,7 @@ impl Options {
 
     /// Opens the journal that was named, or one beside the first file; none where all goes to streams.
     fn journal(&self, outputs: &Outputs) -> Result<Option<Journal>, Failure> {
-        let beside = || {
-            let mut name = outputs.first_file()?.as_os_str().to_owned();
-            name.push(".journal");
-            Some(PathBuf::from(name))
-        };
+        let beside = || Some(with_ending(outputs.first_file()?, ".journal"));
         let path = self.resume.clone().or_else(beside);
         path.iter().try_for_each(|path| outputs.spare(&Target::of_text(path)))?;
         Ok(path.map(|path| Journal::open(&path)).transpose()?)
@@ -313,6 +312,13 @@ fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>,
     trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
     experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;
     Ok(drawing.files)
+}
+
+/// A path with an ending after its name.
+fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    name.into()
 }
 
 /// What headings and files call a drawing.

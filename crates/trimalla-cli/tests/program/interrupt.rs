@@ -49,7 +49,7 @@ fn while_refining_it_cancels_and_touches_no_file() {
     scratch.write("out.ele", "old triangles");
     scratch.write("out.svg", "old picture");
     let before = scratch.files();
-    let line = "mesh square.poly --max-area 1e-9 --max-vertices 50000000 -o out.ele -o out.svg --json";
+    let line = "mesh square.poly --max-area 1e-9 --max-vertices 50000000 -o out.ele -o out.svg --trace t.jsonl --json";
     let mut child = start(&scratch, line, Stdio::null());
     sleep(Duration::from_millis(700));
     if child.try_wait().unwrap().is_some() {

@@ -132,7 +132,7 @@ fn g02_killed_at_random_moments_nothing_is_half_and_nothing_stays() {
         now = usize::from(after == states[1]);
         assert!(after == states[now], "mixed after the next run");
     }
-    println!("{kills} kills: {tally:?}");
+    eprintln!("{kills} kills: {tally:?}");
 }
 
 /// Kills the program as it enters each system call that changes a directory.
@@ -178,7 +178,7 @@ fn g02_killed_at_each_system_call_nothing_is_half_and_nothing_stays() {
             assert!(number < 1000, "each {call} ends the run");
         }
     }
-    println!("{kills} kills at system calls: {tally:?}");
+    eprintln!("{kills} kills at system calls: {tally:?}");
     assert!(tally.completed > 5, "{tally:?}");
     assert!(tally.mixed > 0, "a kill between two renames leaves a mixture until the next run: {tally:?}");
 }

@@ -158,6 +158,24 @@ fn g04_a_trace_on_standard_output_is_alone_there() {
 
 #[cfg(unix)]
 #[test]
+fn g04_closed_streams_are_no_panic() {
+    let scratch = Scratch::with_square("spared-closed");
+    let program = env!("CARGO_BIN_EXE_trimalla");
+    for line in [
+        "mesh square.poly -o a.svg >&-",
+        "mesh square.poly -o - --format svg >&-",
+        "mesh square.poly -o a.svg <&- 2>&-",
+    ] {
+        let script = format!("exec {program} {line}");
+        let run = Command::new("sh").args(["-c", &script]).current_dir(scratch.path()).output().unwrap();
+        Run::of(run).expect(0);
+    }
+    assert_eq!(scratch.read("square.poly"), SQUARE);
+    assert!(scratch.read("a.svg").ends_with("</svg>\n"));
+}
+
+#[cfg(unix)]
+#[test]
 fn g04_devices_pipes_links_and_read_only_files_stay_what_they_are() {
     use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _, symlink};
     let scratch = Scratch::with_square("spared-special");
@@ -236,6 +254,13 @@ fn g03_a_journal_replaces_nothing() {
             &format!("{compare} --csv a --resume a"),
             &format!("{compare} --csv a --json a.journal"),
         ],
+    );
+    scratch.write("bad.poly", "no drawing");
+    refused(
+        &scratch,
+        2,
+        "would overwrite the input",
+        &["compare square.poly bad.poly --csv bad.poly", "compare square.poly bad --csv ./bad.poly"],
     );
     refused(&scratch, 3, "expected the outcome of a run", &[&format!("{compare} --csv a --resume data.json")]);
     // A folder of plots is made when there is something to put into it.
