@@ -20,4 +20,5 @@ mod picks;
 mod recipes;
 mod refine;
 mod reports;
+mod small_angles;
 mod spared;

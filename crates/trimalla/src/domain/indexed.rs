@@ -13,7 +13,7 @@ impl ConstrainedDelaunay {
     /// The mesh as plain arrays: vertices with markers and attributes, triangles, subsegments with markers.
     ///
     /// Input vertices come first, in order, bit for bit, also those that are unused; Steiner vertices follow in the
-    /// order of their slots. Attributes are interpolated linearly: along the input segment, or in the triangulation of the
+    /// order of their slots. Subsegments come in the order of the input's segments, from end to end. Attributes are interpolated linearly: along the input segment, or in the triangulation of the
     /// input alone.
     ///
     /// # Complexity
@@ -41,10 +41,7 @@ impl ConstrainedDelaunay {
 
     /// All but points and triangles.
     fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
-        let mut subsegments = Vec::new();
-        let markers = if pslg.segment_markers.iter().all(|&m| m == 0) { &[][..] } else { &pslg.segment_markers };
-        // Not collected: edge by edge the nested iterators would be a machine of states.
-        self.marked_edges().for_each(|h| subsegments.push(self.subsegment(h, markers)));
+        let subsegments = self.subsegments(pslg);
         let mut mesh = IndexedMesh {
             segments: subsegments.iter().map(|s| s.ends.map(|v| kept.id(v))).collect(),
             segment_markers: subsegments.iter().map(|s| s.marker).collect(),
@@ -63,18 +60,62 @@ impl ConstrainedDelaunay {
         mesh
     }
 
+    /// All subsegments in the order of the input's segments, those of a segment from its start to its end, and so directed.
+    /// Where segments overlap, the lowest counts.
+    ///
+    /// # Complexity
+    /// Linear, and a sort of each segment's pieces.
+    fn subsegments(&self, pslg: &Pslg) -> Vec<Subsegment> {
+        let markers = if pslg.segment_markers.iter().all(|&m| m == 0) { &[][..] } else { &pslg.segment_markers };
+        let mut found = Vec::new();
+        // Not collected: edge by edge the nested iterators would be a machine of states.
+        self.marked_edges().for_each(|h| found.push(self.subsegment(h, markers)));
+        // Sorted by counting: most segments have one piece.
+        let count = self.segments().len();
+        let place = |s: &Subsegment| s.segment.map_or(count, |segment| segment as usize);
+        let mut ends = vec![0_usize; count + 1];
+        found.iter().for_each(|s| ends[place(s)] += 1);
+        let mut total = 0;
+        for end in &mut ends {
+            total += *end;
+            *end = total;
+        }
+        let mut sorted = found.clone();
+        let mut starts = ends.clone();
+        for s in found.into_iter().rev() {
+            let start = &mut starts[place(&s)];
+            *start -= 1;
+            sorted[*start] = s;
+        }
+        for (&start, &end) in starts.iter().zip(&ends).filter(|(start, end)| **start + 1 < **end) {
+            sorted[start..end].sort_unstable_by(|a, b| a.along.total_cmp(&b.along).then_with(|| a.ends.cmp(&b.ends)));
+        }
+        sorted
+    }
+
     /// What a subsegment is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
     fn subsegment(&self, h: HalfEdgeId, markers: &[i32]) -> Subsegment {
         let on_border = self.is_on_border(h);
         let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
         // Nearly always the first has one.
-        let given = if markers.is_empty() { None } else { self.first_segment_of(h) };
-        let given = given.and_then(|first| {
+        let segment = self.first_segment_of(h);
+        let given = segment.filter(|_| !markers.is_empty()).and_then(|first| {
             let others = || self.segments_of(h).into_iter().find_map(marker_of);
             marker_of(first).or_else(others)
         });
         let marker = given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 });
-        Subsegment { ends: [self.origin(h), self.dest(h)], on_border, marker }
+        let mut ends = [self.origin(h), self.dest(h)];
+        let mut along = 0.0;
+        if let Some(segment) = segment {
+            let places = ends.map(|v| self.parameter(segment, v));
+            along = places[0].min(places[1]);
+            if places[1] < places[0] {
+                ends.reverse();
+            }
+        } else {
+            ends.sort_unstable();
+        }
+        Subsegment { ends, segment, along, on_border, marker }
     }
 
     /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
@@ -96,8 +137,14 @@ impl ConstrainedDelaunay {
 }
 
 /// A subsegment as plain arrays have it.
+#[derive(Clone, Copy, Debug)]
 struct Subsegment {
+    /// In the direction of its segment.
     ends: [VertexId; 2],
+    /// The lowest segment that it is part of.
+    segment: Option<u32>,
+    /// The parameter on that segment at which it starts.
+    along: f64,
     on_border: bool,
     marker: i32,
 }

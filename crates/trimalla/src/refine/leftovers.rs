@@ -3,6 +3,7 @@
 use super::bad_triangles::{Badness, sorted};
 use super::extremes::Extremes;
 use super::joints::Piece;
+use super::mirror::common_end;
 use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
@@ -17,6 +18,15 @@ struct Survey {
     triangles: usize,
     leftovers: Vec<Leftover>,
     extremes: Extremes,
+}
+
+/// Where a vertex lies that is within rounding of the line of a subsegment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    /// Between the two ends.
+    Beside,
+    /// Beyond one of them.
+    Beyond,
 }
 
 /// Squared distances this close, relatively, are on one shell.
@@ -143,28 +153,43 @@ impl Refinement {
 
     /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
     fn within_rounding(&self, f: FaceId) -> Option<Reason> {
-        let h = self.base_within_rounding(f)?;
-        let v = self.cdt.apex(h);
-        let piece = self.joints.whole_of(&self.cdt, h);
-        let is_wedge = self.pieces_at(v).any(|other| other.into_iter().any(|end| end != v && piece.contains(&end)));
-        Some(if is_wedge { Reason::InputAngle } else { Reason::PrecisionFloor })
-    }
-
-    /// The side of a face that is a subsegment, with the opposite vertex no farther from it than rounding lets vertices be.
-    pub(super) fn base_within_rounding(&self, f: FaceId) -> Option<HalfEdgeId> {
-        f.half_edges().into_iter().find(|&h| self.is_input(h) && self.is_apex_within_rounding(h))
+        let marked = f.half_edges().into_iter().filter(|&h| self.is_input(h));
+        let mut found = marked.filter_map(|h| Some((h, self.place_within_rounding(h)?)));
+        found.find_map(|(h, place)| match place {
+            _ if self.lies_in_wedge(h) => Some(Reason::InputAngle),
+            Place::Beside => Some(Reason::PrecisionFloor),
+            Place::Beyond => None,
+        })
     }
 
     /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it.
     pub(super) fn is_apex_within_rounding(&self, h: HalfEdgeId) -> bool {
+        self.place_within_rounding(h) == Some(Place::Beside)
+    }
+
+    /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets vertices be.
+    fn place_within_rounding(&self, h: HalfEdgeId) -> Option<Place> {
         let apex = self.cdt.apex(h);
         if !apex.is_finite() || self.cdt.is_deletable(apex) {
-            return false;
+            return None;
         }
         let [a, b] = self.cdt.edge_points(h);
         let (along, to_apex) = (self.ruler.vector(a, b), self.ruler.vector(a, self.cdt.point(apex)));
         let (length_sq, cross, dot) = (along.length_sq(), along.cross(to_apex), along.dot(to_apex));
-        cross * cross < self.precision_sq * length_sq && 0.0 < dot && dot < length_sq
+        let place = if 0.0 < dot && dot < length_sq { Place::Beside } else { Place::Beyond };
+        (cross * cross < self.precision_sq * length_sq).then_some(place)
+    }
+
+    /// Whether the vertex opposite `h` is on a piece of a segment that meets the piece of `h` at less than 90 degrees.
+    fn lies_in_wedge(&self, h: HalfEdgeId) -> bool {
+        let (v, piece) = (self.cdt.apex(h), self.joints.whole_of(&self.cdt, h));
+        let meets = |other: Piece| {
+            let Some(apex) = common_end(piece, other).filter(|&apex| apex != v) else { return false };
+            let [from, one, other] =
+                [apex, if piece[0] == apex { piece[1] } else { piece[0] }, v].map(|v| self.cdt.point(v));
+            self.ruler.vector(from, one).dot(self.ruler.vector(from, other)) > 0.0
+        };
+        self.pieces_at(v).any(meets)
     }
 
     /// The pieces of segments inside which a vertex lies, or that end at it.

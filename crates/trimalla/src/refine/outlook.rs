@@ -109,6 +109,6 @@ fn distance_beside(cdt: &ConstrainedDelaunay, ruler: Ruler, h: HalfEdgeId) -> Op
 /// Whether the apex of `h` is on a piece of a segment that shares an end with the piece of `h`.
 fn lies_in_a_wedge(cdt: &ConstrainedDelaunay, joints: &Joints, h: HalfEdgeId) -> bool {
     let piece = joints.whole_of(cdt, h);
-    let at_apex = cdt.edges_around(cdt.apex(h)).filter(|&g| cdt.is_marked(g));
-    at_apex.into_iter().any(|g| common_end(piece, joints.whole_of(cdt, g)).is_some())
+    let mut at_apex = cdt.edges_around(cdt.apex(h)).filter(|&g| cdt.is_marked(g));
+    at_apex.any(|g| common_end(piece, joints.whole_of(cdt, g)).is_some())
 }

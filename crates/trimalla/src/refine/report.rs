@@ -13,9 +13,10 @@ use crate::constrained::ConstrainedDelaunay;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Its small angle lies between two input segments.
+    /// Its small angle lies between two input segments that meet; or it lies between two that meet and are within rounding of
+    /// each other there. Segments meet at common ends, where one has a vertex inside it, and where they cross.
     InputAngle,
-    /// Its shortest edge faces a small input angle: it joins two segments that meet there.
+    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from one end as from the other.
     AcrossSmallInputAngle,
     /// A segment that may not be split is in the way.
     ProtectedSegment,

@@ -8,6 +8,7 @@ mod cost;
 mod domains;
 mod earlier;
 mod judge;
+mod small_angles;
 
 use std::path::Path;
 

@@ -57,7 +57,7 @@ pub struct Forecast {
     pub vertices: f64,
     /// What most of the triangles are needed for.
     pub cause: Cause,
-    /// The part of the triangles that are needed for the cause, from 0 to 1.
+    /// The part of the triangles that are needed for the cause, from 0 to 1: for a gap, with all gaps up to twice as wide.
     pub share: f64,
 }
 
@@ -338,6 +338,10 @@ impl<'a> Tally<'a> {
             (Cause::Area, of_area)
         } else {
             let (cause, part) = self.costliest();
+            let part = match cause {
+                Cause::Gap(gap) | Cause::ShortSegment(gap) => self.part_within(2.0 * gap.width),
+                _ => part,
+            };
             (cause, self.constants.triangles * part)
         };
         Forecast { triangles, vertices, cause, share: (part / triangles).min(1.0) }
@@ -353,6 +357,18 @@ impl<'a> Tally<'a> {
             (Some((v, part)), _) => (self.cause_at(VertexId::from_index(v)), part),
             _ => (Cause::Input, 0.0),
         }
+    }
+
+    /// The part of the integral that gaps of up to this width are the cause of.
+    fn part_within(&self, width: f64) -> f64 {
+        let is_near = |(v, _): &(usize, &f64)| {
+            let v = VertexId::from_index(*v);
+            let partner = self.sizes.partner(v);
+            partner.is_some_and(|p| Segment::new(self.footed.cdt.point(v), self.footed.cdt.point(p)).length() <= width)
+        };
+        let of_vertices = self.by_source.iter().enumerate().filter(|(_, part)| **part > 0.0).filter(is_near);
+        let of_pairs = self.by_pair.values().filter(|(_, gap)| gap.width <= width);
+        of_vertices.map(|(_, part)| part).sum::<f64>() + of_pairs.map(|(part, _)| part).sum::<f64>()
     }
 
     /// What makes triangles small around a vertex.

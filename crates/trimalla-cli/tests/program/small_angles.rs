@@ -1,0 +1,47 @@
+//! Small angles and what nearly touches, as the program tells of them.
+
+use crate::common::Scratch;
+
+/// A box of side 1000 with two segments a millionth of a thousandth apart over a short stretch.
+const NEARLY_TOUCHING: &str = "\
+8 2 0 0\n0 0 0\n1 1000 0\n2 1000 1000\n3 0 1000\n4 300 500\n5 500 500\n6 499.9 500.0004\n7 700 500.0004\n\
+6 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 6 7\n0\n";
+
+/// A box with two vertices an ulp apart.
+const AN_ULP_APART: &str = "\
+6 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 2 2\n5 2 2.0000000000000004\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n";
+
+#[test]
+fn edges_that_nearly_coincide_are_told_before_the_work() {
+    let scratch = Scratch::new("nearly-touching");
+    scratch.write("near.poly", NEARLY_TOUCHING);
+    let run = scratch.run("mesh near.poly").expect(0);
+    let run = run.says("warning: near.poly: most of about ");
+    let run = run.says("triangles are needed for the gap of 0.0004 between ");
+    run.says("if the two are meant to touch, let them share a vertex");
+    scratch.write("apart.poly", NEARLY_TOUCHING.replace("500.0004", "510"));
+    assert_eq!(scratch.run("mesh apart.poly --json").expect(0).stderr, "");
+}
+
+#[test]
+fn vertices_within_rounding_are_named_with_their_distance() {
+    let scratch = Scratch::new("within-rounding");
+    scratch.write("two.poly", AN_ULP_APART);
+    let run = scratch.run("mesh two.poly").expect(1);
+    run.says("warning: two.poly: the gap of 4.4409e-16 between vertex 4 and vertex 5 near (2, 2) is within rounding");
+}
+
+#[test]
+fn a_joint_inside_a_segment_forces_its_small_angle() {
+    let scratch = Scratch::new("joint");
+    let drawing = "4 2 0 0\n0 0 0\n1 9 0\n2 9 1\n3 2 0\n4 0\n0 0 1\n1 1 2\n2 2 0\n3 3 2\n0\n";
+    scratch.write("joint.poly", drawing);
+    let run = scratch.run("mesh joint.poly --json").expect(0).json();
+    assert!(run["vertices"].as_u64().unwrap() <= 110, "{run}");
+    assert!(run["complete"].as_bool().unwrap(), "{run}");
+    scratch.run("mesh joint.poly -o one.ele").expect(0);
+    scratch.run("refine one.ele --input joint.poly -o two.ele").expect(0);
+    for file in ["node", "ele", "poly"] {
+        assert_eq!(scratch.read(&format!("one.{file}")), scratch.read(&format!("two.{file}")), "{file}");
+    }
+}
