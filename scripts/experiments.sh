@@ -69,6 +69,42 @@ ratios() { # a row each drawing: vertices at 37 degrees, and how many times thos
         END { print row }' "$temporary/table.csv"
 }
 
+random_sets() { # twenty files of 50 random points each, the same on every machine: a linear congruential generator within 2^53
+    for set in $(seq -w 1 20); do
+        awk -v state="$set" 'BEGIN {
+            print "50 2 0 0"
+            for (i = 0; i < 20; i++) state = (state * 1103515 + 12345) % 2147483648
+            for (i = 0; i < 100; i++) {
+                state = (state * 1103515 + 12345) % 2147483648
+                if (i % 2) printf "%d %.9f %.9f\n", (i - 1) / 2, x, state / 2147483648; else x = state / 2147483648
+            }
+        }' >"$temporary/random-$set.node"
+    done
+}
+terminals() { # a row each angle: runs that ended with the larger and with the last terminal triangle, and how their vertices compare where both did
+    printf '| angle | circumcenter, larger | circumcenter, last | vertices | off-center, larger | off-center, last | vertices |\n'
+    printf '|---:|---:|---:|---:|---:|---:|---:|\n'
+    awk -F, '
+        NR == 1 { next }
+        !($3 in seen) { seen[$3] = 1; angles[++n] = $3 }
+        { name = $2; sub(/-larger$/, "", name); which = $2 ~ /larger$/ ? "larger" : "last"; sub(/-last$/, "", name)
+          runs[name, $3, which]++; if ($4 == "done") { ended[name, $3, which]++; size[name, $3, which, $1] = $5 } inputs[$1] = 1 }
+        END {
+            for (i = 1; i <= n; i++) {
+                printf "| %s° |", angles[i]
+                split("lepp-circumcenter lepp-off-center", names, " ")
+                for (k = 1; k <= 2; k++) {
+                    name = names[k]; a = angles[i]; larger = 0; last = 0
+                    for (input in inputs) if (((name, a, "larger", input) in size) && ((name, a, "last", input) in size)) {
+                        larger += size[name, a, "larger", input]; last += size[name, a, "last", input]
+                    }
+                    printf " %d of %d | %d of %d | %s |", ended[name, a, "larger"], runs[name, a, "larger"],
+                        ended[name, a, "last"], runs[name, a, "last"], last ? sprintf("%+.0f %%", 100 * (last - larger) / larger) : ""
+                }
+                print ""
+            }
+        }' "$temporary/table.csv"
+}
 paths() { # a row each angle: vertices, mean length of paths, and how many had 1, 2, 3, 4, 5, 6 and more triangles
     printf '| angle | vertices | paths | mean length | 1 | 2 | 3 | 4 | 5 | 6 and more |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n'
     for angle in 10 15 20; do
@@ -119,7 +155,7 @@ TEXT
 The sources of `off-center` and `circumcenter` insert by Lawson's flips (`flip`); ours insert by cavities (`cavity`), which is faster. Both make the same
 mesh, vertex by vertex, and a test says so (`flips_and_cavities_agree` in `crates/trimalla/tests/steps.rs`).
 
-What we see. At small angles off-centers need the fewest vertices. On A placements along longest-edge paths need fewer from 28 degrees
+What we see. At small angles off-centers need the fewest vertices. On A centroids of terminal triangles need fewer from 28 degrees
 on; on the other two off-centers stay ahead as long as they end. Circumcenters need more vertices than off-centers nearly everywhere. At 37 degrees only
 placements along longest-edge paths end, and the 50 scattered points make it harder for them too.
 
@@ -162,9 +198,29 @@ TEXT
     ratios
     cat <<'TEXT'
 
-MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does on small drawings; on larger ones it may use up its 20 000
-vertices. Where a placement ends, 37 degrees cost twice the vertices of 30 at best, and often three times or more. None ends on
-every drawing, and none is always the best. Whoever does not need 37 degrees should not ask for them.
+MeshSuite proposes `lepp-circumcenter` because it reaches 37 degrees. Ours does, on every drawing of this table. Off-centers of terminal triangles end on all but the
+guitar, centroids on half of them, and none needs the fewest vertices on all. 37 degrees cost twice the vertices of 30 at best, and often three times or more: whoever does
+not need them should not ask for them.
+
+## Which terminal triangle?
+
+`lepp-circumcenter` and `lepp-off-center` take the center of one of the two terminal triangles: the last one of the path (`--terminal last`, the
+default), or the one with the larger circumcircle (`larger`). How many runs ended, and how many more vertices `last` needs where both did; first on the
+drawings above and the star, then on twenty sets of 50 random points without segments:
+
+TEXT
+    recipes=$out/recipes/lepp-circumcenter-larger.toml,$out/recipes/lepp-circumcenter-last.toml
+    recipes=$recipes,$out/recipes/lepp-off-center-larger.toml,$out/recipes/lepp-off-center-last.toml
+    compare "$@" data/shapes/star.poly --recipes "$recipes" --angles 30,33,35,36,37 --csv "$temporary/table.csv"
+    terminals
+    echo
+    random_sets
+    compare "$temporary"/random-*.node --recipes "$recipes" --angles 30,33,35,36,37 --csv "$temporary/table.csv"
+    terminals
+    cat <<'TEXT'
+
+Up to 36 degrees both end everywhere and the larger one needs fewer vertices; at 37 the last one ends nearly everywhere, the larger one seldom, and without
+segments hardly ever. So the last one is the default.
 TEXT
     if [ -f "$soup" ]; then
         cat <<'TEXT'
@@ -195,8 +251,8 @@ TEXT
         printf '\n![vertices, ours and published](experiments/published-A-vertices.svg)\n'
         cat <<'TEXT'
 
-Our centroids agree with the published ones up to 33 degrees, and need fewer vertices beyond. Of the circumcenters of terminal triangles ours
-takes the larger triangle's and guards segments by lenses: it needs fewer vertices throughout, and at 37 degrees a fifth of the published ones.
+Our centroids agree with the published ones up to 33 degrees, and need fewer vertices beyond. Circumcenters of the last terminal triangle are within two
+vertices of the published ones from 32 to 35 degrees and need fewer elsewhere, at 37 a quarter: MeshSuite seems to take the last one, too.
 Crosses are rows that no mesh can have.
 TEXT
     fi

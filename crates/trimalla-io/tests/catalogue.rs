@@ -146,7 +146,7 @@ fn e08_numbers_of_records() {
         let first = rows.iter().position(|row| row.starts_with(['0', '1']) && row.contains(' ')).unwrap();
         let with_row = |at: usize, number: &str| {
             let mut rows = rows.clone();
-            let row = rows[at].splitn(2, ' ').nth(1).map(|rest| format!("{number} {rest}")).unwrap();
+            let row = rows[at].split_once(' ').map(|(_, rest)| format!("{number} {rest}")).unwrap();
             rows[at] = &row;
             rows.join("\n")
         };

@@ -16,7 +16,7 @@ pub struct DomainOptions {
     pub rule: DomainRule,
     /// What to do where segments cross.
     pub crossings: Crossings,
-    /// How the points are triangulated; the result does not depend on it.
+    /// How the points are triangulated: vertices and triangles do not depend on it, the order of triangles and subsegments does.
     pub algorithm: AlgorithmKey,
 }
 
