@@ -27,8 +27,10 @@ Checked are, with exact arithmetic: indices and columns; every triangle counter-
 edge between at most two triangles; no overlap; every subsegment an edge; the circle test on every
 edge that is not constrained. Constrained is what the .poly file of the mesh and --input say.
 With --input: the vertices of the drawing come first and unchanged, and each of its segments is a
-chain of edges. With --min-angle: every triangle below the bound is a fault, also where the
-drawing forces it.
+chain of edges that advances from end to end. Vertices of the drawing are on a chain only if they
+lie exactly on the segment (within 12 last places where segments cross); computed ones may be off
+by 16 last places of the segment's largest x in x, and of its largest y in y, for rounding.
+With --min-angle: every triangle below the bound is a fault, also where the drawing forces it.
 
 Each fault is a line on standard output, in the numbers of the file; after 50, the rest is counted.";
 

@@ -14,6 +14,7 @@ mod faults;
 mod foresight;
 mod help;
 mod interrupt;
+mod judge;
 mod kills;
 mod outputs;
 mod picks;

@@ -37,8 +37,8 @@ fn a_joint_inside_a_segment_forces_its_small_angle() {
     let drawing = "4 2 0 0\n0 0 0\n1 9 0\n2 9 1\n3 2 0\n4 0\n0 0 1\n1 1 2\n2 2 0\n3 3 2\n0\n";
     scratch.write("joint.poly", drawing);
     let run = scratch.run("mesh joint.poly --json").expect(0).json();
-    assert!(run["vertices"].as_u64().unwrap() <= 110, "{run}");
-    assert!(run["complete"].as_bool().unwrap(), "{run}");
+    assert!(run["vertices"].as_u64().unwrap() <= 110, "{run:?}");
+    assert!(run["complete"].as_bool().unwrap(), "{run:?}");
     scratch.run("mesh joint.poly -o one.ele").expect(0);
     scratch.run("refine one.ele --input joint.poly -o two.ele").expect(0);
     for file in ["node", "ele", "poly"] {

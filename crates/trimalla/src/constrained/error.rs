@@ -62,12 +62,13 @@ pub enum ConstraintError {
         /// Its end.
         to: Point,
     },
-    /// Splitting crossings did not come to an end within its bound.
-    #[error("splitting the crossing of segments {} and {} near {} did not end within {steps} steps", .pair.segments[0], .pair.segments[1], .pair.at)]
+    /// Splitting crossings did not come to an end within its bound, or two segments run so close to one another that no
+    /// point with coordinates lies on both, within rounding.
+    #[error("splitting the crossing of segments {} and {} near {} found no place after {steps} steps", .pair.segments[0], .pair.segments[1], .pair.at)]
     CrossingsExhausted {
-        /// The pair at work when the bound was met.
+        /// The pair at work then.
         pair: CrossingPair,
-        /// The bound.
+        /// Steps by then.
         steps: u64,
     },
 }

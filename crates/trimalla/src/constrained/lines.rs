@@ -137,14 +137,7 @@ impl Lines {
         if J::ACTIVE {
             j.note(Column::LineAdded, line, 0);
         }
-        self.lines.push(Line {
-            parent: line,
-            children: Vec::new(),
-            members: Vec::new(),
-            size: 0,
-            ends,
-            is_open: true,
-        });
+        self.lines.push(Line { parent: line, children: Vec::new(), members: Vec::new(), size: 0, ends, is_open: true });
         line
     }
 

@@ -179,12 +179,7 @@ impl ConstrainedDelaunay {
     }
 
     /// [`covered`](Self::covered); a segment that overlapped none so far becomes a line first.
-    fn covered_by_any<J: Journal>(
-        &mut self,
-        at: VertexId,
-        ends: [VertexId; 2],
-        j: &mut J,
-    ) -> Option<(u32, VertexId)> {
+    fn covered_by_any<J: Journal>(&mut self, at: VertexId, ends: [VertexId; 2], j: &mut J) -> Option<(u32, VertexId)> {
         let h = self.overlap_at(at, ends)?;
         if let Class::List(&[alone]) = self.constraints.class(self.t.mark(h)) {
             self.line_of_alone(h, alone, j);

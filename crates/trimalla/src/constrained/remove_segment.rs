@@ -27,9 +27,7 @@ impl ConstrainedDelaunay {
 
     /// The edge of a segment at a vertex that does not lead back.
     fn step_along(&self, segment: SegmentId, at: VertexId, before: Option<VertexId>) -> Option<HalfEdgeId> {
-        self.t
-            .edges_around(at)
-            .find(|&h| Some(self.t.dest(h)) != before && self.runs_along(self.t.mark(h), segment))
+        self.t.edges_around(at).find(|&h| Some(self.t.dest(h)) != before && self.runs_along(self.t.mark(h), segment))
     }
 
     /// Removes a segment: edges that only it constrained are free again, and legalised.

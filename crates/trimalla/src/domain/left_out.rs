@@ -8,7 +8,7 @@ use crate::mesh::VertexId;
 /// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
 ///
 /// # Complexity
-/// Linear in vertices and edges.
+/// Linear in vertices and edges, a sort of the classes of edges, and the segments of each class.
 pub(super) fn left_out(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let is_unused = |v: &VertexId| !cdt.is_used(*v) && cdt.representative(*v) == *v;
@@ -56,10 +56,12 @@ impl Found {
         let n = pslg.segments.len();
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
         // Edges of one class are parts of the same segments: each class is looked at once.
-        let mut is_seen = vec![false; cdt.constraints.len() + 1];
-        cdt.marked_edges().for_each(|h| is_seen[cdt.mark(h) as usize] = true);
-        for (mark, _) in (0..).zip(is_seen).filter(|&(_, is_seen)| is_seen) {
-            found.look_at_class(cdt.segments_of_class(mark), pslg);
+        let mut marks = Vec::new();
+        cdt.marked_edges().for_each(|h| marks.push(cdt.mark(h)));
+        marks.sort_unstable();
+        marks.dedup();
+        for mark in marks {
+            found.look_at_class(&cdt.segments_of_class(mark), pslg);
         }
         found
     }

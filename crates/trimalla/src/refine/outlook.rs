@@ -91,7 +91,7 @@ fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
     let second = if is_vertex {
         Feature::Vertex(other)
     } else {
-        cdt.segments_of(h).first().map_or(Feature::Hull, |&s| Feature::Segment(s))
+        cdt.first_segment_of(h).map_or(Feature::Hull, Feature::Segment)
     };
     let width = width / ruler.scale();
     let relative_width = width / extent_of(cdt);

@@ -136,7 +136,8 @@ fn an_edge_at_a_hub_is_found_from_either_end() {
 fn on_a_line(direction: Point, places: &[i32]) -> Vec<Point> {
     let on_line = places.iter().map(|&t| Point::new(f64::from(t) * direction.x, f64::from(t) * direction.y));
     let reach = 2.0 + f64::from(places.iter().map(|t| t.abs()).max().unwrap_or(1));
-    let beside = [Point::new(-reach * direction.y, reach * direction.x), Point::new(reach * direction.y, -reach * direction.x)];
+    let beside =
+        [Point::new(-reach * direction.y, reach * direction.x), Point::new(reach * direction.y, -reach * direction.x)];
     on_line.chain(beside).collect()
 }
 
@@ -158,8 +159,7 @@ fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) 
             on_line(ends) && a <= c && d <= b
         };
         let all = cdt.segments().iter().zip(0..);
-        let expected: Vec<u32> =
-            all.filter(|(ends, s)| !removed.contains(s) && covers(ends)).map(|(_, s)| s).collect();
+        let expected: Vec<u32> = all.filter(|(ends, s)| !removed.contains(s) && covers(ends)).map(|(_, s)| s).collect();
         assert_eq!(cdt.segments_of(h), expected, "{note}: edge {p}-{q}");
         assert_eq!(cdt.is_marked(h), !expected.is_empty(), "{note}: edge {p}-{q}");
         expected.iter().for_each(|&s| named[s as usize] += 1);
@@ -181,8 +181,7 @@ fn b03_overlapping_segments_are_named_edge_by_edge() {
         let mut places: Vec<i32> = (0..n as i32).collect();
         r.shuffle(&mut places);
         let points = on_a_line(directions[round % directions.len()], &places);
-        let segments: Vec<[u32; 2]> =
-            (0..1 + r.below(14)).map(|_| [r.below(n) as u32, r.below(n) as u32]).collect();
+        let segments: Vec<[u32; 2]> = (0..1 + r.below(14)).map(|_| [r.below(n) as u32, r.below(n) as u32]).collect();
         let note = format!("round {round}: {places:?} {segments:?}");
         let whole = constrained(&points, &segments);
         assert_named_exactly(&whole, &[], &note);
@@ -290,7 +289,8 @@ fn b02_copies_of_a_segment_are_one_edge() {
         let cdt = ConstrainedDelaunay::new(&points, &segments, Crossings::Split).expect("crossings are split");
         assert_eq!((cdt.points().len(), cdt.marked_edges().count()), (5, 4));
         let at = VertexId(4);
-        let counts: Vec<usize> = (0..2).map(|v| cdt.segments_of(cdt.half_edge_between(VertexId(v), at).expect("an edge")).len()).collect();
+        let counts: Vec<usize> =
+            (0..2).map(|v| cdt.segments_of(cdt.half_edge_between(VertexId(v), at).expect("an edge")).len()).collect();
         assert_eq!(counts, [20_000; 2]);
         assert_eq!(cdt.chain(7).len(), 2);
     }
@@ -348,8 +348,7 @@ fn a14_concentric_rings_and_a_hub_are_triangulated() {
 fn a17_no_order_of_the_points_is_slow() {
     let n = 20_000;
     let mut r = Random(17);
-    let mut points: Vec<Point> =
-        (0..n).map(|_| Point::new(r.below(1 << 30) as f64, r.below(1 << 30) as f64)).collect();
+    let mut points: Vec<Point> = (0..n).map(|_| Point::new(r.below(1 << 30) as f64, r.below(1 << 30) as f64)).collect();
     let mut orders: Vec<(&str, Vec<Point>)> = vec![("mixed", points.clone())];
     points.sort_by(|p, q| p.x.total_cmp(&q.x));
     orders.push(("by x", points.clone()));

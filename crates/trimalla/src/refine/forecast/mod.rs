@@ -249,10 +249,7 @@ impl<'a> Tally<'a> {
         let mut pair = [h, facing.edge].map(|edge| self.footed.piece_of(edge));
         pair.sort_unstable();
         let width = facing.width / self.footed.ruler.scale();
-        let segment = |edge: HalfEdgeId| {
-            let lowest = self.footed.cdt.segments_of(edge).iter().min();
-            lowest.map_or(Feature::Hull, |&s| Feature::Segment(s))
-        };
+        let segment = |edge: HalfEdgeId| self.footed.cdt.first_segment_of(edge).map_or(Feature::Hull, Feature::Segment);
         let gap = self.gap(width, facing.from, [segment(h), segment(facing.edge)]);
         let part = self.by_pair.entry(pair).or_insert((0.0, gap));
         part.0 += layers;
