@@ -189,14 +189,19 @@ impl ConstrainedDelaunay {
         if a == 0 || a == b {
             return b;
         }
+        let classes = [a, b].map(|mark| (mark, self.constraints.line_of_mark(mark).is_some()));
         let [one, two] = [a, b].map(|mark| self.segments_of_class(mark));
-        let mut list = [one, two].concat();
+        let mut list = [&one[..], &two[..]].concat();
         list.sort_unstable();
         list.dedup();
-        if let Some(whole) = [a, b].into_iter().find(|&mark| self.segments_of_class(mark).len() == list.len()) {
-            return whole;
+        let is_whole = |mark: u32| self.segments_of_class(mark).len() == list.len();
+        match classes {
+            [(span, true), (_, false)] | [(_, false), (span, true)] if is_whole(span) => return span,
+            [(_, false), (_, false)] => {}
+            // Segments that join a line later would run along the span that the edge had, not along the edge.
+            _ => [a, b].into_iter().for_each(|mark| self.constraints.close_line_of(mark, j)),
         }
-        self.mark_of_list(&list, [a, b], j)
+        self.mark_of_list(&list, [], j)
     }
 
     /// The mark of a list of segments, which edges of these marks get instead.

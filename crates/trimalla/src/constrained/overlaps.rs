@@ -8,7 +8,7 @@
 //!    gaps before, between and behind them are filled as new pieces ([`fill_gaps`](ConstrainedDelaunay::fill_gaps)).
 //!
 //! Degenerate cases: crossings bend a segment by their rounding, and a vertex off its line is none at which a span could end:
-//! both edges beside it get the span between the nearest vertices exactly on the line. Where such a chain does not run
+//! both edges beside it get the span between the nearest input vertices exactly on the line. Where such a chain does not run
 //! straight forward, where the line is closed, or where the new segment starts beside the chain, nothing is joined, and
 //! each edge lists its segments instead.
 
@@ -98,6 +98,9 @@ impl ConstrainedDelaunay {
         if self.t.closure() != Closure::Hull {
             return None; // Parts of segments may be missing.
         }
+        if ![start, to].into_iter().all(|v| self.may_end_span(v)) {
+            return None;
+        }
         let fits = |&h: &HalfEdgeId| self.t.is_marked(h) && self.runs_on_one_line(h, [start, to]);
         match self.t.first_step(from, to) {
             Ok(FirstStep::Along(h)) => Some(h).filter(fits),
@@ -124,6 +127,11 @@ impl ConstrainedDelaunay {
                     && self.are_on_one_line(self.constraints.lines.ends(line), [start, to])
             }
         }
+    }
+
+    /// Whether a span may end at a vertex: those of the input are never merged away nor moved.
+    fn may_end_span(&self, v: VertexId) -> bool {
+        v.index() < self.input_points
     }
 
     fn are_on_one_line(&self, [a, b]: [VertexId; 2], others: [VertexId; 2]) -> bool {
@@ -158,7 +166,7 @@ impl ConstrainedDelaunay {
     /// vertices exactly on it that follow one another; `None` where there is no line that it could join.
     pub(super) fn join_line<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> Option<Vec<[VertexId; 2]>> {
         let ends @ [start, to] = self.segments[segment as usize];
-        let (mut at, mut joined, mut gaps) = (start, None, Vec::new());
+        let (mut at, mut joined, mut gaps) = (start, None, Vec::<[VertexId; 2]>::new());
         while at != to {
             if let Some((line, end)) = self.covered_by_any(at, ends, j) {
                 joined = Some(joined.map_or(line, |other| self.connect_lines(other, line, j)));
@@ -167,7 +175,10 @@ impl ConstrainedDelaunay {
                 // The survey has been this way: it does not leave the domain.
                 let is_planned = self.t.plan_into(&mut self.plan, at, to).is_ok();
                 let stop = if is_planned { self.plan.to } else { to };
-                gaps.push([at, stop]);
+                match gaps.last_mut() {
+                    Some([_, end]) if *end == at && !self.may_end_span(at) => *end = stop,
+                    _ => gaps.push([at, stop]),
+                }
                 at = stop;
             }
         }
@@ -212,6 +223,9 @@ impl ConstrainedDelaunay {
     /// Makes a line of a segment to which alone half-edge `h` belongs, if its chain runs straight forward.
     fn line_of_alone<J: Journal>(&mut self, h: HalfEdgeId, segment: SegmentId, j: &mut J) {
         let ends = self.segments[segment as usize];
+        if !ends.into_iter().all(|v| self.may_end_span(v)) {
+            return;
+        }
         let Some(chain) = self.chain_of_alone(h, ends) else { return };
         let Some(stops) = self.stops_along(&chain, ends) else { return };
         let line = self.constraints.lines.add(self.in_order(ends), j);
@@ -259,11 +273,12 @@ impl ConstrainedDelaunay {
         (first != last).then_some(chain)
     }
 
-    /// The vertices of a chain that lie exactly on the line of its ends; `None` where they do not come one after the other
+    /// The input vertices of a chain that lie exactly on the line of its ends; `None` where they do not come one after the other
     /// along it.
     fn stops_along(&self, chain: &[HalfEdgeId], ends: [VertexId; 2]) -> Option<Vec<VertexId>> {
         let mut stops = vec![self.t.origin(chain[0])];
-        stops.extend(chain.iter().map(|&h| self.t.dest(h)).filter(|&v| self.is_on_line(ends, v)));
+        let may_stop = |v: &VertexId| self.may_end_span(*v) && self.is_on_line(ends, *v);
+        stops.extend(chain.iter().map(|&h| self.t.dest(h)).filter(may_stop));
         let forward = self.is_before(stops[0], stops[stops.len() - 1]);
         let goes_on = |pair: &[VertexId]| self.is_before(pair[usize::from(!forward)], pair[usize::from(forward)]);
         stops.windows(2).all(goes_on).then_some(stops)

@@ -242,6 +242,33 @@ fn overlapping_segments_that_are_crossed_stay_chains() {
     }
 }
 
+/// Overlapping segments of rounded points: some are exactly on one line, others off it by a last place.
+#[test]
+fn segments_that_nearly_overlap_stay_chains() {
+    let mut r = Random(7);
+    for round in 0..300 {
+        let n = 3 + r.below(9);
+        let step = [Point::new(0.1, 0.3), Point::new(0.7, -0.1), Point::new(0.3, 0.3)][round % 3];
+        let mut points: Vec<Point> = (0..n).map(|i| Point::new(i as f64 * step.x, i as f64 * step.y)).collect();
+        points.extend((0..4).map(|_| Point::new(0.01 * r.below(500) as f64, 0.01 * r.below(500) as f64)));
+        let segments: Vec<[u32; 2]> =
+            (0..2 + r.below(16)).map(|i| [i % 5 / 4 * n + r.below(4.min(n)), r.below(n)].map(|v| v as u32)).collect();
+        let note = format!("round {round}: {points:?} {segments:?}");
+        let Ok(cdt) = ConstrainedDelaunay::new(&points, &segments, Crossings::Split) else { continue };
+        assert_eq!(cdt.check(), [], "{note}");
+        for (s, ends) in (0..).zip(cdt.segments()) {
+            let chain = cdt.chain(s);
+            let listed: Vec<String> = cdt
+                .edges()
+                .filter(|&h| cdt.segments_of(h).contains(&s))
+                .map(|h| format!("{}-{}", cdt.origin(h), cdt.dest(h)))
+                .collect();
+            assert_eq!(chain.len(), listed.len(), "{note}: segment {s} {ends:?} has other edges: {listed:?}");
+            assert_eq!(chain.last().map_or(ends[0], |&h| cdt.dest(h)), ends[1], "{note}: segment {s} is whole");
+        }
+    }
+}
+
 /// Every edge had a list of its segments: 1,000 nested ones took 1.35 GB and 10 s.
 #[test]
 fn nested_segments_are_kept_once() {
