@@ -6,6 +6,8 @@
 //!
 //! Prints the least time of three, and by how much the memory of the process grew (on Linux).
 
+#![allow(clippy::print_stdout, reason = "an example prints")]
+
 use std::f64::consts::TAU;
 use std::time::Instant;
 
