@@ -455,7 +455,7 @@ fn partition_with_free_points_takes_time_linear_in_its_vertices() {
     let (cdt, _) = build(&drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
     let mut options = RefineOptions::of(Preset::OffCenter);
     options.recipe.insert = trimalla::refine::Insert::Partition;
-    let mut time = |vertices: usize| {
+    let time = |vertices: usize| {
         let start = Instant::now();
         let mut refinement = Refinement::new(cdt.clone(), options.with_max_vertices(vertices)).expect("good options");
         refinement.run(&mut NoObserver);
