@@ -1,6 +1,6 @@
 //! A folder of numbered pictures on its way.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,20 +14,20 @@ use crate::error::IoError;
 /// A folder of pictures, `000001.svg` and so on, that appears as a whole when the [`Outputs`](crate::Outputs) that it is
 /// [handed back](crate::Outputs::end_pictures) to are committed; dropped before, it leaves nothing behind.
 ///
-/// A folder that exists is replaced by it, and only if it is empty or holds nothing but such pictures.
+/// A folder that exists is replaced by it, and only if it is empty or holds nothing but such pictures. Pictures are not synced one by one, as
+/// a thousand of them would wait seconds for the disk: after a power failure some may be empty.
 #[derive(Debug)]
 pub struct Pictures {
     /// As the caller named it.
     path: PathBuf,
     temporary: Temporary,
     target: PathBuf,
-    files: Vec<PathBuf>,
 }
 
 impl Pictures {
     pub(super) fn new(path: &Path, claim: Arc<Claim>, target: PathBuf) -> io::Result<Self> {
         let temporary = Temporary::new(claim.create_folder()?, Some(claim));
-        Ok(Self { path: path.to_owned(), temporary, target, files: Vec::new() })
+        Ok(Self { path: path.to_owned(), temporary, target })
     }
 
     /// Finds out whether pictures may go to a folder, before any are made.
@@ -56,16 +56,11 @@ impl Pictures {
     /// Those of the file system; a number that was there already is one.
     pub fn add(&mut self, number: u64, svg: &str) -> io::Result<()> {
         let file = self.temporary.path().join(format!("{number:06}.svg"));
-        File::create_new(&file)?.write_all(svg.as_bytes())?;
-        self.files.push(file);
-        Ok(())
+        File::create_new(&file)?.write_all(svg.as_bytes())
     }
 
-    /// Syncs the pictures, and gives their folder the permissions of the one that it replaces.
+    /// Syncs the folder, and gives it the permissions of the one that it replaces.
     pub(super) fn finish(self) -> io::Result<Move> {
-        for file in &self.files {
-            OpenOptions::new().write(true).open(file)?.sync_all()?; // After all are written: one by one, each would wait for the disk.
-        }
         if let Ok(old) = fs::metadata(&self.target) {
             fs::set_permissions(self.temporary.path(), old.permissions())?;
         }
