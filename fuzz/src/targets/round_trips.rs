@@ -2,7 +2,7 @@
 
 use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
-use trimalla::refine::{Initial, StopReason};
+use trimalla::refine::{Initial, Recipe, Recover, StopReason};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{MeshOptions, refine_mesh};
 use trimalla_io::area::Areas;
@@ -39,7 +39,9 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     others(&mesh, first_index, &mut d)?;
     let finished =
         report.stop == StopReason::Finished && report.leftovers.is_empty() && report.lost_segments.is_empty();
-    let stays = keeps_delaunay(&options.refine) && options.refine.recipe.initial == Initial::Constrained;
+    let Recipe { initial, recover, .. } = options.refine.recipe;
+    // Other recipes let segments go, and begin anew.
+    let stays = keeps_delaunay(&options.refine) && initial == Initial::Constrained && recover == Recover::WholeEdge;
     if !(finished && stays && case.drawing.regions.is_empty()) {
         return Ok(());
     }
