@@ -26,6 +26,10 @@ pub struct Given {
     /// Marker and attributes of every given vertex; empty where the mesh has none.
     point_markers: Vec<i32>,
     point_attributes: Vec<f64>,
+    /// The subsegments that the mesh lists.
+    subsegments: Vec<[u32; 2]>,
+    /// The number of vertices of the mesh.
+    vertices: usize,
 }
 
 impl Given {
@@ -50,8 +54,46 @@ impl Given {
         };
         mesh.attributes_per_triangle = n;
         mesh.triangle_attributes = cdt.real_faces().flat_map(row).copied().collect();
+        self.put_subsegments_in_order(&mut mesh);
         mesh
     }
+
+    /// Puts subsegments into the order and direction of those given; the parts of one that was split in its place, from end
+    /// to end, and those that were not listed last.
+    fn put_subsegments_in_order(&self, mesh: &mut IndexedMesh) {
+        let mut given: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
+        for (index, &[a, b]) in self.subsegments.iter().enumerate() {
+            given.entry([a.min(b), a.max(b)]).or_insert((index, a > b));
+        }
+        let mut placed: Vec<(usize, [u32; 2], i32)> = Vec::with_capacity(mesh.segments.len());
+        let markers = std::mem::take(&mut mesh.segment_markers);
+        let mut parts = std::mem::take(&mut mesh.segments).into_iter().zip(markers).peekable();
+        while let Some(first) = parts.next() {
+            // Parts of one given subsegment follow each other, joined by new vertices.
+            let mut run = vec![first];
+            while let Some(part) =
+                parts.next_if(|&([from, _], _)| from == end_of(&run) && from as usize >= self.vertices)
+            {
+                run.push(part);
+            }
+            let (from, to) = (first.0[0], end_of(&run));
+            let (index, starts_high) =
+                given.get(&[from.min(to), from.max(to)]).copied().unwrap_or((usize::MAX, from > to));
+            if starts_high != (from > to) {
+                run.reverse();
+                run.iter_mut().for_each(|(ends, _)| ends.reverse());
+            }
+            placed.extend(run.into_iter().map(|(ends, marker)| (index, ends, marker)));
+        }
+        // Stable: parts of one stay in order.
+        placed.sort_by_key(|&(index, ..)| index);
+        (mesh.segments, mesh.segment_markers) = placed.into_iter().map(|(_, ends, marker)| (ends, marker)).unzip();
+    }
+}
+
+/// The vertex at which the last of some subsegments ends.
+fn end_of(run: &[([u32; 2], i32)]) -> u32 {
+    run.last().map_or(u32::MAX, |&([_, to], _)| to)
 }
 
 /// Makes regions of attributes, seeds and bounds, and keeps the rest for the result.
@@ -65,6 +107,8 @@ pub(super) fn take_over(
     warnings: &mut Vec<Warning>,
 ) -> Result<Given, DomainError> {
     let mut given = Given { drawing: drawing(mesh, input, segment_markers), ..Given::default() };
+    given.subsegments.clone_from(&mesh.segments);
+    given.vertices = mesh.points.len();
     given.point_markers.clone_from(&mesh.point_markers);
     if given.drawing.attributes_per_point == mesh.attributes_per_point {
         given.point_attributes.clone_from(&mesh.point_attributes);

@@ -20,7 +20,7 @@ mod profile;
 mod sizes;
 
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
 use super::options::{Criteria, Limits, RefineOptions};
@@ -178,6 +178,8 @@ struct Tally<'a> {
     by_pair: BTreeMap<[Piece; 2], (f64, Gap)>,
     /// Subsegments along the border.
     on_border: f64,
+    /// Triangles across angles of less than a degree: two for each shell, from the far end inwards.
+    across_wedges: f64,
     /// The larger side of the drawing's box.
     extent: f64,
 }
@@ -214,6 +216,7 @@ impl<'a> Tally<'a> {
             by_source,
             by_pair: BTreeMap::new(),
             on_border: 0.0,
+            across_wedges: 0.0,
             extent: extent_of(&footed.cdt),
         }
     }
@@ -267,6 +270,11 @@ impl<'a> Tally<'a> {
         let cdt = &self.footed.cdt;
         let mut free = vec![0.0; cdt.points().len()];
         for_each_sector(cdt, |v, sector| {
+            if sector.is_corner() && sector.angle.degrees() < self.criteria.min_angle.degrees().min(1.0) {
+                // Shells halve the distance to the far end down to where the segments are as far apart as that.
+                let shells = math::ln(1.0 / sector.angle.radians().max(f64::EPSILON)) / LN_2;
+                self.across_wedges += 2.0 * shells;
+            }
             let kept = if sector.sides.is_some() { PI } else { 0.0 };
             free[v.index()] += (sector.angle.radians() - kept).max(0.0);
         });
@@ -325,7 +333,7 @@ impl<'a> Tally<'a> {
         let mean = self.constants.mean_over_max;
         let by_area = |f: FaceId| self.area_bound(f).map_or(0.0, |bound| self.area_of(f) / (mean * bound));
         let of_area = self.footed.cdt.real_faces().map(by_area).sum::<f64>();
-        let triangles = faces.max((of_features + of_area).round());
+        let triangles = faces.max((of_features + of_area + self.across_wedges).round());
         // Euler's formula: 2 V = T + B + 2, holes aside.
         let border = border.max(self.constants.subsegments * self.on_border);
         let vertices = (cdt.input_points() as f64).max((0.5 * (triangles + border)).round() + 1.0);
