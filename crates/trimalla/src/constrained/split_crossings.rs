@@ -101,7 +101,7 @@ impl ConstrainedDelaunay {
 
     fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
         let name = |mark| self.first_segment(mark).unwrap_or(0) as usize;
-        let at = crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h));
+        let at = self.crossing_of_edges(h, piece);
         let (a, b) = (name(self.t.mark(h)), name(piece.mark));
         CrossingPair { segments: [a.min(b), a.max(b)], at }
     }
@@ -158,25 +158,26 @@ impl ConstrainedDelaunay {
         };
         let splits_both = |p: &Point| of_edge.is_split_by(*p) && of_line.is_split_by(*p);
         at_an_end(Some(REACH_PLACES))
-            .or_else(|| self.crossings(h, piece).into_iter().flatten().find(splits_both).map(Meeting::Point))
+            .or_else(|| self.crossing_of_segments(h, piece).filter(splits_both).map(Meeting::Point))
+            .or_else(|| Some(self.crossing_of_edges(h, piece)).filter(splits_both).map(Meeting::Point))
             .or_else(|| at_an_end(None))
     }
 
-    /// Where a piece and constraint `h` cross, rounded: the crossing of the input segments that they are part of, if that
-    /// is within both, and that of the edges themselves.
+    /// Where the input segments cross that a piece and constraint `h` are part of, rounded, if that is within both.
     ///
     /// Pieces are bent by rounding. Crossings computed from pieces of pieces drift; those of the segments themselves are
     /// one point each.
-    fn crossings(&self, h: HalfEdgeId, piece: Piece) -> [Option<Point>; 2] {
-        let ends = [piece.from, piece.to].map(|v| self.t.point(v));
-        let edge = self.t.edge_points(h);
+    fn crossing_of_segments(&self, h: HalfEdgeId, piece: Piece) -> Option<Point> {
         let whole = |mark| self.finest_segment(mark).map(|s| self.segment_points(s));
-        let within = |[a, b]: [Point; 2], p| BoundingBox::of([a, b]).is_some_and(|bounds| bounds.contains(p));
-        let of_segments = match (whole(piece.mark), whole(self.t.mark(h))) {
-            (Some(one), Some(two)) => one.crossing_point(two),
-            _ => None,
-        };
-        [of_segments.filter(|&p| within(ends, p) && within(edge, p)), Some(crossing_of(ends, edge))]
+        let within = |[a, b]: [Point; 2], p| BoundingBox::around(a).including(b).contains(p);
+        let crossing = whole(piece.mark)?.crossing_point(whole(self.t.mark(h))?)?;
+        let ends = [piece.from, piece.to].map(|v| self.t.point(v));
+        (within(ends, crossing) && within(self.t.edge_points(h), crossing)).then_some(crossing)
+    }
+
+    /// Where a piece and constraint `h` cross themselves, rounded.
+    fn crossing_of_edges(&self, h: HalfEdgeId, piece: Piece) -> Point {
+        crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h))
     }
 
     /// The vertex at a crossing point: the one that is there, or a new one. Constraint `h` is released.

@@ -70,24 +70,26 @@ impl BoxTree {
     /// # Complexity
     /// About the square root of the number of boxes and the boxes found, for boxes that are small and spread.
     pub(crate) fn near(&self, segment: Segment, reach: [f64; 2]) -> Vec<u32> {
-        let bounds = segment.bounding_box();
-        let is_near = |b: BoundingBox| {
+        let segment_bounds = segment.bounding_box();
+        let grown = |b: BoundingBox| {
             let grown = BoundingBox {
                 min: Point::new(b.min.x - reach[0], b.min.y - reach[1]),
                 max: Point::new(b.max.x + reach[0], b.max.y + reach[1]),
             };
-            let b = if grown.min.is_finite() && grown.max.is_finite() { grown } else { b };
-            b.meets(bounds) && !is_beside(segment, b)
+            if grown.min.is_finite() && grown.max.is_finite() { grown } else { b }
         };
         let mut found = Vec::new();
         let mut open: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(at) = open.pop() {
             let Node { bounds, first, end, upper } = self.nodes[at];
-            if !is_near(bounds) {
+            let node = grown(bounds);
+            if !node.meets(segment_bounds) || is_beside(segment, node) {
                 continue;
             }
             if upper == 0 {
-                found.extend(self.order[first..end].iter().filter(|&&i| is_near(self.boxes[i as usize])));
+                // Few are left: whoever asks looks closer.
+                let meets = |i: &&u32| grown(self.boxes[**i as usize]).meets(segment_bounds);
+                found.extend(self.order[first..end].iter().filter(meets));
             } else {
                 open.extend([at + 1, upper]);
             }
