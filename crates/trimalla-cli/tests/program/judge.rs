@@ -46,8 +46,9 @@ fn a_region_seed_beside_a_split_segment_is_taken_again() {
     let beside = |line: &&str| {
         let mut numbers = line.split_whitespace().skip(1).map(|w| w.parse::<f64>().unwrap());
         let (x, y) = (numbers.next().unwrap(), numbers.next().unwrap());
-        let off = y.mul_add(-3.0, x);
-        x > 0.1 && x < 2.9 && off.abs() < 1e-14 && off != 0.0
+        // Not exactly a third: thrice the number is rounded otherwise.
+        let third = x / 3.0;
+        x > 0.1 && x < 2.9 && (y - third).abs() < 1e-15 && (y != third || 2.0 * y + y != x)
     };
     let on = node.lines().skip(1).filter(|line| !line.starts_with('#')).find(beside).unwrap();
     let [x, y] = [1, 2].map(|i| on.split_whitespace().nth(i).unwrap());

@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::course::{Adjacency, Beside, Course, Courses};
 use super::pslg::Pslg;
 use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::{Point, Segment, math, on_segment};
+use crate::geometry::{Point, Segment, Strip, math, on_segment};
 use crate::mesh::{HalfEdgeId, VertexId};
 
 /// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
@@ -185,9 +185,12 @@ impl<'a> EdgeLists<'a> {
         found: &mut BTreeSet<HalfEdgeId>,
     ) -> bool {
         let mut from = ends;
-        for edges in [&self.locked, self.all()] {
+        // Only where edges are listed is it known that they were led through vertices beside the segment.
+        for (edges, beside) in
+            [(&self.locked, Beside::Refused), (&self.locked, courses.beside()), (self.all(), Beside::Refused)]
+        {
             for side in [0, 1] {
-                let leg = courses.leg(course, [from[side], ends[1 - side]], &edges.ends, courses.beside());
+                let leg = courses.leg(course, [from[side], ends[1 - side]], &edges.ends, beside);
                 edges.add_path(&leg.path(), found);
                 from[side] = leg.farthest;
             }
@@ -264,7 +267,12 @@ fn straight_pieces(cdt: &ConstrainedDelaunay, run: &[VertexId], mut take: impl F
     let mut stack = vec![(0, run.len() - 1)];
     while let Some((i, j)) = stack.pop() {
         let segment = Segment::new(cdt.point(run[i]), cdt.point(run[j]));
-        let off = |&k: &usize| !lies_along(segment, cdt.point(run[k]), JOINT_ULPS);
+        let strip = Strip::new(segment, Strip::LAST_PLACES);
+        let off = |&k: &usize| {
+            let [u, p, w] = [k - 1, k, k + 1].map(|k| cdt.point(run[k]));
+            let keeps_rule = strip.contains(p) && strip.order(u, p).is_lt() && strip.order(p, w).is_lt();
+            !(keeps_rule && lies_along(segment, p, JOINT_ULPS))
+        };
         let distance = |k: &usize| segment.distance(cdt.point(run[*k]));
         let farthest = (i + 1..j).filter(off).max_by(|k, l| distance(k).total_cmp(&distance(l)));
         match farthest {

@@ -48,6 +48,16 @@ enum Breach {
     Crosses([u32; 2]),
 }
 
+/// How a chain goes on towards a stop.
+enum Leaving {
+    /// It leads there.
+    Never,
+    /// It leaves the mesh at that vertex.
+    At(u32),
+    /// It stops at that vertex, and the segment goes on into a triangle.
+    Stuck(u32),
+}
+
 impl<'a> Cover<'a> {
     pub(super) fn new(mesh: &'a IndexedMesh, input: &'a Pslg, sides: &'a Sides) -> Self {
         let courses = Courses::new(&mesh.points, input.points.len(), &input.segments, |v| sides.is_used(v));
@@ -137,19 +147,32 @@ impl<'a> Cover<'a> {
             for (from, to) in
                 [(0, 1), (1, 0)].map(|(from, to)| (from, ends[to])).into_iter().filter(|&(_, to)| start != to)
             {
-                let leg = self.leg(course, [start, to], self.courses.beside());
-                if leg.farthest == to {
-                    continue;
-                }
-                if self.runs_into_triangle(course, leg.farthest, from == 1) {
-                    return Some(Breach::StopsAt(leg.farthest));
-                }
-                if start == ends[from] {
-                    outermost[from] = leg.farthest;
+                match self.leaves(course, [start, to], from == 1) {
+                    Leaving::At(v) if start == ends[from] => outermost[from] = v,
+                    Leaving::At(_) | Leaving::Never => {}
+                    Leaving::Stuck(v) => return Some(Breach::StopsAt(v)),
                 }
             }
         }
         self.crossed(course, outermost).map(Breach::Crosses)
+    }
+
+    /// Where a segment leaves the mesh after a vertex, on its way to another.
+    ///
+    /// Edges may lead on into vertices beside the segment through which it is not led: so those are left out first.
+    fn leaves(&mut self, course: &Course, ends: [u32; 2], backwards: bool) -> Leaving {
+        let mut stuck = None;
+        for beside in [Beside::Refused, self.courses.beside()] {
+            let stop = self.leg(course, ends, beside).farthest;
+            if stop == ends[1] {
+                return Leaving::Never;
+            }
+            if !self.runs_into_triangle(course, stop, backwards) {
+                return Leaving::At(stop);
+            }
+            stuck = stuck.or(Some(stop));
+        }
+        stuck.map_or(Leaving::Never, Leaving::Stuck)
     }
 
     /// Whether a segment, or the segment backwards, goes on from a vertex into a triangle.
