@@ -117,9 +117,12 @@ impl Joints {
     }
 }
 
-/// Whether a vertex inside a segment ends pieces: it was no split that put it there, or another segment meets it.
+/// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet there.
+///
+/// Whether a vertex that came later was put there as a crossing or by a split is not asked: a file does not tell.
 fn ends_pieces(cdt: &ConstrainedDelaunay, v: VertexId) -> bool {
-    let is_split = matches!(cdt.provenance(v), Provenance::OnSegment { .. } | Provenance::Shell { .. });
-    let marked = |h: &HalfEdgeId| cdt.is_marked(*h);
-    !is_split || cdt.edges_around(v).filter(marked).count() > 2
+    let mut marks = cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).map(|h| cdt.mark(h));
+    let [first, second, third] = std::array::from_fn(|_| marks.next());
+    let passes = first.is_some() && first == second && third.is_none();
+    cdt.provenance(v) == Provenance::Input || !passes
 }

@@ -23,6 +23,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
+use super::mirror::SMALL_SINE_SQ;
 use super::options::{Criteria, Limits, RefineOptions};
 use super::refinement::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedDelaunay, SegmentId};
@@ -270,7 +271,9 @@ impl<'a> Tally<'a> {
         let cdt = &self.footed.cdt;
         let mut free = vec![0.0; cdt.points().len()];
         for_each_sector(cdt, |v, sector| {
-            if sector.is_corner() && sector.angle.degrees() < self.criteria.min_angle.degrees().min(1.0) {
+            let sine = sector.angle.sin();
+            let is_tiny = sector.angle.degrees() < 90.0 && sine * sine < SMALL_SINE_SQ;
+            if sector.is_corner() && is_tiny && sector.angle < self.criteria.min_angle {
                 // Shells halve the distance to the far end down to where the segments are as far apart as that.
                 let shells = math::ln(1.0 / sector.angle.radians().max(f64::EPSILON)) / LN_2;
                 self.across_wedges += 2.0 * shells;
