@@ -64,7 +64,7 @@ impl<'a> Foresight<'a> {
         let is_sure = forecast.vertices > UNSURE * limits.max_vertices as f64;
         let verb = if is_sure { "will" } else { "may" };
         format!(
-            "about {} triangles are needed, more than the budget of {} vertices allows: {cause}; the mesh {verb} stop at the budget",
+            "{} triangles are needed, more than the budget of {} vertices allows: {cause}; the mesh {verb} stop at the budget",
             about(forecast.triangles),
             HumanCount(limits.max_vertices as u64)
         )
@@ -157,8 +157,11 @@ fn short(x: f64) -> String {
 
 /// A large number in two digits.
 fn about(x: f64) -> String {
+    if !x.is_finite() {
+        return "more than 1e308".to_owned();
+    }
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
-    if rounded < 1e7 { HumanCount(rounded as u64).to_string() } else { format!("{rounded:e}") }
+    if rounded < 1e7 { format!("about {}", HumanCount(rounded as u64)) } else { format!("about {rounded:e}") }
 }
 
 #[cfg(test)]
@@ -169,6 +172,9 @@ mod tests {
     fn numbers_are_short() {
         let texts = [0.0, 0.1 + 0.2, 90.00000000000001, -499.99999999, 1e-6, 1.23456789e-9, 1e9].map(short);
         assert_eq!(texts, ["0", "0.3", "90", "-500", "1e-6", "1.2346e-9", "1e9"]);
-        assert_eq!([93.0, 124_853.0, 1_953_125.0, 2.04e9].map(about), ["93", "120,000", "2,000,000", "2e9"]);
+        assert_eq!(
+            [93.0, 124_853.0, 2.04e9, f64::INFINITY].map(about),
+            ["about 93", "about 120,000", "about 2e9", "more than 1e308"]
+        );
     }
 }

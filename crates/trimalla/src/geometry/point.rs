@@ -169,9 +169,20 @@ impl From<Point> for [f64; 2] {
     }
 }
 
+/// A number in full, with an exponent where it would be long without.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(x) = *self;
+        let is_plain = x == 0.0 || (1e-7..1e17).contains(&x.abs()) || !x.is_finite();
+        if is_plain { write!(f, "{x}") } else { write!(f, "{x:e}") }
+    }
+}
+
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {})", self.x, self.y)
+        write!(f, "({}, {})", Short(self.x), Short(self.y))
     }
 }
 
@@ -209,6 +220,8 @@ mod tests {
     #[test]
     fn a_point_prints_as_a_pair() {
         assert_eq!(Point::new(1.5, -2.0).to_string(), "(1.5, -2)");
+        assert_eq!(Point::new(1e308, -5e-324).to_string(), "(1e308, -5e-324)");
+        assert_eq!(Point::new(0.000_001, f64::NAN).to_string(), "(0.000001, NaN)");
         assert_eq!(Point::from([0.5_f32, 2.0]), Point::from([0.5_f64, 2.0]));
     }
 }
