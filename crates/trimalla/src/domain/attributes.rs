@@ -22,14 +22,14 @@ impl<'a> Attributes<'a> {
     /// # Complexity
     /// That of triangulating the input, where it has attributes.
     pub(super) fn new(mesh: &'a ConstrainedDelaunay, pslg: &'a Pslg) -> Self {
-        let wanted = pslg.attributes_per_point > 0 && mesh.steiner_vertices() > 0;
+        let wanted = pslg.attribute_width() > 0 && mesh.steiner_vertices() > 0;
         let base = wanted.then(|| ConstrainedDelaunay::new(&pslg.points, &pslg.segments, Crossings::Split).ok());
         Self { mesh, pslg, base: base.flatten() }
     }
 
     /// The attributes of vertices, row after row.
     pub(super) fn of(&self, kept: impl ExactSizeIterator<Item = VertexId>) -> Vec<f64> {
-        let n = self.pslg.attributes_per_point;
+        let n = self.pslg.attribute_width();
         let mut rows = vec![0.0; if n == 0 { 0 } else { kept.len().saturating_mul(n) }];
         let mut near = FaceId(0);
         for (row, v) in rows.chunks_mut(n.max(1)).zip(kept) {
@@ -44,7 +44,7 @@ impl<'a> Attributes<'a> {
 
     /// Writes weighted sums of input rows.
     fn write(&self, row: &mut [f64], weights: &[(VertexId, f64)]) {
-        let n = self.pslg.attributes_per_point;
+        let n = self.pslg.attribute_width();
         let given = |v: VertexId, k: usize| self.pslg.point_attributes.get(v.index() * n + k).copied().unwrap_or(0.0);
         for (k, value) in row.iter_mut().enumerate() {
             // A single weight keeps the bits.

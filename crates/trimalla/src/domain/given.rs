@@ -147,7 +147,7 @@ fn face_rules(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, areas: &[Option<f64
     let n = mesh.attributes_per_triangle;
     let rule = |t: usize| {
         let f = FaceId::from_index(t);
-        let own = mesh.triangle_attributes.get(t * n..(t + 1) * n).unwrap_or_default();
+        let own = mesh.triangle_attributes.get(t.saturating_mul(n)..(t + 1).saturating_mul(n)).unwrap_or_default();
         let of_seed = cdt.region_rule(f);
         let seed_attribute = of_seed.map_or(0.0, |rule| rule.attribute);
         let bounds = [of_seed.and_then(|rule| rule.max_area), areas.get(t).copied().flatten()];
@@ -181,13 +181,13 @@ fn drawing(mesh: &IndexedMesh, input: Option<&Pslg>, segment_markers: Vec<i32>) 
     let points = input.map_or(&mesh.points, |pslg| &pslg.points).clone();
     let own = !mesh.point_attributes.is_empty();
     let attributes_per_point = match input {
-        Some(pslg) if !own => pslg.attributes_per_point,
+        Some(pslg) if !own => pslg.attribute_width(),
         _ if own => mesh.attributes_per_point,
         _ => 0,
     };
     let point_attributes = match input {
         Some(pslg) if !own => pslg.point_attributes.clone(),
-        _ => mesh.point_attributes.iter().take(points.len() * attributes_per_point).copied().collect(),
+        _ => mesh.point_attributes.iter().take(points.len().saturating_mul(attributes_per_point)).copied().collect(),
     };
     let point_markers = match input {
         Some(pslg) if mesh.point_markers.is_empty() => pslg.point_markers.clone(),

@@ -45,7 +45,7 @@ impl ConstrainedDelaunay {
         let mut mesh = IndexedMesh {
             segments: subsegments.iter().map(|s| s.ends.map(|v| kept.id(v))).collect(),
             segment_markers: subsegments.iter().map(|s| s.marker).collect(),
-            attributes_per_point: pslg.attributes_per_point,
+            attributes_per_point: pslg.attribute_width(),
             holes: pslg.holes.clone(),
             input_points: self.input_points,
             ..IndexedMesh::default()

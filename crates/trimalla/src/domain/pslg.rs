@@ -41,6 +41,11 @@ pub struct Pslg {
 }
 
 impl Pslg {
+    /// How many attributes a vertex has: none where the column is empty, whatever it is said to hold.
+    pub(super) fn attribute_width(&self) -> usize {
+        if self.point_attributes.is_empty() { 0 } else { self.attributes_per_point }
+    }
+
     /// Column lengths and seeds; points and segments are checked where they are triangulated.
     pub(super) fn validate(&self) -> Result<(), DomainError> {
         let columns = [
