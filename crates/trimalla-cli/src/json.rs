@@ -145,6 +145,7 @@ fn stop_key(stop: StopReason) -> &'static str {
         StopReason::Finished => "finished",
         StopReason::Budget => "budget",
         StopReason::Cancelled => "cancelled",
+        StopReason::NoLongerImproves => "no longer improves",
         _ => "other",
     }
 }

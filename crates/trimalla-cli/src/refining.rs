@@ -28,7 +28,7 @@ use crate::{json, text};
 pub(crate) struct RefiningOptions {
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
     ///
-    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, the vertex budget ends it.
+    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, it may stop unfinished, when more vertices leave no fewer triangles below the bound.
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = "Refinement")]
     min_angle: Option<f64>,
 
@@ -196,6 +196,7 @@ impl RefiningOptions {
             return Ok(Status::Done);
         }
         if !self.report.quiet {
+            text::name_stop(report);
             text::name_leftovers(mesh, read.first_index, report, &missed);
         }
         Ok(Status::Unmet)

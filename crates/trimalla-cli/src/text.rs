@@ -6,7 +6,7 @@ use trimalla::Meshed;
 use trimalla::domain::Pslg;
 use trimalla::geometry::{Point, Triangle};
 use trimalla::quality::aspect_ratio;
-use trimalla::refine::{Leftover, Missed, Overview, Protect, Reason, RefineOptions, Report};
+use trimalla::refine::{Leftover, Missed, Overview, Protect, Reason, RefineOptions, Report, StopReason};
 use trimalla::triangulation::IndexedMesh;
 use trimalla_compare::facts;
 use trimalla_io::RecipeFile;
@@ -121,6 +121,14 @@ pub(crate) fn add_end(lines: &mut Lines, seconds: f64, files: &[String]) {
     lines.row("time", format_args!("{seconds:.3} s"));
     if !files.is_empty() {
         lines.row("output", files.join(", "));
+    }
+}
+
+/// Says on standard error that a refinement gave up, and what to try.
+pub(crate) fn name_stop(report: &Report) {
+    if report.stop == StopReason::NoLongerImproves {
+        let text = "the refinement stopped, since more vertices left no fewer triangles below the bound; try a smaller --min-angle, or --algorithm lepp-off-center";
+        console::note("warning", text);
     }
 }
 

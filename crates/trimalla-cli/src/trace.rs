@@ -154,6 +154,7 @@ fn line(event: &Event) -> String {
 /// How a step ended, in a word.
 pub(crate) fn outcome_key(outcome: StepOutcome) -> &'static str {
     match outcome {
+        StepOutcome::Prepared => "prepared",
         StepOutcome::Subsegment => "subsegment",
         StepOutcome::Filled => "filled",
         StepOutcome::Triangle => "triangle",
@@ -161,5 +162,6 @@ pub(crate) fn outcome_key(outcome: StepOutcome) -> &'static str {
         StepOutcome::Retried => "retried",
         StepOutcome::Finished => "finished",
         StepOutcome::Exhausted => "exhausted",
+        StepOutcome::Stalled => "stalled",
     }
 }

@@ -62,7 +62,7 @@ impl ConstrainedDelaunay {
     /// [`SplitError`].
     pub(crate) fn find_split(&mut self, h: HalfEdgeId, p: Point) -> Result<SplitCavity, SplitError> {
         self.can_split(h, p)?;
-        if !self.cavity.find(&self.t, p, Locus::Edge(h)) {
+        if !self.outside_allows(h, p) || !self.cavity.find(&self.t, p, Locus::Edge(h)) {
             return Err(SplitError::Crowded);
         }
         let holds = |h: HalfEdgeId| !self.t.is_real(h.face()) || self.circle_holds(h.face(), p);

@@ -295,9 +295,21 @@ impl ConstrainedDelaunay {
     /// # Complexity
     /// Linear, and the flips.
     pub fn legalise(&mut self) -> u64 {
+        self.queue_illegal();
+        self.lawson.legalise_all(&mut self.t, &mut NoJournal)
+    }
+
+    /// Lets the edges that fail the circle test wait for [`legalise_some`](Self::legalise_some).
+    pub(crate) fn queue_illegal(&mut self) {
         let illegal: Vec<HalfEdgeId> = self.t.edges().filter(|&h| !self.t.is_locally_delaunay(h)).collect();
         illegal.into_iter().rev().for_each(|h| self.lawson.push(h));
-        self.lawson.legalise_all(&mut self.t, &mut NoJournal)
+    }
+
+    /// Looks at so many of the edges that wait, and at those beside the flipped ones; how many flips it took, and whether
+    /// none waits any more.
+    pub(crate) fn legalise_some<J: Journal>(&mut self, most: usize, j: &mut J) -> (u64, bool) {
+        let flips = self.lawson.legalise_some(&mut self.t, most, j);
+        (flips, self.lawson.is_done())
     }
 
     /// The vertices [`along_curve`]: the order that the triangulation left behind, if it is still that of all vertices. It

@@ -17,7 +17,7 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// [`RemoveError`] where other constraints end at `v`, where it is an input vertex, or where the neighbours
-    /// leave no room for the straight edge; nothing has changed then.
+    /// leave no room for the straight edge, or where the border of a domain is near itself; nothing has changed then.
     pub fn merge_subsegments(&mut self, v: VertexId, log: &mut UndoLog) -> Result<HalfEdgeId, RemoveError> {
         let refused =
             RemoveError::Constrained { vertex: v, point: self.t.points().get(v.index()).copied().unwrap_or_default() };
@@ -28,27 +28,17 @@ impl ConstrainedDelaunay {
             return Err(refused);
         }
         let here = log.checkpoint();
-        let on_border = self.border_ends(h).is_some();
         let ends = self.t.edge_points(h);
-        let is_proved = !on_border || self.merge_outside(v, ends, log);
-        if let Some(e) = Some(v).filter(|_| is_proved).and_then(|v| self.try_merge(v, log)) {
+        if self.border_ends(h).is_some() && self.needs_proof_outside(ends) {
+            return Err(refused);
+        }
+        if let Some(e) = self.try_merge(v, log) {
             self.set_provenance(v, super::Provenance::Free, log);
             self.t.drop_vertex(v, log);
             return Ok(e);
         }
         self.rollback(log, here);
         Err(refused)
-    }
-
-    /// Takes the vertex out at which two constrained edges meet, whatever their classes; says whether there was room for the
-    /// straight edge. Nothing has changed where there was none.
-    pub(super) fn merge_edges_at(&mut self, v: VertexId, log: &mut UndoLog) -> bool {
-        let here = log.checkpoint();
-        let is_merged = self.subsegments_at(v).len() == 2 && self.try_merge(v, log).is_some();
-        if !is_merged {
-            self.rollback(log, here);
-        }
-        is_merged
     }
 
     fn subsegments_at(&self, v: VertexId) -> Vec<HalfEdgeId> {

@@ -37,5 +37,5 @@ pub(crate) use outside::Outside;
 pub use plan::SegmentPlan;
 pub use provenance::Provenance;
 pub use pseudo_polygon::Filling;
-pub(crate) use recover::{Released, SplitLimits};
+pub(crate) use recover::{Changed, Recovery, Released, SplitLimits};
 pub use split_subsegment::SplitError;

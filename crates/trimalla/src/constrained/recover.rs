@@ -21,7 +21,7 @@ use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, Journal, NoJournal, VertexId};
+use crate::mesh::{HalfEdgeId, Journal, UndoLog, VertexId};
 
 /// A stretch of segments that was let go.
 pub(crate) type Released = Piece;
@@ -30,19 +30,81 @@ pub(crate) type Released = Piece;
 pub(crate) struct SplitLimits<'a> {
     /// No more vertices than this.
     pub(crate) vertices: usize,
+    /// No more pieces than this in one go.
+    pub(crate) pieces: usize,
     /// Whether two ends are far enough apart to be parted.
     pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
     /// The parameter, from its start to its end, at which a stretch that crosses edges is split.
     pub(crate) place: &'a dyn Fn(&ConstrainedDelaunay, Released, &SegmentPlan) -> f64,
 }
 
+/// Segments on their way back, so that the work can be done in slices.
+#[derive(Clone, Debug)]
+pub(crate) struct Recovery {
+    /// Pieces still to be looked at, the next one last.
+    waiting: Vec<Piece>,
+    /// Pieces for the next round, in order.
+    next: Vec<Piece>,
+    stage: Stage,
+    /// Pieces for which there was no room: they are no edges.
+    lost: Vec<Piece>,
+}
+
+/// How many vertices went in, and how many out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Changed {
+    pub(crate) inserted: usize,
+    pub(crate) removed: usize,
+}
+
+/// How far a recovery is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// Pieces are halved, round by round; whether a vertex went in during this one.
+    Halving {
+        has_grown: bool,
+    },
+    /// What the limits left missing goes in as whole edges.
+    Whole,
+    Done,
+}
+
+impl Recovery {
+    /// The recovery of segments that were let go.
+    pub(crate) fn of(released: Vec<Released>) -> Self {
+        let waiting = released.into_iter().rev().collect();
+        Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new() }
+    }
+
+    /// Whether nothing is left to do.
+    pub(crate) fn is_done(&self) -> bool {
+        self.stage == Stage::Done
+    }
+
+    /// What is no chain of edges, for want of room.
+    pub(crate) fn into_lost(self) -> Vec<Released> {
+        self.lost
+    }
+}
+
 impl ConstrainedDelaunay {
     /// Lets go of every segment inside the domain; those that part two regions stay.
     ///
-    /// Returns what was let go, in the order of its vertices. The triangulation is Delaunay across it afterwards.
-    pub(crate) fn release_inner_segments(&mut self) -> Vec<Released> {
-        let inner = self.t.edges().filter(|&h| self.is_inner(h)).collect();
-        self.release_edges(inner)
+    /// Returns what was let go, in the order of its vertices. The edges wait for [`legalise_some`](Self::legalise_some), after
+    /// which the triangulation is Delaunay across them.
+    pub(crate) fn release_inner_segments<J: Journal>(&mut self, j: &mut J) -> Vec<Released> {
+        let inner: Vec<HalfEdgeId> = self.t.edges().filter(|&h| self.is_inner(h)).collect();
+        let mut released: Vec<Released> = Vec::with_capacity(inner.len());
+        for &h in &inner {
+            let (a, b) = (self.t.origin(h), self.t.dest(h));
+            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.t.mark(h) });
+            self.t.mesh.set_mark(h, 0, j);
+        }
+        for h in inner {
+            self.lawson.push(h);
+        }
+        released.sort_unstable_by_key(|piece| [piece.from, piece.to]);
+        released
     }
 
     /// Whether an edge is part of a segment with one region on both sides.
@@ -63,22 +125,6 @@ impl ConstrainedDelaunay {
         in_circle_perturbed(a, b, c, d) == CircleSide::Inside
     }
 
-    /// Lets go of edges that are parts of segments, and makes the triangulation Delaunay across them.
-    fn release_edges(&mut self, inner: Vec<HalfEdgeId>) -> Vec<Released> {
-        let mut released: Vec<Released> = Vec::with_capacity(inner.len());
-        for &h in &inner {
-            let (a, b) = (self.t.origin(h), self.t.dest(h));
-            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.t.mark(h) });
-            self.t.mesh.set_mark(h, 0, &mut NoJournal);
-        }
-        for h in inner {
-            self.lawson.push(h);
-        }
-        self.lawson.legalise_all(&mut self.t, &mut NoJournal);
-        released.sort_unstable_by_key(|piece| [piece.from, piece.to]);
-        released
-    }
-
     /// Marks what is there of the segments let go; returns the pieces that are no edges.
     pub(crate) fn claim<J: Journal>(&mut self, released: &[Released], j: &mut J) -> Vec<Released> {
         let mut missing = Vec::new();
@@ -94,40 +140,87 @@ impl ConstrainedDelaunay {
         missing
     }
 
-    /// Splits what was let go until it is edges, and marks those; returns how many vertices went in.
+    /// Splits what was let go until it is edges, and marks those: one slice of that work.
     ///
-    /// What the limits leave missing goes in as whole edges, so that in the end every segment is a chain of edges.
-    pub(crate) fn recover_by_splitting<J: Journal>(
+    /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not cross before
+    /// they were let go, that takes vertices too, and free vertices make room for them. A piece that cannot be put in is lost.
+    pub(crate) fn recover_some(
         &mut self,
-        released: Vec<Released>,
+        recovery: &mut Recovery,
         limits: &SplitLimits<'_>,
-        j: &mut J,
-    ) -> usize {
-        let (mut pieces, mut inserted) = (released, 0);
-        // Each round but the last puts a vertex in.
-        loop {
-            let before = inserted;
-            let mut next = Vec::with_capacity(pieces.len());
-            for piece in pieces {
-                let room = inserted < limits.vertices;
-                match self.parted(piece, room, limits, j) {
+        log: &mut UndoLog,
+    ) -> Changed {
+        let mut changed = Changed::default();
+        for _ in 0..limits.pieces {
+            let room = (limits.vertices + changed.removed).saturating_sub(changed.inserted);
+            let piece = recovery.waiting.pop();
+            match (recovery.stage, piece) {
+                (Stage::Halving { .. }, Some(piece)) => match self.parted(piece, room > 0, limits, log) {
                     Some((v, is_new)) => {
-                        inserted += usize::from(is_new);
-                        next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
+                        changed.inserted += usize::from(is_new);
+                        if is_new {
+                            recovery.stage = Stage::Halving { has_grown: true };
+                        }
+                        recovery.next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
                     }
-                    None => next.push(piece),
+                    None => recovery.next.push(piece),
+                },
+                // Each round but the last puts a vertex in.
+                (Stage::Halving { has_grown: true }, None) => {
+                    recovery.waiting = recovery.next.drain(..).rev().collect();
+                    recovery.stage = Stage::Halving { has_grown: false };
+                }
+                (Stage::Halving { has_grown: false }, None) => {
+                    let missing = self.claim(&recovery.next, log);
+                    recovery.next.clear();
+                    recovery.waiting = missing.into_iter().rev().collect();
+                    recovery.stage = Stage::Whole;
+                }
+                (Stage::Whole, Some(piece)) => match self.made_whole(piece, room, log) {
+                    Some(Changed { inserted, removed }) => {
+                        changed.inserted += inserted;
+                        changed.removed += removed;
+                    }
+                    None => recovery.lost.push(piece),
+                },
+                (Stage::Whole | Stage::Done, None) | (Stage::Done, Some(_)) => {
+                    recovery.stage = Stage::Done;
+                    break;
                 }
             }
-            pieces = next;
-            if inserted == before {
-                break;
+        }
+        changed
+    }
+
+    /// Puts a piece in as a whole edge; `None`, and nothing changed, where that is not possible. Where it takes more vertices
+    /// than there is room for, the newest free ones make room.
+    fn made_whole(&mut self, piece: Piece, room: usize, log: &mut UndoLog) -> Option<Changed> {
+        let count = |t: &Self| t.t.points().len() - t.t.free_vertices().len();
+        let start = log.checkpoint();
+        let mut removed = 0;
+        // Each round but the last removes a vertex.
+        loop {
+            let (here, before) = (log.checkpoint(), count(self));
+            let is_in = self.work_off(piece, 0, log).is_ok();
+            let inserted = count(self).saturating_sub(before);
+            if is_in && inserted <= room + removed {
+                return Some(Changed { inserted, removed });
             }
+            self.rollback(log, here);
+            if !(is_in && self.remove_newest_free(log)) {
+                self.rollback(log, start);
+                return None;
+            }
+            removed += 1;
         }
-        for piece in self.claim(&pieces, j) {
-            // Nothing crosses it that it did not cross before it was let go, but for rounding.
-            let _ = self.work_off(piece, 0, j);
-        }
-        inserted
+    }
+
+    /// Removes the newest vertex that was inserted freely; says whether there was one.
+    fn remove_newest_free(&mut self, log: &mut UndoLog) -> bool {
+        let newest = (self.given_points..self.t.points().len()).rev().map(VertexId::from_index);
+        let mut free = newest.filter(|&v| self.t.is_used(v) && self.is_deletable(v));
+        let newest = free.next();
+        newest.is_some_and(|v| self.remove_with(v, log).is_ok())
     }
 
     /// The vertex that parts a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.

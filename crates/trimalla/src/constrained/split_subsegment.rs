@@ -3,16 +3,17 @@
 use super::constrained::ConstrainedDelaunay;
 use super::constraints::Class;
 use super::provenance::Provenance;
-use crate::geometry::{BoundingBox, Point, Segment, Strip};
+use crate::geometry::{BoundingBox, Orientation, Point, Segment, Strip};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::triangulation::Closure;
 
 /// Why a subsegment cannot be split at a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplitError {
     /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
     TooShort,
-    /// The rounded point lies where one of the four triangles would not be counter-clockwise, those outside the domain
-    /// included: another vertex or constraint is closer than rounding.
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the border of the domain would
+    /// meet itself: another vertex or constraint is closer than rounding.
     Crowded,
 }
 
@@ -172,6 +173,9 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Result<VertexId, SplitError> {
         self.can_split(h, p)?;
+        if !self.outside_allows(h, p) {
+            return Err(SplitError::Crowded);
+        }
         let border = self.border_ends(h);
         let v = self.add_vertex(p, provenance, j);
         self.t.mesh.split_edge(h, v, j);
@@ -179,13 +183,16 @@ impl ConstrainedDelaunay {
         Ok(v)
     }
 
-    /// Whether a vertex at `p` may split an edge.
+    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is asked when it
+    /// is split.
     pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
         let [x, y] = self.t.edge_points(h);
         if p == x || p == y {
             return Err(SplitError::TooShort);
         }
-        let is_proved = self.t.may_split_edge(h, p) && self.outside_allows(h, p);
+        // A convex hull stays exactly convex.
+        let on_hull = self.t.closure() == Closure::Hull && self.t.is_on_border(h);
+        let is_proved = self.t.may_split_edge(h, p) && (!on_hull || self.t.side_of(h, p) == Orientation::Collinear);
         if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
     }
 }

@@ -11,6 +11,11 @@ pub(crate) struct Lawson {
 }
 
 impl Lawson {
+    /// Whether no edge waits.
+    pub(crate) fn is_done(&self) -> bool {
+        self.stack.is_empty()
+    }
+
     /// Puts an edge on the stack.
     #[inline(always)]
     pub(crate) fn push(&mut self, h: HalfEdgeId) {
@@ -76,8 +81,14 @@ impl Lawson {
     /// Flips raise the lifted surface nowhere, so the loop ends; `[Lawson77]` bounds it by the square of the
     /// number of vertices. Returns how many flips there were.
     pub(crate) fn legalise_all<J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) -> u64 {
+        self.legalise_some(t, usize::MAX, j)
+    }
+
+    /// [`legalise_all`](Self::legalise_all), for so many edges of the stack at most; the others wait.
+    pub(crate) fn legalise_some<J: Journal>(&mut self, t: &mut Triangulation, most: usize, j: &mut J) -> u64 {
         let mut flips = 0;
-        while let Some(e) = self.stack.pop() {
+        for _ in 0..most {
+            let Some(e) = self.stack.pop() else { break };
             if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
                 continue;
             }

@@ -65,6 +65,7 @@ pub(crate) fn remove_vertex<J: Journal>(
             legalise_hole(t, &rim, &flipped, lawson, j);
         }
     }
+    t.forget_duplicates_of(v, j);
     Ok(())
 }
 

@@ -28,7 +28,7 @@ impl ConstrainedDelaunay {
         debug_assert!((0..kept.len()).all(|f| !kept[f] || self.is_real(FaceId::from_index(f))), "a real face");
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
         let border = self.border_of(kept);
-        self.outside = Outside::beside(self, &border, &self.outside);
+        self.outside = Outside::beside(self, kept, &border, &self.outside);
         let ghosts = self.t.mesh.carve(kept, &border, j);
         self.t.set_state(2, Closure::Domain, None, j);
         self.constrain_border(&ghosts, j);

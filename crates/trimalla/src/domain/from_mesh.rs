@@ -148,7 +148,8 @@ fn locked_edges(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, warnings: &mut Ve
         locked.entry(edge_of(cdt, h)).or_insert(0);
     }
     let n = mesh.attributes_per_triangle;
-    let row = |t: usize| mesh.triangle_attributes.get(t * n..(t + 1) * n);
+    // Where the product overflows, the table is empty: its length was checked.
+    let row = |t: usize| mesh.triangle_attributes.get(t.saturating_mul(n)..(t + 1).saturating_mul(n));
     let parts_regions = |h: &HalfEdgeId| {
         let beside = cdt.twin(*h).face();
         cdt.is_real(beside) && !same_bits(row(h.face().index()), row(beside.index()))

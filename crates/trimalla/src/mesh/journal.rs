@@ -65,6 +65,8 @@ pub enum Column {
     ProvenanceKind,
     /// Second word of a vertex's provenance.
     ProvenancePlace,
+    /// Vertex `index` no longer duplicates vertex `old`.
+    DuplicateForgotten,
     /// Vertex `index` came to, or left, the border of the domain: what lies outside has noted it.
     Outside,
 }

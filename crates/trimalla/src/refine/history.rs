@@ -94,7 +94,7 @@ impl Refinement {
             self.remember();
             self.count_step();
             let outcome = self.advance();
-            if matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted) || holds(self) {
+            if matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) || holds(self) {
                 return outcome;
             }
         }

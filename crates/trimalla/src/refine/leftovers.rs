@@ -43,6 +43,9 @@ impl Refinement {
     #[must_use]
     pub fn finish(mut self) -> (ConstrainedDelaunay, Report) {
         self.stopwatch.enter(Part::Recover);
+        if self.report.stop != StopReason::Cancelled {
+            self.open_fully();
+        }
         self.claim_segments();
         self.stopwatch.enter(Part::Rest);
         self.given_up.sort_unstable();
@@ -105,7 +108,7 @@ impl Refinement {
                 StopReason::Cancelled => Reason::Cancelled,
                 StopReason::Budget => Reason::Budget,
                 StopReason::Finished if self.options.recipe.select == Select::Manual => Reason::NotPicked,
-                StopReason::Finished => Reason::StrategyCannotImprove,
+                StopReason::Finished | StopReason::NoLongerImproves => Reason::StrategyCannotImprove,
             },
         }
     }

@@ -18,10 +18,13 @@ use std::cmp::Ordering;
 use super::recipe::Row;
 use super::ruler::Ruler;
 use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector, math};
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
+
+/// Areas above this, in the ruler's squared units, lose nothing to underflow when they weigh lengths.
+const LEAST_AREA: f64 = 1e-140;
 
 /// Where a path ends besides at a mutual longest edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -211,13 +214,26 @@ pub fn quadrilateral_centroid(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, ki
         Centroid::Average => ((va.x + vb.x + vc.x + vd.x) / 4.0, (va.y + vb.y + vc.y + vd.y) / 4.0),
         Centroid::Area => {
             // Each triangle weighs its area; its centroid is a third of its corners' sum.
-            let areas = [vc, vd].map(|v| (vb.x - va.x) * (v.y - va.y) - (vb.y - va.y) * (v.x - va.x)).map(f64::abs);
+            let areas = areas_beside(vb - va, [vc - va, vd - va]);
             let total = 3.0 * (areas[0] + areas[1]);
             let weigh = |e: [f64; 4]| (areas[0] * (e[0] + e[1] + e[2]) + areas[1] * (e[0] + e[1] + e[3])) / total;
             (weigh([va.x, vb.x, vc.x, vd.x]), weigh([va.y, vb.y, vc.y, vd.y]))
         }
     };
     Point::new(m.x + x / ruler.scale(), m.y + y / ruler.scale())
+}
+
+/// The areas of the two triangles that an edge makes with the ways from its start to two points, in some unit; equal where
+/// they are too small to be told apart. Never both zero.
+fn areas_beside(edge: Vector, ways: [Vector; 2]) -> [f64; 2] {
+    let areas = |scale: f64| ways.map(|way| edge.scaled(scale).cross(way.scaled(scale)).abs());
+    let plain = areas(1.0);
+    if plain[0] + plain[1] > LEAST_AREA {
+        return plain;
+    }
+    let extent = [edge, ways[0], ways[1]].into_iter().fold(0.0, |most: f64, v| most.max(v.x.abs()).max(v.y.abs()));
+    let near_one = areas(math::power_of_two_scale(extent));
+    if near_one[0] + near_one[1] > f64::MIN_POSITIVE { near_one } else { [1.0, 1.0] }
 }
 
 fn ends_in_order(t: &Triangulation, h: HalfEdgeId) -> (VertexId, VertexId) {

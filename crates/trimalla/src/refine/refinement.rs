@@ -9,16 +9,17 @@ use super::encroachment::Region;
 use super::event::Event;
 use super::fill::FillStage;
 use super::history::History;
+use super::improvement::Improvement;
 use super::joints::Joints;
+use super::opening::Opening;
 use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
-use super::recipe::Initial;
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
-use crate::constrained::{ConstrainedDelaunay, Released};
+use crate::constrained::{ConstrainedDelaunay, Recovery, Released};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -27,7 +28,7 @@ use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 const BISECTIONS: f64 = 4.0;
 /// No more rounds than this for triangles that had no room.
 const MOST_RETRIES: u32 = 64;
-/// Insertions between two calls of the observer.
+/// Steps and insertions between two calls of the observer.
 const PROGRESS_EVERY: u64 = 128;
 
 /// A refinement under way.
@@ -67,8 +68,14 @@ pub struct Refinement {
     pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
+    /// What comes before the loop, as far as it is not done.
+    pub(super) opening: Opening,
     /// Pieces of segments that are not locked.
     pub(super) released: Vec<Released>,
+    /// Such pieces on their way back.
+    pub(super) recovery: Option<Box<Recovery>>,
+    /// Pieces that could not come back.
+    pub(super) lost: Vec<Released>,
     /// Places proposed for the triangle at work.
     pub(super) places: Vec<Proposal>,
     pub(super) log: UndoLog,
@@ -78,6 +85,8 @@ pub struct Refinement {
     pub(super) bad_in_fan: Vec<usize>,
     /// Room for the subsegments beside what is looked at.
     pub(super) beside: Vec<HalfEdgeId>,
+    /// Whether it still improves, where that is watched.
+    pub(super) improvement: Improvement,
     /// How many triangles joined the queue.
     pub(super) joined: u64,
     /// The triangle to be treated until it is gone.
@@ -120,7 +129,9 @@ pub enum StepOutcome {
     Filled,
     /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
     Triangle,
-    /// Segments that had been let go were brought back.
+    /// A part of what comes before the loop was done.
+    Prepared,
+    /// Segments that had been let go were brought back, or some of them.
     Recovered,
     /// Triangles for which there was no room wait once more, since there may be now.
     Retried,
@@ -129,6 +140,8 @@ pub enum StepOutcome {
     Finished,
     /// The vertex budget is used up.
     Exhausted,
+    /// More vertices leave no fewer bad triangles: see [`StopReason::NoLongerImproves`].
+    Stalled,
 }
 
 impl Refinement {
@@ -192,12 +205,16 @@ impl Refinement {
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
             given_up: Vec::new(),
+            opening: Opening::default(),
             released: Vec::new(),
+            recovery: None,
+            lost: Vec::new(),
             places: Vec::new(),
             log: UndoLog::new(),
             spokes: Vec::new(),
             bad_in_fan: Vec::new(),
             beside: Vec::new(),
+            improvement: Improvement::UNWATCHED,
             joined: 0,
             current: None,
             picked: VecDeque::new(),
@@ -213,35 +230,15 @@ impl Refinement {
             cdt,
             options,
         };
-        refinement.start(bounds);
+        refinement.begin_opening();
         Ok(refinement)
     }
 
-    /// The initial triangulation made what the recipe asks; segments that are not locked let go; step 1 for the input; every
-    /// bad triangle into the queue.
-    fn start(&mut self, bounds: Option<BoundingBox>) {
-        self.stopwatch.enter(Part::Rest);
-        let initial = self.options.recipe.initial;
-        if self.cdt.as_given && self.insert.keeps_delaunay() && initial != Initial::Given {
-            self.report.edges_flipped = self.cdt.legalise();
-        }
-        if initial == Initial::Conforming || !self.recover.locks_segments() {
-            self.released = self.cdt.release_inner_segments();
-        }
-        if initial == Initial::Conforming {
-            self.split_released();
-            if !self.recover.locks_segments() {
-                self.released = self.cdt.release_inner_segments();
-            }
-        }
-        self.begin(bounds);
-        self.stopwatch.enter(Part::Outside);
-    }
-
     /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked at.
-    fn begin(&mut self, bounds: Option<BoundingBox>) {
+    pub(super) fn begin(&mut self, bounds: Option<BoundingBox>) {
         let expected = self.vertices.saturating_add(self.vertices_for_area());
         self.queue = self.empty_queue(bounds, expected);
+        self.improvement = self.improvement_from_start();
         self.filling = self.fill_from_start(bounds);
         if self.is_filling() {
             drop(self.cdt.take_order_along_curve());
@@ -288,7 +285,9 @@ impl Refinement {
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.is_manual = select.is_manual();
         self.select = Arc::new(select);
-        self.begin(self.cdt.bounding_box());
+        if self.is_open() {
+            self.begin(self.cdt.bounding_box());
+        }
         self
     }
 
@@ -304,6 +303,9 @@ impl Refinement {
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
         self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
         self.insert = Arc::new(insert);
+        if self.insert.keeps_small_angles() {
+            self.improvement = Improvement::UNWATCHED;
+        }
         self
     }
 
@@ -329,7 +331,8 @@ impl Refinement {
     #[must_use]
     pub fn with_test(mut self, test: impl Fn(Asked) -> bool + Send + Sync + 'static) -> Self {
         self.test = self.test.clone().with_asked(Arc::new(test));
-        if !self.is_filling() {
+        self.improvement = Improvement::UNWATCHED;
+        if self.is_open() && !self.is_filling() {
             self.look_at_everything();
         }
         self
@@ -348,19 +351,24 @@ impl Refinement {
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
         self.history = None;
         self.stopwatch = self.stopwatch.or_clock(observer.clock());
-        let mut reported = self.insertions;
+        let (mut steps, mut told_at) = (0, None);
         let stop = loop {
-            if self.insertions >= reported + PROGRESS_EVERY || self.insertions == 0 {
-                reported = self.insertions;
+            // Steps count, too: many may pass without an insertion.
+            let work = steps + self.insertions;
+            if told_at.is_none_or(|told| work >= told + PROGRESS_EVERY) {
+                told_at = Some(work);
                 if !observer.progress(self.progress()) {
                     break StopReason::Cancelled;
                 }
             }
+            steps += 1;
             let outcome = if observer.wants_events() { self.told(observer) } else { self.advance() };
             match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
-                StepOutcome::Subsegment
+                StepOutcome::Stalled => break StopReason::NoLongerImproves,
+                StepOutcome::Prepared
+                | StepOutcome::Subsegment
                 | StepOutcome::Filled
                 | StepOutcome::Triangle
                 | StepOutcome::Recovered
@@ -385,15 +393,25 @@ impl Refinement {
     pub(super) fn advance(&mut self) -> StepOutcome {
         self.stopwatch.enter(Part::Prepare);
         self.log.clear();
+        self.cdt.outside.forget_undo();
         let outcome = self.take_step();
         self.stopwatch.enter(Part::Outside);
         outcome
     }
 
     fn take_step(&mut self) -> StepOutcome {
+        if self.recover_on() {
+            return StepOutcome::Recovered;
+        }
+        if !self.is_open() {
+            return self.open_further();
+        }
         if self.is_exhausted() {
             let waits = !self.encroached.is_empty() || self.queue.len() > 0 || self.is_filling();
             return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
+        }
+        if self.improvement.is_due(self.vertices) && self.no_longer_improves() {
+            return StepOutcome::Stalled;
         }
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;

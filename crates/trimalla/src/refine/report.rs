@@ -88,6 +88,9 @@ pub enum StopReason {
     Budget,
     /// The caller cancelled.
     Cancelled,
+    /// At an angle bound above 33 degrees, with at least twenty times the vertices of the forecast, the last doubling of the
+    /// vertices left no fewer bad triangles: more vertices would only make more of them.
+    NoLongerImproves,
 }
 
 /// A triangle that stayed bad.
@@ -180,7 +183,7 @@ pub struct Progress {
 
 /// Watches a refinement.
 pub trait Observer {
-    /// Called now and then, at least once in every 256 insertions; `false` cancels.
+    /// Called before the first step and then at least once in every 256 steps and insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
 
     /// A clock to measure the steps by; none, and nothing is measured.

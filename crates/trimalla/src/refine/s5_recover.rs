@@ -17,15 +17,19 @@ use super::joints::Joints;
 use super::mirror::Mirrors;
 use super::recipe::{Recipe, Recover};
 use super::refinement::{Refinement, precision_floor};
+use super::report::StopReason;
 use super::ruler::Ruler;
 use super::steps::RecoverStep;
 use super::stopwatch::Part;
-use crate::constrained::{ConstrainedDelaunay, SegmentPlan, SplitLimits};
+use crate::constrained::{Changed, ConstrainedDelaunay, Recovery, SegmentPlan, SplitLimits};
 use crate::geometry::Point;
-use crate::mesh::NoJournal;
+use crate::mesh::{NoJournal, UndoLog};
 use by_splitting::BySplitting;
 use none::Nothing;
 use whole_edge::WholeEdge;
+
+/// Pieces of segments looked at in one slice.
+const SLICE: usize = 256;
 
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
@@ -42,33 +46,55 @@ impl Refinement {
         if self.released.is_empty() || !self.recover.splits_back() {
             return false;
         }
-        self.split_released();
-        self.look_at_everything();
+        self.begin_recovery();
         true
     }
 
-    /// Splits what was let go until it is edges, and locks it.
-    pub(super) fn split_released(&mut self) {
+    /// Lets segments that are let go wait for [`recover_on`](Self::recover_on).
+    pub(super) fn begin_recovery(&mut self) {
+        self.recovery = Some(Box::new(Recovery::of(std::mem::take(&mut self.released))));
+    }
+
+    /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
+    pub(super) fn recover_on(&mut self) -> bool {
+        let Some(mut recovery) = self.recovery.take() else { return false };
         let before = self.stopwatch.enter(Part::Recover);
-        let released = std::mem::take(&mut self.released);
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
-        let vertices = self.options.limits.max_vertices.saturating_sub(self.vertices);
+        let is_cancelled = self.report.stop == StopReason::Cancelled;
+        let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
+        let vertices = if is_cancelled { 0 } else { room };
         let mirrors = Mirrors::new(&self.cdt, &self.joints, ruler);
         let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
-        let limits = SplitLimits { vertices, may_part: &may_part, place: &place };
-        let inserted = self.cdt.recover_by_splitting(released, &limits, &mut self.log);
-        self.vertices += inserted;
+        let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
+        let Changed { inserted, removed } = self.cdt.recover_some(&mut recovery, &limits, &mut self.log);
+        self.vertices = self.vertices + inserted - removed;
+        self.report.vertices_deleted += removed as u64;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
         self.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
+        if recovery.is_done() {
+            self.lost.extend(recovery.into_lost());
+            if self.is_open() {
+                self.look_at_everything();
+            }
+        } else {
+            self.recovery = Some(recovery);
+        }
         self.stopwatch.enter(before);
+        true
     }
 
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
+    ///
+    /// Where the caller cancelled, no vertex goes in any more.
     pub(super) fn claim_segments(&mut self) {
         self.recover_segments();
-        let missing = self.cdt.claim(&self.released, &mut NoJournal);
+        while self.recover_on() {
+            self.log.clear();
+        }
+        let mut missing = self.cdt.claim(&self.released, &mut NoJournal);
+        missing.append(&mut self.lost);
         let mut lost: Vec<u32> =
             missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
         lost.sort_unstable();
@@ -90,11 +116,17 @@ pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize
     let joints = Joints::of(cdt);
     let mirrors = Mirrors::new(cdt, &joints, ruler);
     let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
-    let vertices = max_vertices.saturating_sub(cdt.points().len());
+    let mut log = UndoLog::new();
     // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
-    let released = cdt.release_inner_segments();
-    let limits = SplitLimits { vertices, may_part: &may_part, place: &place };
-    cdt.recover_by_splitting(released, &limits, &mut NoJournal);
+    let released = cdt.release_inner_segments(&mut log);
+    cdt.legalise_some(usize::MAX, &mut log);
+    let mut recovery = Recovery::of(released);
+    while !recovery.is_done() {
+        log.clear();
+        let vertices = max_vertices.saturating_sub(cdt.points().len());
+        let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
+        cdt.recover_some(&mut recovery, &limits, &mut log);
+    }
     cdt.pieces_held_by_marks()
 }
 

@@ -92,7 +92,9 @@ impl Refinement {
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(Encroached { ends: [a, b], forced, found }) = self.encroached.pop_front() else { return false };
         self.note(|event| event.subsegment = Some([a, b]));
-        let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(|&h| self.cdt.is_marked(h));
+        // The hull of a triangulation that was not carved carries no marks.
+        let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_on_border(h);
+        let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(is_subsegment);
         if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])) {
             let found = Some(found).filter(|found| found.apexes == self.apexes(h));
             let is_needed = forced || found.is_some() || self.needs_split(h);

@@ -11,7 +11,7 @@ use super::options::{Criteria, RefineOptions};
 use super::ruler::Ruler;
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
-use crate::geometry::Point;
+use crate::geometry::{Orientation, Point, on_segment};
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
@@ -171,10 +171,13 @@ pub enum Proposal {
 
 impl Proposal {
     /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its way
-    /// that is to be split instead. `None` where a vertex is there already, or where the point is too far off in a mesh
-    /// that does not keep the circle test.
+    /// that is to be split instead. `None` where a vertex is there already, for a point that is not finite, or where the point is
+    /// too far off in a mesh that does not keep the circle test.
     #[must_use]
     pub fn towards(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
+        if !point.is_finite() {
+            return None;
+        }
         match view.cdt.walk_within_steps(from, point, view.longest_walk)? {
             Walk::Blocked(h) => Some(Self::Split(h)),
             Walk::Arrived(Locus::Edge(h)) if view.cdt.is_marked(h) => Some(Self::Split(h)),
@@ -184,10 +187,36 @@ impl Proposal {
     }
 }
 
+impl Proposal {
+    /// Whether the proposal is what it says: an edge that is there, a finite point exactly at its locus.
+    ///
+    /// The loop asks this of every proposal, whoever made it, before it uses one.
+    #[must_use]
+    pub fn is_true(self, cdt: &ConstrainedDelaunay) -> bool {
+        let is_free_edge = |h: HalfEdgeId| {
+            let faces = [h.face(), cdt.twin(h).face()];
+            faces.into_iter().all(|f| cdt.is_real(f)) && !cdt.is_marked(h)
+        };
+        match self {
+            Self::Free { point, locus: Locus::Face(f) } => {
+                let is_left = |h| cdt.side_of(h, point) == Orientation::CounterClockwise;
+                point.is_finite() && cdt.is_alive(f) && cdt.is_real(f) && f.half_edges().into_iter().all(is_left)
+            }
+            Self::Free { point, locus: Locus::Edge(h) } => {
+                let is_on = |[a, b]: [Point; 2]| on_segment(a, b, point) && point != a && point != b;
+                point.is_finite() && cdt.is_alive(h.face()) && is_free_edge(h) && is_on(cdt.edge_points(h))
+            }
+            Self::Free { .. } => false,
+            Self::OnEdge { edge, point } => point.is_finite() && cdt.is_alive(edge.face()) && is_free_edge(edge),
+            Self::Split(h) => cdt.is_alive(h.face()) && (cdt.is_on_border(h) || cdt.is_marked(h)),
+        }
+    }
+}
+
 /// Step 3: where a new vertex goes.
 pub trait PointStep {
     /// Adds places for a new vertex that helps `face`, the best first; the next is tried where the one before cannot be had
-    /// for rounding or the length floor.
+    /// for rounding or the length floor, or is not [true](Proposal::is_true).
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>);
 
     /// Whether it follows longest-edge propagation paths, whose lengths are counted then.

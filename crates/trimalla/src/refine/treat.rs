@@ -69,6 +69,9 @@ impl Refinement {
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
     fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
+        if !place.is_true(&self.cdt) {
+            return Err(Reason::StrategyCannotImprove);
+        }
         if let Some(h) = self.insert.flip_instead(self.view(), place) {
             self.flip(h);
             return Ok(());
@@ -185,6 +188,10 @@ impl Refinement {
         let here = self.log.checkpoint();
         let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
         self.insertions += 1;
+        if !self.is_there(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(Reason::StrategyCannotImprove);
+        }
         if self.crowds_a_neighbour(v) {
             self.cdt.rollback(&mut self.log, here);
             return Err(self.floor_reason);
@@ -215,6 +222,10 @@ impl Refinement {
         let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
         self.insertions += 1;
+        if !self.is_there(v) {
+            self.cdt.rollback(&mut self.log, here);
+            return Err(Reason::StrategyCannotImprove);
+        }
         if self.crowds_a_neighbour(v) {
             self.cdt.rollback(&mut self.log, here);
             return Err(self.floor_reason);
@@ -224,6 +235,11 @@ impl Refinement {
         self.note_inserted(v, InsertedKind::OnEdge);
         self.look_around(v);
         Ok(())
+    }
+
+    /// Whether the triangulation has the vertex that a step 4 says it inserted.
+    fn is_there(&self, v: VertexId) -> bool {
+        v.index() < self.cdt.points().len() && self.cdt.is_used(v)
     }
 
     /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.

@@ -201,6 +201,19 @@ impl Triangulation {
         self.is_real(f) && f.half_edges().into_iter().all(|h| self.side_of(h, p) != Orientation::Clockwise)
     }
 
+    /// Forgets which vertices lie on `v`, which goes away: they lie on no used vertex then.
+    pub(crate) fn forget_duplicates_of<J: Journal>(&mut self, v: VertexId, j: &mut J) {
+        if self.duplicates.is_empty() {
+            return;
+        }
+        self.duplicates.retain(|&(duplicate, representative)| {
+            if J::ACTIVE && representative == v {
+                j.note(Column::DuplicateForgotten, duplicate.0, u64::from(v.0));
+            }
+            representative != v
+        });
+    }
+
     /// Adds an unused vertex at `p`, in the newest freed slot or at the end.
     pub(crate) fn add_vertex<J: Journal>(&mut self, p: Point, j: &mut J) -> VertexId {
         let v = self.mesh.take_vertex(j);

@@ -39,6 +39,7 @@ impl Triangulation {
             Column::X => self.points[i].x = f64::from_bits(entry.old),
             Column::Y => self.points[i].y = f64::from_bits(entry.old),
             Column::State => self.unpack(entry.old),
+            Column::DuplicateForgotten => self.note_duplicate(VertexId(entry.index), entry.old),
             Column::VertexAppended => {
                 self.points.truncate(i);
                 return self.mesh.undo(entry);
@@ -46,6 +47,13 @@ impl Triangulation {
             _ => return self.mesh.undo(entry),
         }
         true
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "the journal widened a vertex")]
+    fn note_duplicate(&mut self, duplicate: VertexId, representative: u64) {
+        let pair = (duplicate, VertexId(representative as u32));
+        let at = self.duplicates.partition_point(|other| *other < pair);
+        self.duplicates.insert(at, pair);
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "pack widened these fields")]

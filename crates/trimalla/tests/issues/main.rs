@@ -9,6 +9,7 @@ mod domains;
 mod earlier;
 mod judge;
 mod small_angles;
+mod sound;
 
 use std::path::Path;
 

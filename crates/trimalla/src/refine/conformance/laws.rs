@@ -1,6 +1,7 @@
 //! The laws of refinement: what holds whatever the strategies are.
 //!
-//! 1. *Sound*: after every step the triangulation has all its invariants, the circle test among them where step 4 keeps it.
+//! 1. *Sound*: after every step the triangulation has all its invariants, the circle test among them where step 4 keeps it. (Before
+//!    the loop, while many edges are being flipped, only at the end.)
 //! 2. *Faithful*: the vertices of the drawing stay where they are.
 //! 3. *Bounded*: it ends by itself, and with no more vertices than the budget.
 //! 4. *Deterministic*: another triangulator before it leads to the same mesh; ties and rounding depend on no slot.
@@ -60,7 +61,7 @@ pub(super) fn run(
         ensure(faults.is_empty(), || at(format!("{} faults, the first: {:?}", faults.len(), faults[0])))?;
         ensure(cdt.points().starts_with(&pslg.points), || at("a vertex of the drawing has moved".to_owned()))?;
         more(refinement, &event).map_err(|Breach(breach)| Breach(at(breach)))?;
-        if matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted) {
+        if matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) {
             let vertices = cdt.input_points() + cdt.steiner_vertices();
             ensure(vertices <= MOST_VERTICES, || at(format!("{vertices} vertices, above the budget")))?;
             return Ok(number);

@@ -1,0 +1,130 @@
+//! What comes before the loop, in slices that can be cancelled between.
+//!
+//! ```text
+//!   legalise a given mesh ─> let segments inside go ─> split them until they are edges ─> let them go ─> look at everything
+//!          (as given)          (conforming, or not              (conforming)                (not
+//!                                   locked)                                                locked)
+//! ```
+//!
+//! Where a recipe asks for none of this, as the default does not, everything is looked at when the refinement is made.
+//! Otherwise each slice is a step.
+
+use super::recipe::Initial;
+use super::refinement::{Refinement, StepOutcome};
+use super::stopwatch::Part;
+
+/// Edges looked at in one slice.
+const SLICE: usize = 1 << 14;
+
+/// What is to be done next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Opening {
+    /// A mesh that was given is to be flipped until it passes the circle test.
+    #[default]
+    Given,
+    /// Its edges are being flipped.
+    Legalising,
+    /// Segments inside are to be let go.
+    Release,
+    /// They are gone, and edges across them are being flipped.
+    Releasing,
+    /// They are to be split until they are edges.
+    Conform,
+    /// They were split, and are to be let go again.
+    ReleaseAgain,
+    /// They are gone again, and edges across them are being flipped.
+    ReleasingAgain,
+    /// Everything is to be looked at.
+    Look,
+    /// The loop is on.
+    Done,
+}
+
+impl Refinement {
+    /// Whether the loop is on, or may be.
+    pub(super) fn is_open(&self) -> bool {
+        self.opening == Opening::Done
+    }
+
+    /// Passes over what the recipe does not ask for; looks at everything if that is all there is to do.
+    pub(super) fn begin_opening(&mut self) {
+        self.stopwatch.enter(Part::Rest);
+        self.skip();
+        if self.opening == Opening::Look {
+            self.open_further();
+        }
+        self.stopwatch.enter(Part::Outside);
+    }
+
+    /// Goes on from stages that the recipe does not ask for.
+    fn skip(&mut self) {
+        let recipe = self.options.recipe;
+        let is_conforming = recipe.initial == Initial::Conforming;
+        if self.opening == Opening::Given
+            && !(self.cdt.as_given && self.insert.keeps_delaunay() && recipe.initial != Initial::Given)
+        {
+            self.opening = Opening::Release;
+        }
+        if self.opening == Opening::Release && !is_conforming && self.recover.locks_segments() {
+            self.opening = Opening::Look;
+        }
+        if self.opening == Opening::Conform && !is_conforming {
+            self.opening = Opening::Look;
+        }
+        if self.opening == Opening::ReleaseAgain && self.recover.locks_segments() {
+            self.opening = Opening::Look;
+        }
+    }
+
+    /// All slices that are left, where nobody has made a step.
+    pub(super) fn open_fully(&mut self) {
+        while !self.is_open() || self.recovery.is_some() {
+            self.log.clear();
+            if !self.recover_on() {
+                self.open_further();
+            }
+        }
+    }
+
+    /// One slice.
+    pub(super) fn open_further(&mut self) -> StepOutcome {
+        match self.opening {
+            Opening::Given => {
+                self.cdt.queue_illegal();
+                self.opening = Opening::Legalising;
+            }
+            Opening::Release | Opening::ReleaseAgain => {
+                self.released = self.cdt.release_inner_segments(&mut self.log);
+                let is_first = self.opening == Opening::Release;
+                self.opening = if is_first { Opening::Releasing } else { Opening::ReleasingAgain };
+            }
+            _ => {}
+        }
+        match self.opening {
+            Opening::Legalising => self.report.edges_flipped += self.flip_slice(Opening::Release),
+            Opening::Releasing => {
+                self.flip_slice(Opening::Conform);
+            }
+            Opening::ReleasingAgain => {
+                self.flip_slice(Opening::Look);
+            }
+            Opening::Conform => {
+                self.begin_recovery();
+                self.opening = Opening::ReleaseAgain;
+            }
+            _ => {
+                self.begin(self.cdt.bounding_box());
+                self.opening = Opening::Done;
+            }
+        }
+        self.skip();
+        StepOutcome::Prepared
+    }
+
+    /// Flips some of the edges that wait, and goes on to the next stage if none waits any more; how many flips it took.
+    fn flip_slice(&mut self, next: Opening) -> u64 {
+        let (flips, is_done) = self.cdt.legalise_some(SLICE, &mut self.log);
+        self.opening = if is_done { next } else { self.opening };
+        flips
+    }
+}
