@@ -41,7 +41,9 @@ impl ConstrainedDelaunay {
         }
         let line = self.segment_points(segment);
         let strip = Strip::new(line, Strip::LAST_PLACES);
-        let ahead = |pair: &[VertexId]| strip.order(self.point(pair[0]), self.point(pair[1])).is_lt();
+        // Two segments within rounding of each other, of a mesh that was taken up, may share edges beyond a gap.
+        let may_branch = self.as_given && !is_whole;
+        let ahead = |pair: &[VertexId]| may_branch || strip.order(self.point(pair[0]), self.point(pair[1])).is_lt();
         let off = vertices.windows(2).find(|pair| !ahead(pair) || pair[1] != b && !strip.contains(self.point(pair[1])));
         if let Some(pair) = off {
             return Some(Fault::OffSegment { segment, vertex: pair[1] });

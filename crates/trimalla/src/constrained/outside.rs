@@ -329,7 +329,7 @@ impl ConstrainedDelaunay {
     /// The border in triangles, which are made if there are none.
     fn faces_of_border(&mut self) -> &mut Faces {
         let faces = self.outside.faces.take().unwrap_or_else(|| Box::new(Faces::around(self)));
-        self.outside.faces.get_or_insert_with(|| faces)
+        self.outside.faces.get_or_insert(faces)
     }
 
     /// Notes that vertex `v` at `p` has split the border edge that had these ends, if it was one.
