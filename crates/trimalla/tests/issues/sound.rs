@@ -287,7 +287,7 @@ fn a_refinement_that_no_longer_improves_stops() {
     let guitar = read_poly(&file);
     let (cdt, _) = build(&guitar, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
     for (preset, angle, stop) in [
-        (Preset::OffCenter, 35.0, StopReason::NoLongerImproves),
+        (Preset::OffCenter, 36.0, StopReason::NoLongerImproves),
         (Preset::Circumcenter, 45.0, StopReason::NoLongerImproves),
         (Preset::LeppCentroid, 36.0, StopReason::Finished),
         (Preset::OffCenter, 33.0, StopReason::Finished),
