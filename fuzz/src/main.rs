@@ -213,7 +213,7 @@ fn reduce(path: &Path) -> Result<bool, String> {
         }
         candidate.save(&scratch, "candidate", target.name).ok().and_then(|file| kind_in_child(&file))
     };
-    let small = reduce::reduced(&input, Duration::from_secs(120), &mut kind_of);
+    let small = reduce::reduced(&input, Duration::from_secs(60), &mut kind_of);
     let Some(kind) = kind_of(&small) else { return Err("there is no fault".to_owned()) };
     let _ = std::fs::remove_dir_all(&scratch);
     let folder = path.parent().unwrap_or(Path::new("."));

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
-use trimalla_io::recipe;
+use trimalla_io::{RecipeFile, recipe};
 
 use crate::input::{Case, Edit, FileCase, Input};
 
@@ -148,7 +148,7 @@ fn renumbered(edit: Edit, gone: &dyn Fn(u32) -> bool, new: &dyn Fn(u32) -> u32) 
     })
 }
 
-/// The case with one thing at its default.
+/// The case with one thing at its default; nothing here may take another step back, or both would be taken for ever.
 fn simpler(c: &Case) -> Vec<Case> {
     let plain = Case::of(c.drawing.clone());
     let bare = Pslg { points: c.drawing.points.clone(), segments: c.drawing.segments.clone(), ..Pslg::default() };
@@ -156,7 +156,6 @@ fn simpler(c: &Case) -> Vec<Case> {
         Case { drawing: Pslg { holes: c.drawing.holes.clone(), ..bare.clone() }, ..c.clone() },
         Case { drawing: bare, ..c.clone() },
         Case { cancel: None, ..c.clone() },
-        Case { domain: plain.domain, ..c.clone() },
         Case { domain: trimalla::DomainOptions { algorithm: plain.domain.algorithm, ..c.domain }, ..c.clone() },
         Case { domain: trimalla::DomainOptions { crossings: plain.domain.crossings, ..c.domain }, ..c.clone() },
         Case { domain: trimalla::DomainOptions { rule: trimalla::domain::DomainRule::Hull, ..c.domain }, ..c.clone() },
@@ -182,8 +181,11 @@ fn lines_of_recipe(best: &mut Input, fails: Fails<'_>) {
     let mut at = 0;
     while at < lines(best).len() {
         let text = cut(&lines(best), at, at + 1).join("\n");
-        let candidate = recipe::read(text.as_bytes(), "less").map(|recipe| drawn(Case { recipe, ..case(best) }));
-        match candidate {
+        // The budget stays: the default one is millions of vertices.
+        let max_vertices = case(best).recipe.max_vertices;
+        let with_budget = |recipe: RecipeFile| RecipeFile { max_vertices, ..recipe };
+        let candidate = recipe::read(text.as_bytes(), "less").map(with_budget);
+        match candidate.map(|recipe| drawn(Case { recipe, ..case(best) })) {
             Ok(candidate) if candidate != *best && fails(&candidate) => *best = candidate,
             _ => at += 1,
         }

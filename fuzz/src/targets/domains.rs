@@ -64,7 +64,7 @@ fn contours(case: &Case, tally: &mut Tally) -> Verdict {
         }
     }
     let mut rings = rings.into_iter();
-    let outer = if case.more % 3 == 0 { None } else { rings.next() };
+    let outer = if case.more & 3 == 0 { None } else { rings.next() };
     let contours = Contours { outer, holes: rings.collect() };
     let made = AlgorithmKey::ALL.map(|a| contours.triangulate(&drawing.points, a));
     match made {

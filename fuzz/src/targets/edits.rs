@@ -47,7 +47,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     let Some(case) = case_of(input) else { return Ok(()) };
     let points = &case.drawing.points;
     let algorithm = case.domain.algorithm;
-    if case.more % 3 == 0 {
+    if case.more & 3 == 0 {
         let made = match algorithm {
             AlgorithmKey::Incremental => Delaunay::with::<trimalla::delaunay::Incremental>(points),
             AlgorithmKey::DivideAndConquer => Delaunay::with::<trimalla::delaunay::DivideAndConquer>(points),

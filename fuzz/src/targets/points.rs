@@ -45,7 +45,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
         tally.meshes += 1;
         none("check", &t.check_delaunay())?;
     }
-    must(one.canonical() == other.canonical(), "algorithms differ", || String::new())?;
+    must(one.canonical() == other.canonical(), "algorithms differ", String::new)?;
     let mesh = mesh_of(points, &one);
     if let Some(flaw) = first_flaw(&mesh, None, true) {
         return fault(format!("exact: {}", flaw.key()), flaw.to_string());

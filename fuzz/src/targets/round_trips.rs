@@ -2,7 +2,7 @@
 
 use trimalla::domain::Pslg;
 use trimalla::geometry::Point;
-use trimalla::refine::{Initial, Recipe, Recover, StopReason};
+use trimalla::refine::{Initial, PrepareWhen, Recipe, Recover, StopReason};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{MeshOptions, refine_mesh};
 use trimalla_io::area::Areas;
@@ -39,9 +39,12 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     others(&mesh, first_index, &mut d)?;
     let finished =
         report.stop == StopReason::Finished && report.leftovers.is_empty() && report.lost_segments.is_empty();
-    let Recipe { initial, recover, .. } = options.refine.recipe;
-    // Other recipes let segments go, and begin anew.
-    let stays = keeps_delaunay(&options.refine) && initial == Initial::Constrained && recover == Recover::WholeEdge;
+    let Recipe { initial, recover, prepare_when, .. } = options.refine.recipe;
+    // Other recipes let segments go, or look at them once more when they begin.
+    let stays = keeps_delaunay(&options.refine)
+        && initial == Initial::Constrained
+        && recover == Recover::WholeEdge
+        && prepare_when == PrepareWhen::Always;
     if !(finished && stays && case.drawing.regions.is_empty()) {
         return Ok(());
     }
