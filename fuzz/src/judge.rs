@@ -1,12 +1,14 @@
 //! What must hold of a mesh, and how a broken promise is called.
 
 use std::fmt::Debug;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use trimalla::domain::Pslg;
 use trimalla::quality::against_input;
 use trimalla::refine::RefineOptions;
 use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::first_flaw;
+use trimalla_testkit::peers::check_mesh_in_memory;
 
 /// A broken promise.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,6 +58,20 @@ pub fn none<T: Debug>(checker: &str, found: &[T]) -> Verdict {
     fault(format!("{checker}: {name}"), format!("{} findings, first {words}", found.len()))
 }
 
+/// Whether the shared Python checker is asked, too: a third of a second a mesh.
+pub static ASKS_PEER: AtomicBool = AtomicBool::new(false);
+
+/// What the shared `check_mesh.py` says of a mesh whose edges pass the circle test; nothing where it is not to be had.
+fn peer(input: &Pslg, mesh: &IndexedMesh, is_delaunay: bool) -> Verdict {
+    if !is_delaunay || !ASKS_PEER.load(Ordering::Relaxed) {
+        return Ok(());
+    }
+    match check_mesh_in_memory(mesh, Some(input)) {
+        Ok(Some(Err(said))) => fault("shared checker", said),
+        _ => Ok(()),
+    }
+}
+
 /// Everything that must hold of a mesh of a drawing: the library's checkers and the testkit's are silent, and the library takes
 /// the mesh up again and leaves it as it is.
 ///
@@ -74,6 +90,7 @@ pub fn mesh_of(drawing: &Pslg, mesh: &IndexedMesh, is_delaunay: bool, lost: &[u3
         return fault(format!("exact: {}", flaw.key()), flaw.to_string());
     }
     none("against input", &against_input(mesh, &input).faults)?;
+    peer(&input, mesh, is_delaunay)?;
     taken_up_again(&input, mesh, is_delaunay)
 }
 

@@ -28,6 +28,7 @@ fuzz.sh --list             the targets
 fuzz.sh --corpus FOLDER    every file of fuzz/corpus or another folder, once
 fuzz.sh --repeat FILE...   inputs that were kept, tried again
 fuzz.sh --reduce FILE      a smaller input with the same fault, beside the file
+fuzz.sh --peer N           so many drawings refined, each mesh shown to the shared check_mesh.py, too
 fuzz.sh --show TARGET SEED NUMBER    an input
 
 Exit status: 0 all is well, 1 something is not, 2 wrong use.";
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         ["--repeat", ref files @ ..] => repeat(files),
         ["--corpus", folder] => corpus(Path::new(folder)),
         ["--reduce", file] => reduce(Path::new(file)),
+        ["--peer", count] => peer(count),
         ["--show", target, seed, number] => show(target, seed, number),
         _ => run(&words),
     };
@@ -237,6 +239,21 @@ fn kind_in_child(file: &Path) -> Option<String> {
         }
         _ => Some("crash".to_owned()),
     }
+}
+
+/// The first inputs of `refine`, also for the checker that several people share.
+fn peer(count: &str) -> Result<bool, String> {
+    trimalla_fuzz::judge::ASKS_PEER.store(true, std::sync::atomic::Ordering::Relaxed);
+    let target = target("refine")?;
+    let (mut tally, mut all_well) = (Tally::default(), true);
+    for which in 0..number(count)? {
+        if let Err(Fault { kind, detail }) = target.try_out(&target.input(1, which), &mut tally) {
+            println!("fault {kind}\t{detail}\trefine 1 {which}");
+            all_well = false;
+        }
+    }
+    println!("{} meshes judged", tally.meshes);
+    Ok(all_well)
 }
 
 fn show(name: &str, seed: &str, which: &str) -> Result<bool, String> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::{BufRead, BufReader, Read as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
 use std::thread;
@@ -39,7 +39,7 @@ pub struct Plan {
 
 /// What came of a target.
 #[derive(Clone, Debug, Default)]
-pub struct Result {
+pub struct Outcome {
     /// Inputs tried.
     pub executions: u64,
     /// Meshes judged.
@@ -67,7 +67,7 @@ pub struct Kind {
     pub kept: Vec<(usize, u64, PathBuf)>,
 }
 
-impl Result {
+impl Outcome {
     /// All faults.
     #[must_use]
     pub fn faults(&self) -> u64 {
@@ -77,9 +77,9 @@ impl Result {
 
 /// Tries inputs of a target until time or number is used up.
 #[must_use]
-pub fn run(target: &'static Target, plan: &Plan) -> Result {
+pub fn run(target: &'static Target, plan: &Plan) -> Outcome {
     let start = Instant::now();
-    let result = Mutex::new(Result::default());
+    let result = Mutex::new(Outcome::default());
     thread::scope(|scope| {
         for lane in 0..plan.threads {
             let result = &result;
@@ -99,7 +99,7 @@ struct Lane<'a> {
     number: u64,
     done: u64,
     start: Instant,
-    result: &'a Mutex<Result>,
+    result: &'a Mutex<Outcome>,
 }
 
 /// How a child ended.
@@ -169,13 +169,7 @@ impl Lane<'_> {
         });
         let (mut tried, mut ended) = (None, None);
         let mut counted = [0; 3];
-        for line in child
-            .stdout
-            .take()
-            .map(BufReader::new)
-            .into_iter()
-            .flat_map(BufReader::lines)
-            .map_while(std::result::Result::ok)
+        for line in child.stdout.take().map(BufReader::new).into_iter().flat_map(BufReader::lines).map_while(Result::ok)
         {
             let mut words = line.splitn(3, ' ');
             let (what, number) =
@@ -256,11 +250,11 @@ fn slug(text: &str) -> String {
 
 /// The results as a table, and every kind of fault with its smallest input.
 #[must_use]
-pub fn table(results: &[(&'static Target, Result)], plan: &Plan) -> String {
+pub fn table(results: &[(&'static Target, Outcome)], plan: &Plan) -> String {
     let mut text = String::from(
         "| target | executions | meshes | refused | faults | seconds | a second | slowest ms | (its number) | peak MB |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
-    let mut row = |name: &str, r: &Result, faults: u64| {
+    let mut row = |name: &str, r: &Outcome, faults: u64| {
         let rate = r.executions as f64 / r.seconds.max(1e-9);
         let _ = writeln!(
             text,
@@ -274,7 +268,7 @@ pub fn table(results: &[(&'static Target, Result)], plan: &Plan) -> String {
             r.peak >> 20
         );
     };
-    let mut sum = Result::default();
+    let mut sum = Outcome::default();
     let mut all_faults = 0;
     for (target, r) in results {
         row(target.name, r, r.faults());
@@ -305,12 +299,4 @@ pub fn table(results: &[(&'static Target, Result)], plan: &Plan) -> String {
         }
     }
     text
-}
-
-/// Empties the folder of findings, or makes it.
-///
-/// # Errors
-/// Those of the file system.
-pub fn prepare(folder: &Path) -> std::io::Result<()> {
-    fs::create_dir_all(folder)
 }
