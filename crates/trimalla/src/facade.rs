@@ -103,8 +103,10 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
     let outlook = foreseen(&cdt, &options.refine, observer);
     let mut refinement = Refinement::timed(cdt, options.refine, observer.clock())?;
-    observer.begins(&mut refinement);
-    refinement.run(observer);
+    if refinement.prepare(observer) {
+        observer.begins(&mut refinement);
+        refinement.run(observer);
+    }
     let (cdt, report) = refinement.finish();
     Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook })
 }
@@ -176,8 +178,10 @@ pub fn refine_mesh_with(
     }
     let outlook = foreseen(&cdt, options, observer);
     let mut refinement = Refinement::timed(cdt, *options, observer.clock())?;
-    observer.begins(&mut refinement);
-    refinement.run(observer);
+    if refinement.prepare(observer) {
+        observer.begins(&mut refinement);
+        refinement.run(observer);
+    }
     let (cdt, report) = refinement.finish();
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });

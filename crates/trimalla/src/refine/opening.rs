@@ -11,6 +11,7 @@
 
 use super::recipe::Initial;
 use super::refinement::{Refinement, StepOutcome};
+use super::report::{Observer, StopReason};
 use super::stopwatch::Part;
 
 /// Edges looked at in one slice.
@@ -74,6 +75,21 @@ impl Refinement {
         if self.opening == Opening::ReleaseAgain && self.recover.locks_segments() {
             self.opening = Opening::Look;
         }
+    }
+
+    /// Does what comes before the loop, asking an observer before each slice whether to go on; says whether it is done.
+    ///
+    /// [`run`](Self::run) does it too. Before that, triangles of a mesh that is not Delaunay may still be flipped away.
+    pub fn prepare(&mut self, observer: &mut dyn Observer) -> bool {
+        self.report.stop = StopReason::default();
+        while !self.is_open() || self.recovery.is_some() {
+            if !observer.progress(self.progress()) {
+                self.report.stop = StopReason::Cancelled;
+                return false;
+            }
+            self.advance();
+        }
+        true
     }
 
     /// All slices that are left, where nobody has made a step.

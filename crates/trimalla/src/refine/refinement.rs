@@ -350,6 +350,7 @@ impl Refinement {
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
         self.history = None;
+        self.report.stop = StopReason::default();
         self.stopwatch = self.stopwatch.or_clock(observer.clock());
         let (mut steps, mut told_at) = (0, None);
         let stop = loop {

@@ -197,6 +197,9 @@ fn whatever_comes_before_the_loop_can_be_cancelled() {
     let mut refinement = begun(&drawing, options);
     let stop = refinement.run(&mut |p: Progress| p.vertices < 1800);
     assert_eq!(stop, StopReason::Cancelled);
+    let mut whole = refinement.clone();
+    assert_ne!(whole.run(&mut NoObserver), StopReason::Cancelled, "it can go on");
+    assert!(whole.finish().1.vertices > 3000);
     let (cdt, report) = refinement.finish();
     assert!(report.vertices < 3000, "{} vertices", report.vertices);
     assert_eq!(report.lost_segments, [0; 0], "what is left goes in whole");
