@@ -173,7 +173,7 @@ impl Refinement {
     /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets vertices be.
     fn place_within_rounding(&self, h: HalfEdgeId) -> Option<Place> {
         let apex = self.cdt.apex(h);
-        if !apex.is_finite() || self.cdt.is_deletable(apex) {
+        if !apex.is_finite() || self.cdt.provenance(apex).is_free() {
             return None;
         }
         let [a, b] = self.cdt.edge_points(h);

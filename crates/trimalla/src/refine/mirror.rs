@@ -78,7 +78,7 @@ impl Refinement {
     }
 
     fn mirror_of(&self, h: HalfEdgeId, side: HalfEdgeId, vertex: VertexId) -> Option<f64> {
-        if !vertex.is_finite() || self.cdt.is_deletable(vertex) {
+        if !vertex.is_finite() || self.cdt.provenance(vertex).is_free() {
             return None;
         }
         let ends = self.cdt.edge_points(h);
