@@ -1,7 +1,7 @@
 //! Refinement of meshes that exist, with their drawing and without, with area bounds; and of arrays that are no meshes.
 
 use trimalla::domain::Pslg;
-use trimalla::refine::{Initial, Insert};
+use trimalla::refine::{Initial, Insert, StopReason};
 use trimalla::triangulation::IndexedMesh;
 use trimalla::{MeshOptions, refine_mesh_with};
 
@@ -47,7 +47,9 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     let bits = |p: &trimalla::geometry::Point| [p.x.to_bits(), p.y.to_bits()];
     let kept = given.points.iter().map(bits).eq(mesh.points.iter().take(given.points.len()).map(bits));
     must(kept, "vertices of the mesh changed", String::new)?;
-    let is_delaunay = keeps_delaunay(&options) && options.recipe.initial != Initial::Given;
+    // A mesh that was given is flipped in steps, which may be cancelled.
+    let is_flipped = options.recipe.initial != Initial::Given && made.report.stop != StopReason::Cancelled;
+    let is_delaunay = keeps_delaunay(&options) && is_flipped;
     if with_drawing {
         mesh_of(&drawing, &mesh, is_delaunay, &made.report.lost_segments, tally)
     } else {

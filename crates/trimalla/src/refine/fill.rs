@@ -22,6 +22,7 @@
 //! # Source
 //! Ours. The lattice is the densest packing, `[FejesToth53]`.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bad_triangles::sorted;
@@ -203,9 +204,20 @@ impl Refinement {
             return FillStage::Done;
         }
         let degrees = self.degrees();
+        let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
         let (mut points, mut part_of, mut parts) = (Vec::new(), Vec::new(), Vec::new());
         for (f, lattice) in faces {
-            lattice.for_each_node_in(self.cdt.corners(f), |node| points.push(node));
+            let planned = lattice.try_for_each_node_in(self.cdt.corners(f), |node| {
+                if points.len() >= room {
+                    return ControlFlow::Break(());
+                }
+                points.push(node);
+                ControlFlow::Continue(())
+            });
+            if planned.is_break() {
+                self.look_at_all_bad(bounds);
+                return FillStage::Done;
+            }
             if points.len() > part_of.len() {
                 part_of.resize(points.len(), parts.len() as u32);
                 let clearance = CLEARANCE * lattice.spacing();

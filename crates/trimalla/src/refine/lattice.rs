@@ -11,6 +11,8 @@
 //! Nodes are shaken by a ten thousandth of the spacing, by a hash of their place. An exact lattice would put six of them on
 //! a circle and hundreds on a line, and each test of such would need exact arithmetic.
 
+use std::ops::ControlFlow;
+
 use crate::geometry::{BoundingBox, Point};
 
 /// How far a node is shaken, in spacings, along each axis at most.
@@ -61,11 +63,18 @@ impl Lattice {
         (high - low) / self.row_height() + 1.0
     }
 
-    /// Calls with every node of a triangle, row by row. A node on an edge is met in one of the two triangles beside it.
+    /// Calls with every node of a triangle, row by row, until a call breaks off. A node on an edge is met in one of the two
+    /// triangles beside it.
+    ///
+    /// A row that runs along a triangle flat but for rounding may hold many more nodes than the area tells.
     ///
     /// # Complexity
     /// The rows that cross the triangle, and the nodes.
-    pub(super) fn for_each_node_in(self, corners: [Point; 3], mut call: impl FnMut(Point)) {
+    pub(super) fn try_for_each_node_in(
+        self,
+        corners: [Point; 3],
+        mut call: impl FnMut(Point) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let height = self.row_height();
         let [low, high] = span(corners).map(|y| ((y - self.origin.y) / height).ceil());
         for row in whole(low)..whole(high) {
@@ -77,9 +86,10 @@ impl Lattice {
             for column in whole(first)..whole(end) {
                 let x = self.origin.x + (column as f64 + offset) * self.spacing;
                 let [dx, dy] = shake(row, column).map(|d| d * SHAKE * self.spacing);
-                call(Point::new(x + dx, y + dy));
+                call(Point::new(x + dx, y + dy))?;
             }
         }
+        ControlFlow::Continue(())
     }
 }
 
@@ -126,7 +136,11 @@ mod tests {
 
     fn nodes_in(lattice: Lattice, corners: [[f64; 2]; 3]) -> Vec<Point> {
         let mut nodes = Vec::new();
-        lattice.for_each_node_in(corners.map(Point::from), |node| nodes.push(node));
+        let all = lattice.try_for_each_node_in(corners.map(Point::from), |node| {
+            nodes.push(node);
+            ControlFlow::Continue(())
+        });
+        assert!(all.is_continue(), "nothing breaks off");
         nodes
     }
 

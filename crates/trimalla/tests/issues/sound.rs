@@ -303,3 +303,12 @@ fn a_refinement_that_no_longer_improves_stops() {
         assert_eq!(report.complete(), stop == StopReason::Finished, "{preset}, {angle}");
     }
 }
+
+/// A row of the lattice that runs along a flat triangle has many more nodes than the area of the triangle tells: the plan
+/// took gigabytes.
+#[test]
+fn a_lattice_plan_keeps_to_the_budget() {
+    let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_area(1e-16).with_max_vertices(1000);
+    let (mesh, _) = refined(&issue("lattice-along-a-sliver"), DomainRule::Seeds, options);
+    assert!(mesh.points.len() <= 1000);
+}
