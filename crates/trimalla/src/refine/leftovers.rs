@@ -31,9 +31,6 @@ enum Place {
 
 /// Squared distances this close, relatively, are on one shell.
 const SAME_SHELL: f64 = 1e-3;
-/// Triangles across an input angle that is wide enough are treated down to shells of this radius over the length of the
-/// shortest piece of a segment there: first shells are at a third of it at least, and three more may be needed.
-const SMALLEST_SHELL: f64 = 1.0 / 32.0;
 
 impl Refinement {
     /// The triangulation, and the report with every triangle that stayed bad.
@@ -131,11 +128,11 @@ impl Refinement {
         self.across_shell(f).or_else(|| self.within_rounding(f))
     }
 
-    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end.
+    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end, where
+    /// they meet at an angle that is bad itself: splitting the triangle would only make the same one smaller.
     ///
-    /// Where the pieces meet at an angle that is bad itself, splitting the triangle would only make the same one smaller,
-    /// and the input forces that. Where they meet at a wider angle, the triangle is treated like any other, but not on
-    /// shells much smaller than the pieces: there the treatment goes round in circles.
+    /// Where the pieces meet at a wider angle, the triangle is treated like any other. That may go on with smaller and smaller
+    /// shells, at bounds that are hard to reach; the length floor ends it after some forty of them.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
@@ -146,12 +143,8 @@ impl Refinement {
         let shortest = self.shortest_edge(f);
         let [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
         let apex = self.apex_of_shell(p, q)?;
-        if self.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v))) {
-            return Some(Reason::AcrossSmallInputAngle);
-        }
-        let radius_sq = self.ruler.length_sq(self.cdt.point(apex), self.cdt.point(p));
-        let is_far_in = radius_sq < SMALLEST_SHELL * SMALLEST_SHELL * self.shortest_piece_sq(apex);
-        is_far_in.then_some(Reason::StrategyCannotImprove)
+        let is_forced = self.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v)));
+        is_forced.then_some(Reason::AcrossSmallInputAngle)
     }
 
     /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
@@ -199,12 +192,6 @@ impl Refinement {
     fn pieces_at(&self, v: VertexId) -> impl Iterator<Item = Piece> + '_ {
         let marked = self.cdt.edges_around(v).filter(|&h| self.is_input(h));
         marked.map(|h| self.joints.whole_of(&self.cdt, h))
-    }
-
-    /// The squared length of the shortest piece of a segment that ends at a vertex.
-    fn shortest_piece_sq(&self, apex: VertexId) -> f64 {
-        let length_sq = |[a, b]: Piece| self.ruler.length_sq(self.cdt.point(a), self.cdt.point(b));
-        self.pieces_at(apex).map(length_sq).fold(f64::INFINITY, f64::min)
     }
 
     /// The shortest edge of a face; of equal ones that with the lowest vertices.

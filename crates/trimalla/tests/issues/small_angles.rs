@@ -1,5 +1,7 @@
 //! Small angles wherever segments meet: at joints inside segments, at crossings, at the hull, within rounding.
 
+#![allow(clippy::print_stdout, reason = "figures for those who look")]
+
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, build};
@@ -13,6 +15,9 @@ use trimalla::{DomainOptions, refine_mesh, triangulate_conforming};
 use trimalla_testkit::generators::SplitMix64;
 
 use super::{issue, refined};
+
+/// Places of vertices, and segments between them.
+type Lists<'a> = (&'a [[f64; 2]], &'a [[u32; 2]], &'a [[u32; 2]]);
 
 /// More vertices than any drawing here needs.
 const MOST_VERTICES: usize = 100_000;
@@ -51,7 +56,7 @@ impl Meeting {
         let arm = |length: f64| [length * angle.cos(), length * angle.sin()];
         let corners = [[-20.0, -20.0], [20.0, -20.0], [20.0, 20.0], [-20.0, 20.0]];
         let ring: &[[u32; 2]] = &[[0, 1], [1, 2], [2, 3], [3, 0]];
-        let (points, whole, pieces): (&[[f64; 2]], &[[u32; 2]], &[[u32; 2]]) = match self {
+        let (points, whole, pieces): Lists<'_> = match self {
             Self::Joint => {
                 (&[[-8.0, 0.0], [8.0, 0.0], [0.0, 0.0], arm(7.0)], &[[4, 5], [6, 7]], &[[4, 6], [6, 5], [6, 7]])
             }
@@ -229,6 +234,16 @@ fn flat_triangles_at_the_hull_are_not_meshed() {
         let points: Vec<[f64; 2]> = grid.map(|(x, y)| [x * cos - y * sin, x * sin + y * cos]).collect();
         let (_, report) = refined(&drawing(&points, &[]), DomainRule::Hull, RefineOptions::default());
         assert_eq!((report.vertices, report.leftovers.len()), (400, 0), "{degrees}");
+    }
+}
+
+/// A fine mesh has shells much smaller than the segments: across the 45 degrees of a square's diagonal, too, nothing is left.
+#[test]
+fn wide_input_angles_force_nothing_in_fine_meshes() {
+    let square = drawing(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]);
+    for area in [1e-2, 1e-3, 1e-4] {
+        let (_, report) = refined(&square, DomainRule::Seeds, RefineOptions::default().with_max_area(area));
+        assert_eq!(report.leftovers, [], "{area}");
     }
 }
 
