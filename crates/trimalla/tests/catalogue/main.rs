@@ -91,3 +91,42 @@ fn refined(input: &Pslg, rule: DomainRule, options: RefineOptions) -> (IndexedMe
     assert!(mesh.points.iter().all(|p| p.is_finite()), "a vertex is not finite");
     (mesh, report)
 }
+
+/// Every test named in the table of `docs/reliability.md` is there, and every test here is in the table.
+#[test]
+fn the_page_names_the_tests_there_are() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let page = std::fs::read_to_string(root.join("docs/reliability.md")).expect("the page");
+    let is_test = |name: &&str| {
+        let bytes = name.as_bytes();
+        bytes.len() > 4
+            && bytes[0].is_ascii_lowercase()
+            && bytes[1..3].iter().all(u8::is_ascii_digit)
+            && bytes[3] == b'_'
+    };
+    let named: std::collections::BTreeSet<&str> = page.split('`').filter(is_test).collect();
+    let mut sources = String::new();
+    let mut folders = vec![root.join("crates")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder of ours") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                sources += &std::fs::read_to_string(path).expect("a source of ours");
+            }
+        }
+    }
+    let missing: Vec<&&str> = named.iter().filter(|name| !sources.contains(&format!("fn {name}()"))).collect();
+    assert!(missing.is_empty(), "named, but not there: {missing:?}");
+    for module in [
+        include_str!("a_points.rs"),
+        include_str!("b_segments.rs"),
+        include_str!("c_domains.rs"),
+        include_str!("d_refinement.rs"),
+    ] {
+        let here = module.split("\nfn ").skip(1).filter_map(|rest| rest.split('(').next()).filter(is_test);
+        let unnamed: Vec<&str> = here.filter(|name| !named.contains(name)).collect();
+        assert!(unnamed.is_empty(), "not in the table: {unnamed:?}");
+    }
+}
