@@ -58,7 +58,7 @@ fn first_of(faults: &[InputFault]) -> String {
 /// # Guarantees
 /// Input vertices come first in the mesh, in order, bit for bit. Every triangle is counter-clockwise by the exact
 /// test, every input segment a chain of edges, every other edge passes the circle test. Each triangle below the
-/// bound is listed in the report with its reason. The call ends: see [`Limits`](crate::refine::Limits).
+/// bound is listed in the report with its reason. The call ends: see [`Limits`].
 ///
 /// # Errors
 /// [`Error`] names what is wrong in the drawing or the options.
@@ -194,7 +194,7 @@ pub fn refine_mesh_with(
 ///
 /// # Guarantees
 /// No circumcircle has a vertex inside, unless [`Warning::NotConforming`] says that the vertex budget or the length floor of
-/// [`Limits`](crate::refine::Limits) ended the splitting: then the missing pieces are constrained edges.
+/// [`Limits`] ended the splitting: then the missing pieces are constrained edges.
 ///
 /// # Errors
 /// [`DomainError`].

@@ -41,6 +41,11 @@ impl ConstrainedDelaunay {
         }
     }
 
+    /// Whether a class is a span of a line, so that its segments are computed, and not a list.
+    pub(crate) fn is_span(&self, mark: u32) -> bool {
+        matches!(self.constraints.class(mark), Class::Span(_))
+    }
+
     /// The lowest of the input segments that an edge is part of.
     pub(crate) fn first_segment_of(&self, h: HalfEdgeId) -> Option<SegmentId> {
         self.first_segment(self.t.mark(h))

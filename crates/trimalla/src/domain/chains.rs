@@ -4,7 +4,7 @@
 //! ends, and the rule for small angles asks which segment a vertex lies on. Two ways lead back:
 //!
 //! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it, by the rule
-//! of [`Strip`](crate::geometry::Strip): see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
+//! of [`Strip`]: see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
 //! that through the lowest vertices. Where a segment leaves the domain, it is followed from both ends as far as it goes;
 //! edges between two such gaps are looked for one by one.
 //!

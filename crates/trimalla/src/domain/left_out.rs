@@ -8,7 +8,7 @@ use crate::mesh::VertexId;
 /// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
 ///
 /// # Complexity
-/// Linear in vertices and edges, a sort of the classes of edges, and the segments of each class.
+/// Linear in vertices and edges, a sort of the spans where segments overlap, and the segments of each.
 pub(super) fn left_out(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let is_unused = |v: &VertexId| !cdt.is_used(*v) && cdt.representative(*v) == *v;
@@ -55,14 +55,15 @@ impl Found {
     fn of(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Self {
         let n = pslg.segments.len();
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
-        // Edges of one class are parts of the same segments: each class is looked at once.
-        let mut marks = Vec::new();
-        cdt.marked_edges().for_each(|h| marks.push(cdt.mark(h)));
-        marks.sort_unstable();
-        marks.dedup();
-        for mark in marks {
-            found.look_at_class(&cdt.segments_of_class(mark), pslg);
-        }
+        // Edges of one span are parts of the same segments, which are computed: each span is looked at once.
+        let mut spans = Vec::new();
+        cdt.marked_edges().for_each(|h| match cdt.mark(h) {
+            mark if cdt.is_span(mark) => spans.push(mark),
+            mark => found.look_at_class(&cdt.segments_of_class(mark), pslg),
+        });
+        spans.sort_unstable();
+        spans.dedup();
+        spans.into_iter().for_each(|mark| found.look_at_class(&cdt.segments_of_class(mark), pslg));
         found
     }
 

@@ -97,11 +97,20 @@ impl Refinement {
         if wedge.is_below(SMALL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }
     }
 
-    /// The first subsegment among a spoke and those that it is turned to.
-    fn first_marked(&self, spoke: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
-        let spokes = std::iter::successors(Some(spoke), |&spoke| Some(turn(spoke)));
+    /// The first subsegment among a spoke and those that it is turned to, once around the vertex.
+    fn first_marked(&self, first: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
+        let mut spoke = first;
         // A star has no more spokes than there are faces.
-        spokes.take(self.cdt.face_slots()).find(|&spoke| self.cdt.is_marked(spoke))
+        for _ in 0..self.cdt.face_slots() {
+            if self.cdt.is_marked(spoke) {
+                return Some(spoke);
+            }
+            spoke = turn(spoke);
+            if spoke == first {
+                break;
+            }
+        }
+        None
     }
 }
 
