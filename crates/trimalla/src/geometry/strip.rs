@@ -104,6 +104,10 @@ impl Strip {
         let Segment { start: a, end: b } = self.segment;
         let [w, h] = self.reach;
         let (dx, dy) = (b.x - a.x, b.y - a.y);
+        // Differences of doubles are 0 where they are equal, and nowhere else. Near an axis the limit is too small for the filter.
+        if dx == 0.0 && p.x == a.x || dy == 0.0 && p.y == a.y {
+            return true;
+        }
         let (left, right) = (dx * (p.y - a.y), dy * (p.x - a.x));
         let off = (left - right).abs();
         let limit = w * dy.abs() + h * dx.abs();

@@ -46,6 +46,8 @@ pub struct Refinement {
     /// Whether the caller picks.
     pub(super) is_manual: bool,
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
+    /// Whether step 3 is of the library: what it proposes inside a face was found there by a walk.
+    pub(super) walks_prove_places: bool,
     pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
     pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
@@ -161,7 +163,8 @@ impl Refinement {
     /// # Errors
     /// [`OptionError`].
     pub fn timed(cdt: ConstrainedDelaunay, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
-        Self::of_steps(cdt, options, Steps::of(&options), clock)
+        let refinement = Self::of_steps(cdt, options, Steps::of(&options), clock)?;
+        Ok(Self { walks_prove_places: true, ..refinement })
     }
 
     /// [`timed`](Self::timed) with steps of the caller's own in the place of the recipe's.
@@ -190,6 +193,7 @@ impl Refinement {
             is_manual: select.is_manual(),
             select,
             point,
+            walks_prove_places: false,
             bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref(), precision * precision),
             insert,
             recover,
@@ -295,6 +299,7 @@ impl Refinement {
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
         self.point = Arc::new(point);
+        self.walks_prove_places = false;
         self
     }
 

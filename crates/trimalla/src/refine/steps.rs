@@ -193,15 +193,24 @@ impl Proposal {
     /// The loop asks this of every proposal, whoever made it, before it uses one.
     #[must_use]
     pub fn is_true(self, cdt: &ConstrainedDelaunay) -> bool {
+        self.is_possible(cdt) && self.is_in_its_face(cdt)
+    }
+
+    /// Whether a point inside a face lies left of its three sides; true for other places.
+    fn is_in_its_face(self, cdt: &ConstrainedDelaunay) -> bool {
+        let Self::Free { point, locus: Locus::Face(f) } = self else { return true };
+        f.half_edges().into_iter().all(|h| cdt.side_of(h, point) == Orientation::CounterClockwise)
+    }
+
+    /// What [`is_true`](Self::is_true) asks, but not whether a point inside a face is there: a walk has proved that
+    /// where a step of the library proposes it.
+    pub(super) fn is_possible(self, cdt: &ConstrainedDelaunay) -> bool {
         let is_free_edge = |h: HalfEdgeId| {
             let faces = [h.face(), cdt.twin(h).face()];
             faces.into_iter().all(|f| cdt.is_real(f)) && !cdt.is_marked(h)
         };
         match self {
-            Self::Free { point, locus: Locus::Face(f) } => {
-                let is_left = |h| cdt.side_of(h, point) == Orientation::CounterClockwise;
-                point.is_finite() && cdt.is_alive(f) && cdt.is_real(f) && f.half_edges().into_iter().all(is_left)
-            }
+            Self::Free { point, locus: Locus::Face(f) } => point.is_finite() && cdt.is_alive(f) && cdt.is_real(f),
             Self::Free { point, locus: Locus::Edge(h) } => {
                 let is_on = |[a, b]: [Point; 2]| on_segment(a, b, point) && point != a && point != b;
                 point.is_finite() && cdt.is_alive(h.face()) && is_free_edge(h) && is_on(cdt.edge_points(h))

@@ -69,7 +69,8 @@ impl Refinement {
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
     fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
-        if !place.is_true(&self.cdt) {
+        let is_true = if self.walks_prove_places { place.is_possible(&self.cdt) } else { place.is_true(&self.cdt) };
+        if !is_true {
             return Err(Reason::StrategyCannotImprove);
         }
         if let Some(h) = self.insert.flip_instead(self.view(), place) {
