@@ -130,7 +130,12 @@ impl Looker<'_> {
 impl Refinement {
     fn looker(&mut self) -> Looker<'_> {
         Looker {
-            view: View::new(&self.cdt, &self.options.criteria, self.ruler, self.insert.as_ref()),
+            view: View {
+                cdt: &self.cdt,
+                criteria: &self.options.criteria,
+                ruler: self.ruler,
+                longest_walk: self.longest_walk,
+            },
             test: &self.test,
             select: self.select.as_ref(),
             is_manual: self.is_manual,

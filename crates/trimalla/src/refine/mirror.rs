@@ -17,13 +17,46 @@ use super::joints::{Joints, Piece};
 use super::refinement::Refinement;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, Released, SegmentPlan};
-use crate::geometry::{CircleSide, Point, in_diametral_disk};
+use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
 use crate::mesh::{HalfEdgeId, VertexId};
 
 /// The squared sine of one degree. At wider angles splits in the middle cost little, and the mesh is more even.
 pub(super) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
 /// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other piece.
 const SHELL_SINE_SQ: f64 = 0.75;
+
+/// Whether two subsegments meet at less than two degrees somewhere, or may do so outside the domain: elsewhere nothing is mirrored
+/// at less than one.
+///
+/// # Complexity
+/// Linear in the segments, the marked edges, and the degrees of the vertices where two of those meet.
+pub(super) fn has_small_wedge(cdt: &ConstrainedDelaunay, ruler: Ruler) -> bool {
+    if cdt.segments().iter().flatten().any(|&v| !cdt.is_used(v)) {
+        return true;
+    }
+    let (mut ends, mut shared) = (vec![0_u8; cdt.points().len()], Vec::new());
+    cdt.marked_edges().for_each(|h| {
+        for v in [cdt.origin(h), cdt.dest(h)] {
+            let count = &mut ends[v.index()];
+            *count = count.saturating_add(1);
+            if *count == 2 {
+                shared.push(v);
+            }
+        }
+    });
+    shared.into_iter().any(|v| is_small_wedge_at(cdt, ruler, v))
+}
+
+/// Whether two of the subsegments at a vertex that follow each other around it meet at less than two degrees.
+fn is_small_wedge_at(cdt: &ConstrainedDelaunay, ruler: Ruler, v: VertexId) -> bool {
+    let marked = cdt.edges_around(v).filter(|&h| cdt.is_marked(h));
+    let along: Vec<Vector> = marked.map(|h| ruler.vector(cdt.point(v), cdt.point(cdt.dest(h)))).collect();
+    (0..along.len()).any(|i| {
+        let (a, b) = (along[i], along[(i + 1) % along.len()]);
+        let cross = a.cross(b);
+        a.dot(b) > 0.0 && cross * cross < 4.0 * SMALL_SINE_SQ * a.length_sq() * b.length_sq()
+    })
+}
 
 /// A subsegment, and a vertex of another piece of a segment that meets its own at an apex.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +105,9 @@ impl Refinement {
     /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of less
     /// than a degree; `None` where no such vertex is beside it.
     pub(super) fn mirrored_place(&self, h: HalfEdgeId) -> Option<f64> {
+        if !self.has_small_wedge {
+            return None;
+        }
         let [left, right] = [h, self.cdt.twin(h)].map(|side| (self.cdt.apex(side), side));
         let sides = if left.0 < right.0 { [left, right] } else { [right, left] };
         sides.into_iter().find_map(|(vertex, side)| self.mirror_of(h, side, vertex))

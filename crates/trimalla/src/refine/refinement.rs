@@ -11,6 +11,7 @@ use super::fill::FillStage;
 use super::history::History;
 use super::improvement::Improvement;
 use super::joints::Joints;
+use super::mirror::has_small_wedge;
 use super::opening::Opening;
 use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
@@ -55,6 +56,10 @@ pub struct Refinement {
     pub(super) test: Test,
     /// Where segments are parted into pieces.
     pub(super) joints: Joints,
+    /// Whether pieces meet at so small an angle somewhere that splits mirror the vertices of other pieces.
+    pub(super) has_small_wedge: bool,
+    /// How many triangles a walk may cross.
+    pub(super) longest_walk: usize,
     /// The square of the shortest distance allowed between vertices, in the ruler's units.
     pub(super) floor_sq: f64,
     /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
@@ -194,6 +199,7 @@ impl Refinement {
             select,
             point,
             walks_prove_places: false,
+            longest_walk: View::longest_walk(insert.as_ref()),
             bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref(), precision * precision),
             insert,
             recover,
@@ -201,6 +207,7 @@ impl Refinement {
             ruler,
             test: Test::new(&options.criteria, &cdt),
             joints: Joints::of(&cdt),
+            has_small_wedge: has_small_wedge(&cdt, ruler),
             floor_sq: floor * floor,
             precision_sq: precision * precision,
             floor_reason,
@@ -307,6 +314,7 @@ impl Refinement {
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
         self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
+        self.longest_walk = View::longest_walk(&insert);
         self.insert = Arc::new(insert);
         if self.insert.keeps_small_angles() {
             self.improvement = Improvement::UNWATCHED;
@@ -504,7 +512,7 @@ impl Refinement {
     }
 
     pub(super) fn view(&self) -> View<'_> {
-        View::new(&self.cdt, &self.options.criteria, self.ruler, self.insert.as_ref())
+        View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler, longest_walk: self.longest_walk }
     }
 }
 

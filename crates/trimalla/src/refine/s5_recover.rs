@@ -56,7 +56,13 @@ impl Refinement {
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
+    #[inline]
     pub(super) fn recover_on(&mut self) -> bool {
+        // Nearly always there is nothing to recover.
+        self.recovery.is_some() && self.recover_slice()
+    }
+
+    fn recover_slice(&mut self) -> bool {
         let Some(mut recovery) = self.recovery.take() else { return false };
         let before = self.stopwatch.enter(Part::Recover);
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);

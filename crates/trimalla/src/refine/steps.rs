@@ -85,22 +85,16 @@ pub struct View<'a> {
     pub(super) longest_walk: usize,
 }
 
-impl<'a> View<'a> {
+impl View<'_> {
     /// Triangles that a walk may cross where step 4 does not keep the circle test.
     ///
     /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and what lies so far off is
     /// no help for the triangle that the walk began at.
     const LONGEST_WALK: usize = 1 << 10;
 
-    /// What steps may look at, with that step 4.
-    pub(super) fn new(
-        cdt: &'a ConstrainedDelaunay,
-        criteria: &'a Criteria,
-        ruler: Ruler,
-        insert: &dyn InsertStep,
-    ) -> Self {
-        let longest_walk = if insert.keeps_delaunay() { usize::MAX } else { Self::LONGEST_WALK };
-        Self { cdt, criteria, ruler, longest_walk }
+    /// How many triangles a walk may cross with that step 4.
+    pub(super) fn longest_walk(insert: &dyn InsertStep) -> usize {
+        if insert.keeps_delaunay() { usize::MAX } else { Self::LONGEST_WALK }
     }
 }
 
