@@ -51,6 +51,11 @@ impl Adjacency {
         if v + 1 < self.begin.len() { &self.spokes[self.begin[v]..self.begin[v + 1]] } else { &[] }
     }
 
+    /// The vertices that an edge joins to a vertex, in ascending order.
+    pub(crate) fn neighbours(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+        self.spokes(v).iter().map(|s| s.0)
+    }
+
     /// The edge between two vertices, by its place in the list.
     pub(crate) fn edge_between(&self, a: u32, b: u32) -> Option<u32> {
         let (from, to) = if self.spokes(a).len() <= self.spokes(b).len() { (a, b) } else { (b, a) };
@@ -231,6 +236,13 @@ impl Course {
         self.strip.reach().map(|reach| 2.0 * reach)
     }
 
+    /// Whether two points are no farther apart, in each coordinate, than the strip is wide: which of two such vertices of the
+    /// strip comes first along the segment is in doubt.
+    pub(crate) fn are_close(&self, p: Point, q: Point) -> bool {
+        let [w, h] = self.reach();
+        (p.x - q.x).abs() <= w && (p.y - q.y).abs() <= h
+    }
+
     /// Whether a point lies in the strip.
     pub(crate) fn is_in_strip(&self, p: Point) -> bool {
         self.strip.contains(p)
@@ -258,12 +270,22 @@ impl Leg {
         std::iter::successors(Some(self.farthest), |v| self.came_by.get(v).copied()).collect()
     }
 
-    /// The edges on all ways to the farthest vertex.
-    pub(crate) fn edges(&self) -> Vec<[u32; 2]> {
+    /// The vertices that are reached, the start too.
+    pub(crate) fn reached(&self) -> impl Iterator<Item = u32> + '_ {
+        std::iter::once(self.ends[0]).chain(self.came_by.keys().copied())
+    }
+
+    /// The edges that lead on from vertices that are reached, each away from the start.
+    pub(crate) fn arcs(&self) -> &[[u32; 2]] {
+        &self.arcs
+    }
+
+    /// The edges on all ways to a vertex that is reached.
+    pub(crate) fn edges_to(&self, last: u32) -> Vec<[u32; 2]> {
         let mut backwards: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
         self.arcs.iter().for_each(|&[v, w]| backwards.entry(w).or_default().push(v));
-        let mut seen = BTreeSet::from([self.farthest]);
-        let (mut open, mut found) = (vec![self.farthest], Vec::new());
+        let mut seen = BTreeSet::from([last]);
+        let (mut open, mut found) = (vec![last], Vec::new());
         while let Some(w) = open.pop() {
             for &v in backwards.get(&w).into_iter().flatten() {
                 found.push([v.min(w), v.max(w)]);

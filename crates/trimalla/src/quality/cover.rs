@@ -3,9 +3,10 @@
 //! A segment is followed from stop to stop: from its start over the input vertices exactly on it to its end. A leg that no
 //! edges cover from end to end is a fault, unless the segment is outside the mesh there. It is, if
 //!
-//! 1. its chains, from either end of the leg and from every vertex of the boundary along it, stop at vertices of the
-//!    boundary, before no triangle that it runs into;
-//! 2. it crosses no boundary edge between the outermost of those.
+//! 1. its chains from either end of the leg, and from every vertex of the boundary along it between these two, can leave the
+//!    mesh: they come to a vertex of the boundary before no triangle that the segment runs into, from which every edge
+//!    onwards in the strip is one of the boundary, too;
+//! 2. it crosses no boundary edge between where those of the two ends leave.
 //!
 //! ```text
 //!                 p                 A segment runs into the triangle v p q beyond doubt if p lies right of it and q left,
@@ -14,10 +15,22 @@
 //!               \ │
 //!                 q
 //! ```
+//!
+//! Rounding leaves three things in doubt, and what is in doubt is no fault:
+//!
+//! * *which of two vertices comes first*, where they are no farther apart than the strip is wide. An edge that leads no
+//!   farther than that leads nowhere; a vertex of the boundary so near to an end that the mesh does not use is as good as
+//!   that end;
+//! * *on which side of the boundary an unused end lies*, where it lies along another input segment: split points bend the
+//!   chain of that segment to either side. The edges of that chain may be crossed, see `near_ends.rs`;
+//! * *on which chain the segment runs*, where another chain of the boundary is in its strip: an input vertex beside the
+//!   segment is no fault on a chain that has the mesh on its one side and the segment on the other.
 
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
 use super::against_input::InputFault;
+use super::near_ends::NearEnds;
 use crate::domain::{Adjacency, Beside, Course, Courses, Leg, Pslg};
 use crate::geometry::{BoundingBox, BoxTree, Orientation, Point, Segment, orient2d};
 use crate::triangulation::{IndexedMesh, Side, Sides, mesh_vertex};
@@ -29,6 +42,8 @@ pub(super) struct Cover<'a> {
     courses: Courses<'a>,
     edges: Adjacency,
     boundary: OnceCell<Boundary>,
+    segments: &'a [[u32; 2]],
+    near_ends: OnceCell<NearEnds>,
     /// Whether each of the edges covers a segment.
     covered: Vec<bool>,
 }
@@ -50,7 +65,7 @@ enum Breach {
 
 /// How a chain goes on towards a stop.
 enum Leaving {
-    /// It leads there.
+    /// It leads there, or as near as makes no difference.
     Never,
     /// It leaves the mesh at that vertex.
     At(u32),
@@ -64,7 +79,8 @@ impl<'a> Cover<'a> {
         let edges: Vec<[u32; 2]> = sides.edges().map(|s| [s.origin, s.dest]).collect();
         let covered = vec![false; edges.len()];
         let edges = Adjacency::new(mesh.points.len(), &edges);
-        Self { mesh, sides, courses, edges, boundary: OnceCell::new(), covered }
+        let (boundary, near_ends) = (OnceCell::new(), OnceCell::new());
+        Self { mesh, sides, courses, edges, boundary, segments: &input.segments, near_ends, covered }
     }
 
     /// The edges met along all segments, lower vertex first, sorted.
@@ -102,8 +118,9 @@ impl<'a> Cover<'a> {
         let beside = self.leg(course, ends, Beside::Allowed);
         if beside.is_whole() {
             let inner = |v: &u32| self.courses.is_known(*v) && !ends.contains(v);
-            let through = beside.path().into_iter().find(inner).filter(|_| self.courses.beside() == Beside::Refused);
-            return through.map(Breach::PassesBeside);
+            let path = beside.path();
+            let through = path.iter().copied().find(inner).filter(|_| self.courses.beside() == Beside::Refused);
+            return through.filter(|_| !self.is_beyond(course, &path)).map(Breach::PassesBeside);
         }
         self.passed_by(course, to).or_else(|| self.uncovered(course, ends))
     }
@@ -111,10 +128,15 @@ impl<'a> Cover<'a> {
     /// Follows a leg and notes its edges.
     fn leg(&mut self, course: &Course, ends: [u32; 2], beside: Beside) -> Leg {
         let leg = self.courses.leg(course, ends, &self.edges, beside);
-        for ends in leg.edges() {
+        self.note(&leg, leg.farthest);
+        leg
+    }
+
+    /// Notes the edges on all ways of a leg to a vertex that it reaches.
+    fn note(&mut self, leg: &Leg, last: u32) {
+        for ends in leg.edges_to(last) {
             self.cover(ends);
         }
-        leg
     }
 
     /// Notes the edge between two vertices, if there is one; says whether there is.
@@ -139,18 +161,21 @@ impl<'a> Cover<'a> {
 
     /// Where a segment is inside the mesh between two stops without edges along it.
     fn uncovered(&mut self, course: &Course, ends: [u32; 2]) -> Option<Breach> {
-        let mut starts = self.along_boundary(course, ends);
-        starts.insert(0, ends[0]);
-        starts.push(ends[1]);
         let mut outermost = ends;
-        for start in starts {
-            for (from, to) in
-                [(0, 1), (1, 0)].map(|(from, to)| (from, ends[to])).into_iter().filter(|&(_, to)| start != to)
-            {
-                match self.leaves(course, [start, to], from == 1) {
-                    Leaving::At(v) if start == ends[from] => outermost[from] = v,
-                    Leaving::At(_) | Leaving::Never => {}
-                    Leaving::Stuck(v) => return Some(Breach::StopsAt(v)),
+        for (from, backwards) in [(0, false), (1, true)] {
+            match self.leaves(course, [ends[from], ends[1 - from]], backwards) {
+                Leaving::At(v) => outermost[from] = v,
+                Leaving::Never => return None,
+                Leaving::Stuck(v) => return Some(Breach::StopsAt(v)),
+            }
+        }
+        if !self.courses.order(course, outermost[0], outermost[1]).is_lt() {
+            return None; // The chains from both ends meet, but for rounding.
+        }
+        for start in self.along_boundary(course, outermost) {
+            for (to, backwards) in [(ends[1], false), (ends[0], true)] {
+                if let Leaving::Stuck(v) = self.leaves(course, [start, to], backwards) {
+                    return Some(Breach::StopsAt(v));
                 }
             }
         }
@@ -163,16 +188,72 @@ impl<'a> Cover<'a> {
     fn leaves(&mut self, course: &Course, ends: [u32; 2], backwards: bool) -> Leaving {
         let mut stuck = None;
         for beside in [Beside::Refused, self.courses.beside()] {
-            let stop = self.leg(course, ends, beside).farthest;
-            if stop == ends[1] {
-                return Leaving::Never;
+            let leg = self.courses.leg(course, ends, &self.edges, beside);
+            let is_covered = leg.is_whole() || self.comes_close(course, &leg, ends[1]);
+            let exit = if is_covered { None } else { self.exit(course, &leg, backwards) };
+            self.note(&leg, exit.unwrap_or(leg.farthest));
+            match exit {
+                _ if is_covered => return Leaving::Never,
+                Some(exit) => return Leaving::At(exit),
+                None => stuck = stuck.or(Some(leg.farthest)),
             }
-            if !self.runs_into_triangle(course, stop, backwards) {
-                return Leaving::At(stop);
-            }
-            stuck = stuck.or(Some(stop));
         }
         stuck.map_or(Leaving::Never, Leaving::Stuck)
+    }
+
+    /// Whether edges lead to a vertex of the boundary in the place of an end that the mesh does not use.
+    fn comes_close(&self, course: &Course, leg: &Leg, end: u32) -> bool {
+        if self.sides.is_used(end) {
+            return false;
+        }
+        let goal = self.place(end);
+        let is_there = |v: u32| {
+            let p = self.place(v);
+            p.is_finite() && course.are_close(p, goal) && course.is_in_strip(p) && self.is_open(v)
+        };
+        leg.reached().any(|v| is_there(v) || self.edges.neighbours(v).any(is_there))
+    }
+
+    /// The farthest vertex of a leg at which the segment can leave the mesh.
+    fn exit(&self, course: &Course, leg: &Leg, backwards: bool) -> Option<u32> {
+        let along = |v: u32, w: u32| {
+            let order = self.courses.order(course, v, w);
+            if backwards { order.reverse() } else { order }
+        };
+        // An arc leads away from the start: seen from the far end, what lies behind its end is known already.
+        let mut arcs = leg.arcs().to_vec();
+        arcs.retain(|&[v, w]| self.sides.find(v, w).is_some() && self.sides.find(w, v).is_some());
+        arcs.sort_by(|v, w| along(w[0], v[0]));
+        let mut leads_inside = BTreeSet::new();
+        for [v, w] in arcs {
+            if leads_inside.contains(&w) || !course.are_close(self.place(v), self.place(w)) {
+                leads_inside.insert(v);
+            }
+        }
+        let can_leave = |&v: &u32| !leads_inside.contains(&v) && !self.runs_into_triangle(course, v, backwards);
+        leg.reached().filter(can_leave).max_by(|&v, &w| along(v, w))
+    }
+
+    /// Whether the boundary leads along a path, from its end to its start, and the segment lies on the outer side.
+    fn is_beyond(&self, course: &Course, path: &[u32]) -> bool {
+        let Segment { start, end } = course.segment();
+        let lies = |v: u32| orient2d(start, end, self.place(v));
+        let inner = &path[1..path.len() - 1];
+        let all_lie = |side: Orientation| inner.iter().all(|&v| lies(v) == side);
+        let is_side = |a: u32, b: u32| self.sides.find(a, b).is_some();
+        let mut edges = path.windows(2).map(|pair| [pair[1], pair[0]]);
+        // The mesh lies left of a side: a segment on its right has the vertices on its left.
+        all_lie(Orientation::CounterClockwise) && edges.clone().all(|[a, b]| is_side(a, b) && !is_side(b, a))
+            || all_lie(Orientation::Clockwise) && edges.all(|[a, b]| is_side(b, a) && !is_side(a, b))
+    }
+
+    fn place(&self, v: u32) -> Point {
+        self.mesh.points[v as usize]
+    }
+
+    /// Whether a vertex is on the boundary.
+    fn is_open(&self, v: u32) -> bool {
+        self.sides.from(v).iter().any(|s: &Side| self.sides.find(s.dest, v).is_none())
     }
 
     /// Whether a segment, or the segment backwards, goes on from a vertex into a triangle.
@@ -187,9 +268,8 @@ impl<'a> Cover<'a> {
         if star.is_empty() {
             return false; // An end outside the mesh.
         }
-        let is_open = star.iter().any(|s: &Side| self.sides.find(s.dest, from).is_none());
         let is_cut = |s: &Side| lies(s.dest, Orientation::Clockwise) && lies(s.apex, Orientation::CounterClockwise);
-        !is_open || star.iter().any(is_cut)
+        !self.is_open(from) || star.iter().any(is_cut)
     }
 
     /// The vertices of the boundary along a course between two stops, in order.
@@ -214,8 +294,15 @@ impl<'a> Cover<'a> {
         self.boundary_near(course).into_iter().find(|edge| {
             let [x, y] = edge.map(place);
             let clear = [x, y].into_iter().all(|v| !course.is_in_strip(v));
-            clear && separates(p, q, x, y) && separates(x, y, p, q)
+            let crosses = clear && separates(p, q, x, y) && separates(x, y, p, q);
+            crosses && ![from, to].into_iter().any(|v| self.is_along_unused(v, [x, y]))
         })
+    }
+
+    /// Whether an input vertex that the mesh does not use lies along an input segment on which an edge lies.
+    fn is_along_unused(&self, v: u32, edge: [Point; 2]) -> bool {
+        let near_ends = || NearEnds::of(&self.mesh.points, self.segments);
+        !self.sides.is_used(v) && self.near_ends.get_or_init(near_ends).are_along([self.place(v), edge[0], edge[1]])
     }
 
     /// The boundary edges that may come near a course.

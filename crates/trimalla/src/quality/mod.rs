@@ -18,6 +18,7 @@ mod below_bound;
 mod cover;
 mod histogram;
 mod measure;
+mod near_ends;
 mod pieces;
 mod sectors;
 mod statistics;
