@@ -2,10 +2,11 @@
 //! independent oracle say the same.
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
-use trimalla::domain::{DomainRule, Pslg, Region, from_mesh};
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::{DomainRule, Pslg, Region, build, from_mesh};
 use trimalla::geometry::{Orientation, Point, Strip, orient2d};
 use trimalla::quality::{InputFault, against_input};
-use trimalla::refine::{Limits, Prepare, Recipe, RefineOptions};
+use trimalla::refine::{Initial, Limits, NoObserver, Prepare, Recipe, RefineOptions, Refinement};
 use trimalla::refine_mesh;
 use trimalla::triangulation::{IndexedMesh, check_mesh};
 use trimalla_testkit::generators::{PslgKind, SplitMix64, moved_to_utm, noisy, pslg, rotated, scaled};
@@ -219,14 +220,7 @@ fn every_vertex_moved_off_its_segment_is_found() {
 fn every_flipped_edge_of_a_chain_is_found() {
     let (drawing, mesh, along) = slanted();
     for [a, b] in along {
-        let side = |a: u32, b: u32| {
-            let turn = |t: &[u32; 3]| (0..3).find(|&k| [t[k], t[(k + 1) % 3]] == [a, b]).map(|k| t[(k + 2) % 3]);
-            mesh.triangles.iter().enumerate().find_map(|(i, t)| turn(t).map(|apex| (i, apex)))
-        };
-        let (Some((left, p)), Some((right, q))) = (side(a, b), side(b, a)) else { panic!("an inner edge") };
-        let mut flipped = mesh.clone();
-        flipped.triangles[left] = [a, q, p];
-        flipped.triangles[right] = [q, b, p];
+        let flipped = flipped(&mesh, [a, b]).expect("an inner edge");
         let faults = against_input(&flipped, &drawing).faults;
         assert!(matches!(faults[..], [InputFault::SegmentNotCovered { segment: 4, .. }]), "{a}–{b}: {faults:?}");
     }
@@ -282,4 +276,122 @@ fn a_seed_within_rounding_of_a_split_edge_keeps_its_side() {
         }
     }
     assert!(asked > 2, "{asked}");
+}
+
+/// What the comparison says of a drawing's own mesh, as it is built and refined in several ways.
+fn own_faults(drawing: &Pslg, rule: DomainRule, crossings: Crossings) -> Vec<InputFault> {
+    let (built, _) = build(drawing, rule, crossings, AlgorithmKey::default()).expect("a domain");
+    let mut found = against_input(&built.to_indexed(drawing), drawing).faults;
+    for initial in [Initial::Constrained, Initial::Conforming] {
+        for max_vertices in [drawing.points.len() + 5, 120] {
+            let recipe = Recipe { initial, ..Recipe::default() };
+            let limits = Limits { max_vertices, ..Limits::default() };
+            let options = RefineOptions { recipe, limits, ..RefineOptions::default() };
+            let mut refinement = Refinement::new(built.clone(), options).expect("good options");
+            refinement.run(&mut NoObserver);
+            let mesh = refinement.finish().0.to_indexed(drawing);
+            found.extend(against_input(&mesh, drawing).faults);
+        }
+    }
+    found
+}
+
+#[test]
+fn an_end_within_rounding_outside_the_domain_is_no_fault() {
+    let cases = [
+        ("end-an-ulp-outside", DomainRule::Seeds, Crossings::Refuse),
+        ("end-at-a-vertex-of-the-boundary", DomainRule::Seeds, Crossings::Split),
+        ("end-in-place-of-a-vertex", DomainRule::Hull, Crossings::Split),
+        ("end-behind-a-bent-boundary", DomainRule::Seeds, Crossings::Refuse),
+    ];
+    for (name, rule, crossings) in cases {
+        assert_eq!(own_faults(&issue(name), rule, crossings), [], "{name}");
+    }
+}
+
+#[test]
+fn segments_within_rounding_of_each_other_may_be_carved_apart() {
+    let cases = [
+        ("bundle-carved-apart", DomainRule::Nesting),
+        ("bundle-with-shared-ends", DomainRule::Nesting),
+        ("crossings-closer-than-rounding", DomainRule::Hull),
+    ];
+    for (name, rule) in cases {
+        assert_eq!(own_faults(&issue(name), rule, Crossings::Split), [], "{name}");
+    }
+}
+
+#[test]
+fn the_other_side_of_a_hole_within_rounding_is_no_chain() {
+    assert_eq!(own_faults(&issue("hole-within-rounding"), DomainRule::Hull, Crossings::Refuse), []);
+}
+
+/// A square with a segment from inside to far outside, and one that comes and goes over the notch of its upper side.
+fn with_ends_outside() -> (Pslg, IndexedMesh) {
+    let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.3, 3.0], [2.0, 1.7], [1.6, 3.0], [0.0, 3.0]];
+    let lines = [[1.3, 0.7], [5.9, 1.1], [-1.0, 2.3], [5.0, 2.6]];
+    let points = [&square[..], &lines].concat().into_iter().map(Point::from).collect();
+    let ring = (0..7).map(|i| [i, (i + 1) % 7]);
+    let drawing = Pslg { points, segments: ring.chain([[7, 8], [9, 10]]).collect(), ..Pslg::default() };
+    let (mesh, _) = refined(&drawing, DomainRule::Seeds, RefineOptions::default().with_max_area(0.05));
+    assert_eq!(against_input(&mesh, &drawing).faults, []);
+    (drawing, mesh)
+}
+
+#[test]
+fn every_flipped_edge_of_a_segment_that_leaves_the_mesh_is_found() {
+    let (drawing, mesh) = with_ends_outside();
+    let mut tried = 0;
+    for segment in [7, 8] {
+        let alone = Pslg { segments: vec![drawing.segments[segment]], ..drawing.clone() };
+        for [a, b] in against_input(&mesh, &alone).covered {
+            let Some(flipped) = flipped(&mesh, [a, b]).filter(|mesh| check_mesh(mesh).is_empty()) else { continue };
+            tried += 1;
+            let faults = against_input(&flipped, &drawing).faults;
+            let is_named = matches!(faults[..], [InputFault::SegmentNotCovered { segment: s, .. }] if s == segment);
+            let crosses = matches!(faults[..], [InputFault::SegmentCrossesBoundary { segment: s, .. }] if s == segment);
+            assert!(is_named || crosses, "{a}–{b}: {faults:?}");
+        }
+    }
+    assert!(tried > 10, "only {tried} edges could be flipped");
+}
+
+/// A mesh with an inner edge flipped; corners may turn over.
+fn flipped(mesh: &IndexedMesh, [a, b]: [u32; 2]) -> Option<IndexedMesh> {
+    let side = |a: u32, b: u32| {
+        let turn = |t: &[u32; 3]| (0..3).find(|&k| [t[k], t[(k + 1) % 3]] == [a, b]).map(|k| t[(k + 2) % 3]);
+        mesh.triangles.iter().enumerate().find_map(|(i, t)| turn(t).map(|apex| (i, apex)))
+    };
+    let ((left, p), (right, q)) = (side(a, b)?, side(b, a)?);
+    let mut flipped = IndexedMesh { segments: Vec::new(), segment_markers: Vec::new(), ..mesh.clone() };
+    flipped.triangles[left] = [a, q, p];
+    flipped.triangles[right] = [q, b, p];
+    Some(flipped)
+}
+
+/// Segments within rounding of one line, each with its own ends, between a ring and others that cross them.
+fn bundle_in_a_ring(seed: u64) -> Pslg {
+    let mut rng = SplitMix64::new(seed);
+    let mut points: Vec<Point> = [[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]].map(Point::from).to_vec();
+    let mut segments: Vec<[u32; 2]> = (0..4).map(|i| [i, (i + 1) % 4]).collect();
+    let [a, b] = [[rng.range(0.0, 0.5), rng.range(0.0, 0.5)], [rng.range(0.5, 1.0), rng.range(0.5, 1.0)]];
+    for i in 0..6 {
+        for end in [a, b] {
+            let off = if i < 4 { 4.0 * f64::EPSILON } else { 0.05 };
+            let [x, y] = end.map(|c| c + off * rng.range(-1.0, 1.0));
+            points.push(Point::new(x, y));
+        }
+        segments.push([4 + 2 * i, 5 + 2 * i]);
+    }
+    Pslg { points, segments, ..Pslg::default() }
+}
+
+#[test]
+fn bundles_are_accepted_however_they_are_carved() {
+    for seed in 0..60 {
+        let drawing = bundle_in_a_ring(seed);
+        for rule in [DomainRule::Nesting, DomainRule::Seeds, DomainRule::Hull] {
+            assert_eq!(own_faults(&drawing, rule, Crossings::Split), [], "seed {seed}, {rule:?}");
+        }
+    }
 }
