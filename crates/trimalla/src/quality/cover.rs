@@ -122,7 +122,9 @@ impl<'a> Cover<'a> {
             let through = path.iter().copied().find(inner).filter(|_| self.courses.beside() == Beside::Refused);
             return through.filter(|_| !self.is_beyond(course, &path)).map(Breach::PassesBeside);
         }
-        self.passed_by(course, to).or_else(|| self.uncovered(course, ends))
+        // Where the segment is outside the mesh, edges that lead past a stop are those of another chain in its strip.
+        let breach = self.uncovered(course, ends)?;
+        self.passed_by(course, to).or(Some(breach))
     }
 
     /// Follows a leg and notes its edges.
@@ -190,7 +192,7 @@ impl<'a> Cover<'a> {
         for beside in [Beside::Refused, self.courses.beside()] {
             let leg = self.courses.leg(course, ends, &self.edges, beside);
             let is_covered = leg.is_whole() || self.comes_close(course, &leg, ends[1]);
-            let exit = if is_covered { None } else { self.exit(course, &leg, backwards) };
+            let exit = if is_covered { None } else { self.exit(course, &leg, ends[1], backwards) };
             self.note(&leg, exit.unwrap_or(leg.farthest));
             match exit {
                 _ if is_covered => return Leaving::Never,
@@ -214,8 +216,8 @@ impl<'a> Cover<'a> {
         leg.reached().any(|v| is_there(v) || self.edges.neighbours(v).any(is_there))
     }
 
-    /// The farthest vertex of a leg at which the segment can leave the mesh.
-    fn exit(&self, course: &Course, leg: &Leg, backwards: bool) -> Option<u32> {
+    /// The farthest vertex of a leg towards an end at which the segment can leave the mesh.
+    fn exit(&self, course: &Course, leg: &Leg, end: u32, backwards: bool) -> Option<u32> {
         let along = |v: u32, w: u32| {
             let order = self.courses.order(course, v, w);
             if backwards { order.reverse() } else { order }
@@ -230,8 +232,19 @@ impl<'a> Cover<'a> {
                 leads_inside.insert(v);
             }
         }
-        let can_leave = |&v: &u32| !leads_inside.contains(&v) && !self.runs_into_triangle(course, v, backwards);
+        let can_leave = |&v: &u32| {
+            !leads_inside.contains(&v)
+                && (!self.runs_into_triangle(course, v, backwards) || self.follows_boundary(v, end))
+        };
         leg.reached().filter(can_leave).max_by(|&v, &w| along(v, w))
+    }
+
+    /// Whether an end that the mesh does not use lies along an input segment of which an edge at a vertex of the boundary is
+    /// part: what is between the two is along that segment, too.
+    fn follows_boundary(&self, v: u32, end: u32) -> bool {
+        let is_along = |w: u32| self.is_along_unused(end, [self.place(v), self.place(w)]);
+        let is_boundary = |w: &u32| self.sides.find(v, *w).is_none() || self.sides.find(*w, v).is_none();
+        !self.sides.is_used(end) && self.edges.neighbours(v).filter(is_boundary).any(is_along)
     }
 
     /// Whether the boundary leads along a path, from its end to its start, and the segment lies on the outer side.
