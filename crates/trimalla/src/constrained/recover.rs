@@ -19,7 +19,7 @@
 use super::constrained::ConstrainedDelaunay;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
-use crate::geometry::{CircleSide, Point, in_circle_perturbed};
+use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, UndoLog, VertexId};
 
@@ -241,7 +241,7 @@ impl ConstrainedDelaunay {
         }
         let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, (limits.place)(self, piece, &plan));
         let [a, b] = [piece.from, piece.to].map(|v| self.t.point(v));
-        if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) {
+        if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) || self.changes_sides(&plan, p) {
             return None;
         }
         let start = self.t.outgoing(piece.from).map_or(self.last, HalfEdgeId::face);
@@ -259,5 +259,25 @@ impl ConstrainedDelaunay {
             }
             _ => None,
         }
+    }
+
+    /// Whether a planned piece that is split at a point would pass an input vertex on the other side, or through it.
+    ///
+    /// ```text
+    ///             . p .
+    ///         .     w     .       The rounded split point p is beside the piece a–b, and the input vertex w between the two.
+    ///       a ─ ─ ─ ─ ─ ─ ─ b     The segment passes w on the side where a–b does.
+    /// ```
+    fn changes_sides(&self, plan: &SegmentPlan, p: Point) -> bool {
+        let [a, b] = [plan.from, plan.to].map(|v| self.t.point(v));
+        let turn = orient2d(a, b, p);
+        if turn == Orientation::Collinear {
+            return false;
+        }
+        let is_inner = |v: &&VertexId| v.index() < self.input_points && **v != plan.from && **v != plan.to;
+        let beside = plan.left.iter().chain(&plan.right).filter(is_inner).map(|&v| self.t.point(v));
+        let away = turn.reversed();
+        let is_between = |w: Point| [(a, b), (b, p), (p, a)].into_iter().all(|(x, y)| orient2d(x, y, w) != away);
+        beside.filter(|&w| w != p).any(is_between)
     }
 }
