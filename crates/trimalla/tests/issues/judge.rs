@@ -6,7 +6,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, Region, build, from_mesh};
 use trimalla::geometry::{Orientation, Point, Strip, orient2d};
 use trimalla::quality::{InputFault, against_input};
-use trimalla::refine::{Initial, Limits, NoObserver, Prepare, Recipe, RefineOptions, Refinement};
+use trimalla::refine::{Initial, Limits, NoObserver, Prepare, Recipe, Recover, RefineOptions, Refinement};
 use trimalla::refine_mesh;
 use trimalla::triangulation::{IndexedMesh, check_mesh};
 use trimalla_testkit::generators::{PslgKind, SplitMix64, moved_to_utm, noisy, pslg, rotated, scaled};
@@ -303,6 +303,7 @@ fn an_end_within_rounding_outside_the_domain_is_no_fault() {
         ("end-at-a-vertex-of-the-boundary", DomainRule::Seeds, Crossings::Split),
         ("end-in-place-of-a-vertex", DomainRule::Hull, Crossings::Split),
         ("end-behind-a-bent-boundary", DomainRule::Seeds, Crossings::Refuse),
+        ("end-along-the-boundary-over-decades", DomainRule::Nesting, Crossings::Split),
     ];
     for (name, rule, crossings) in cases {
         assert_eq!(own_faults(&issue(name), rule, crossings), [], "{name}");
@@ -315,6 +316,7 @@ fn segments_within_rounding_of_each_other_may_be_carved_apart() {
         ("bundle-carved-apart", DomainRule::Nesting),
         ("bundle-with-shared-ends", DomainRule::Nesting),
         ("crossings-closer-than-rounding", DomainRule::Hull),
+        ("sliver-carved-off-a-segment", DomainRule::Nesting),
     ];
     for (name, rule) in cases {
         assert_eq!(own_faults(&issue(name), rule, Crossings::Split), [], "{name}");
@@ -324,6 +326,25 @@ fn segments_within_rounding_of_each_other_may_be_carved_apart() {
 #[test]
 fn the_other_side_of_a_hole_within_rounding_is_no_chain() {
     assert_eq!(own_faults(&issue("hole-within-rounding"), DomainRule::Hull, Crossings::Refuse), []);
+}
+
+#[test]
+fn splitting_keeps_a_segment_on_its_side_of_a_vertex() {
+    for name in ["conforming-beside-a-vertex", "conforming-beside-an-end"] {
+        let drawing = issue(name);
+        for (initial, recover) in
+            [(Initial::Conforming, Recover::WholeEdge), (Initial::Constrained, Recover::BySplitting)]
+        {
+            for max_vertices in 5..40 {
+                let recipe = Recipe { initial, recover, ..Recipe::default() };
+                let limits = Limits { max_vertices, ..Limits::default() };
+                let options = RefineOptions { recipe, limits, ..RefineOptions::default() };
+                let (mesh, report) = refined(&drawing, DomainRule::Hull, options);
+                assert!(report.lost_segments.is_empty(), "{name}");
+                assert_eq!(against_input(&mesh, &drawing).faults, [], "{name}, {max_vertices} vertices");
+            }
+        }
+    }
 }
 
 /// A square with a segment from inside to far outside, and one that comes and goes over the notch of its upper side.
