@@ -49,7 +49,9 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     within_budget(&mesh, start, &options)?;
     told_truly(&mesh, &report, &options, case)?;
     mesh_of(&case.drawing, &mesh, is_delaunay, &report.lost_segments, tally)?;
-    if options.recipe.select != Select::Manual && d.once_in(16) {
+    // The one-call function asks whether to go on at other moments.
+    let is_repeatable = options.recipe.select != Select::Manual && case.cancel.is_none();
+    if is_repeatable && d.once_in(16) {
         again_the_same(case, &mesh)?;
     }
     Ok(())

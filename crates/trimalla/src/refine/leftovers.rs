@@ -124,8 +124,10 @@ impl Refinement {
     }
 
     /// Why no point can help a triangle of bad shape that lies between two pieces of segments, where none can.
+    #[inline] // Once for each bad triangle; most have no side on a segment.
     pub(super) fn hopeless_between_segments(&self, f: FaceId) -> Option<Reason> {
-        self.across_shell(f).or_else(|| self.within_rounding(f))
+        let is_beside = f.half_edges().into_iter().any(|h| self.is_input(h));
+        self.across_shell(f).or_else(|| if is_beside { self.within_rounding(f) } else { None })
     }
 
     /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end, where
@@ -136,10 +138,14 @@ impl Refinement {
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
+    #[inline]
     fn across_shell(&self, f: FaceId) -> Option<Reason> {
-        if self.cdt.count_bound(self.cdt.face_vertices(f)) < 2 {
-            return None;
-        }
+        if self.cdt.count_bound(self.cdt.face_vertices(f)) < 2 { None } else { self.across_shell_if_any(f) }
+    }
+
+    /// [`across_shell`](Self::across_shell) where two corners are on segments.
+    #[inline(never)]
+    fn across_shell_if_any(&self, f: FaceId) -> Option<Reason> {
         let shortest = self.shortest_edge(f);
         let [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
         let apex = self.apex_of_shell(p, q)?;
@@ -148,6 +154,7 @@ impl Refinement {
     }
 
     /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
+    #[inline(never)]
     fn within_rounding(&self, f: FaceId) -> Option<Reason> {
         let marked = f.half_edges().into_iter().filter(|&h| self.is_input(h));
         let mut found = marked.filter_map(|h| Some((h, self.place_within_rounding(h)?)));

@@ -20,7 +20,9 @@ use crate::constrained::{ConstrainedDelaunay, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
 use crate::mesh::{HalfEdgeId, VertexId};
 
-/// The squared sine of one degree. At wider angles splits in the middle cost little, and the mesh is more even.
+/// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle cost
+/// little, and the mesh is more even.
+pub(super) const MIRRORED_DEG: f64 = 1.000_000_02;
 pub(super) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
 /// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other piece.
 const SHELL_SINE_SQ: f64 = 0.75;
@@ -133,20 +135,10 @@ impl Refinement {
         if wedge.is_below(SMALL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }
     }
 
-    /// The first subsegment among a spoke and those that it is turned to, once around the vertex.
-    fn first_marked(&self, first: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
-        let mut spoke = first;
-        // A star has no more spokes than there are faces.
-        for _ in 0..self.cdt.face_slots() {
-            if self.cdt.is_marked(spoke) {
-                return Some(spoke);
-            }
-            spoke = turn(spoke);
-            if spoke == first {
-                break;
-            }
-        }
-        None
+    /// The first subsegment among a spoke and those that it is turned to, once around.
+    fn first_marked(&self, spoke: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
+        let next = |&at: &HalfEdgeId| Some(turn(at)).filter(|&next| next != spoke);
+        std::iter::successors(Some(spoke), next).find(|&spoke| self.cdt.is_marked(spoke))
     }
 }
 

@@ -8,9 +8,10 @@ use super::recipe::Preset;
 use super::refinement::precision_floor;
 use super::ruler::Ruler;
 use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::Angle;
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::geometry::{Angle, Point};
+use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
+use crate::triangulation::corners_of_two;
 
 /// The largest bound for which the angle floor is proved, in degrees.
 ///
@@ -68,33 +69,53 @@ impl Outlook {
 /// # Complexity
 /// Linear.
 fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
-    let ruler = Ruler::for_box(cdt.bounding_box());
-    let precision = precision_floor(cdt.bounding_box(), ruler);
-    let joints = Joints::of(cdt);
+    let bounds = cdt.bounding_box();
+    let ruler = Ruler::for_box(bounds);
+    let precision = precision_floor(bounds, ruler);
+    let precision_sq = precision * precision;
+    let mut joints = None;
     let mut nearest: Option<(f64, [VertexId; 2], HalfEdgeId)> = None;
     let mut note = |width: f64, vertices: [VertexId; 2], h: HalfEdgeId| {
-        let is_nearer = nearest.is_none_or(|(known, named, _)| (width, vertices) < (known, named));
-        nearest = if width < precision && is_nearer { Some((width, vertices, h)) } else { nearest };
+        if nearest.is_none_or(|(known, named, _)| (width, vertices) < (known, named)) {
+            nearest = Some((width, vertices, h));
+        }
     };
-    for h in cdt.edges() {
-        let [a, b] = [cdt.origin(h), cdt.dest(h)];
-        note(ruler.length_sq(cdt.point(a), cdt.point(b)).sqrt(), [a.min(b), a.max(b)], h);
-        for side in [h, cdt.twin(h)].into_iter().filter(|&side| cdt.is_marked(side) && cdt.is_real(side.face())) {
-            let width = distance_beside(cdt, ruler, side).filter(|&width| width < precision);
-            if let Some(width) = width.filter(|_| !lies_in_a_wedge(cdt, &joints, side)) {
-                note(width, [cdt.apex(side), a.min(b)], side);
+    let largest = precision / ruler.scale();
+    let is_close = |p: Point, q: Point| ((p.x - q.x).abs() < largest) & ((p.y - q.y).abs() < largest);
+    let mut candidates: Vec<FaceId> = Vec::new();
+    cdt.for_each_two_triangles(|two, count| {
+        let [a, b, c] = corners_of_two(two);
+        for (k, triangle) in two[..count].iter().enumerate() {
+            let has_close = is_close(a[k], b[k]) | is_close(b[k], c[k]) | is_close(c[k], a[k]);
+            if has_close || triangle.face.half_edges().into_iter().any(|h| cdt.is_marked(h)) {
+                candidates.push(triangle.face);
+            }
+        }
+    });
+    for h in candidates.into_iter().flat_map(FaceId::half_edges) {
+        let [p, q] = cdt.edge_points(h);
+        let length_sq = ruler.length_sq(p, q);
+        let ends = || [cdt.origin(h).min(cdt.dest(h)), cdt.origin(h).max(cdt.dest(h))];
+        if length_sq < precision_sq {
+            note(length_sq.sqrt(), ends(), h);
+        }
+        if cdt.is_marked(h) {
+            let width = distance_beside(cdt, ruler, h).filter(|&width| width < precision);
+            let is_free = |joints: &mut Option<Joints>| {
+                let joints = joints.get_or_insert_with(|| Joints::of(cdt));
+                !lies_in_a_wedge(cdt, joints, h)
+            };
+            if let Some(width) = width.filter(|_| is_free(&mut joints)) {
+                note(width, [cdt.apex(h), ends()[0]], h);
             }
         }
     }
     let (width, [one, other], h) = nearest?;
     let is_vertex = [cdt.origin(h), cdt.dest(h)].contains(&one);
-    let second = if is_vertex {
-        Feature::Vertex(other)
-    } else {
-        cdt.first_segment_of(h).map_or(Feature::Hull, Feature::Segment)
-    };
+    let segment = || cdt.first_segment_of(h).map_or(Feature::Hull, Feature::Segment);
+    let second = if is_vertex { Feature::Vertex(other) } else { segment() };
     let width = width / ruler.scale();
-    let relative_width = width / extent_of(cdt);
+    let relative_width = width / extent_of(bounds);
     Some(Gap { width, relative_width, at: cdt.point(one), between: [Feature::Vertex(one), second] })
 }
 

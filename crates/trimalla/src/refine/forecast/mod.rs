@@ -23,11 +23,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
-use super::mirror::SMALL_SINE_SQ;
+use super::mirror::MIRRORED_DEG;
 use super::options::{Criteria, Limits, RefineOptions};
 use super::refinement::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedDelaunay, SegmentId};
-use crate::geometry::{Angle, Point, Segment, math};
+use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
 use feet::{Footed, Piece};
@@ -158,10 +158,11 @@ impl fmt::Display for Feature {
 #[must_use]
 pub fn forecast(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Forecast {
     let footed = Footed::of(cdt);
-    let (floor, _) = length_floor(cdt.bounding_box(), options, footed.ruler);
-    let precision = precision_floor(cdt.bounding_box(), footed.ruler);
+    let bounds = cdt.bounding_box();
+    let (floor, _) = length_floor(bounds, options, footed.ruler);
+    let precision = precision_floor(bounds, footed.ruler);
     let sizes = Sizes::of(&footed, GRADING, floor, precision);
-    let mut tally = Tally::new(&footed, &sizes, options);
+    let mut tally = Tally::new(&footed, &sizes, options, extent_of(bounds));
     tally.add_sides();
     tally.add_vertices();
     tally.forecast(cdt)
@@ -206,7 +207,7 @@ impl Constants {
 }
 
 impl<'a> Tally<'a> {
-    fn new(footed: &'a Footed, sizes: &'a Sizes, options: &'a RefineOptions) -> Self {
+    fn new(footed: &'a Footed, sizes: &'a Sizes, options: &'a RefineOptions, extent: f64) -> Self {
         let by_source = vec![0.0; footed.cdt.points().len()];
         let criteria = &options.criteria;
         Self {
@@ -218,7 +219,7 @@ impl<'a> Tally<'a> {
             by_pair: BTreeMap::new(),
             on_border: 0.0,
             across_wedges: 0.0,
-            extent: extent_of(&footed.cdt),
+            extent,
         }
     }
 
@@ -271,9 +272,7 @@ impl<'a> Tally<'a> {
         let cdt = &self.footed.cdt;
         let mut free = vec![0.0; cdt.points().len()];
         for_each_sector(cdt, |v, sector| {
-            let sine = sector.angle.sin();
-            let is_tiny = sector.angle.degrees() < 90.0 && sine * sine < SMALL_SINE_SQ;
-            if sector.is_corner() && is_tiny && sector.angle < self.criteria.min_angle {
+            if sector.is_corner() && sector.angle.degrees() < MIRRORED_DEG && sector.angle < self.criteria.min_angle {
                 // Shells halve the distance to the far end down to where the segments are as far apart as that.
                 let shells = math::ln(1.0 / sector.angle.radians().max(f64::EPSILON)) / LN_2;
                 self.across_wedges += 2.0 * shells;
@@ -369,10 +368,11 @@ impl<'a> Tally<'a> {
 
     /// The part of the integral that gaps of up to this width are the cause of.
     fn part_within(&self, width: f64) -> f64 {
+        let (ruler, point) = (self.footed.ruler, |v| self.footed.cdt.point(v));
+        let most_sq = width * width * ruler.scale() * ruler.scale();
         let is_near = |(v, _): &(usize, &f64)| {
             let v = VertexId::from_index(*v);
-            let partner = self.sizes.partner(v);
-            partner.is_some_and(|p| Segment::new(self.footed.cdt.point(v), self.footed.cdt.point(p)).length() <= width)
+            self.sizes.partner(v).is_some_and(|partner| ruler.length_sq(point(v), point(partner)) <= most_sq)
         };
         let of_vertices = self.by_source.iter().enumerate().filter(|(_, part)| **part > 0.0).filter(is_near);
         let of_pairs = self.by_pair.values().filter(|(_, gap)| gap.width <= width);
@@ -401,9 +401,9 @@ impl<'a> Tally<'a> {
     }
 }
 
-/// The larger side of the box around a triangulation.
-pub(super) fn extent_of(cdt: &ConstrainedDelaunay) -> f64 {
-    cdt.bounding_box().map_or(0.0, |bounds| bounds.width().max(bounds.height()))
+/// The larger side of a box.
+pub(super) fn extent_of(bounds: Option<BoundingBox>) -> f64 {
+    bounds.map_or(0.0, |bounds| bounds.width().max(bounds.height()))
 }
 
 /// For each side of a constrained edge, by half-edge, the tangents of half the sectors at its origin and its dest that

@@ -197,10 +197,9 @@ fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> b
     let Some(joint) = shared_end(own, other) else { return true };
     let distance_sq = |p: Point, q: Point| footed.ruler.length_sq(p, q);
     let length_sq = |piece: Piece| distance_sq(footed.cdt.point(piece[0]), footed.cdt.point(piece[1]));
-    if meet_within_a_degree(footed, own, other, joint) {
-        return false;
-    }
-    own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other))
+    let is_beyond_shells =
+        own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other));
+    is_beyond_shells && !meet_within_a_degree(footed, own, other, joint)
 }
 
 /// Whether two pieces with a common end leave it less than a degree apart.
