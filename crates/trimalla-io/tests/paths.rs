@@ -55,7 +55,7 @@ fn companions_must_agree() {
     fs::write(dir.join("a.node"), "3\n0 0 0\n1 1 0\n2 0 1\n").unwrap();
     fs::write(dir.join("a.ele"), "1 3 0\n1 1 2 3\n").unwrap();
     let error = read_mesh(dir.join("a.ele")).unwrap_err().to_string();
-    assert!(error.ends_with("a.ele:2:1: expected triangle number 0, found '1'"), "{error}");
+    assert!(error.ends_with("a.ele:2:7: expected a vertex index between 0 and 2, found '3'"), "{error}");
     fs::write(dir.join("a.ele"), "1 3 0\n0 0 1 2\n").unwrap();
     fs::write(dir.join("a.poly"), "0\n1\n0 1 3\n0\n").unwrap();
     let error = read_mesh(dir.join("a.ele")).unwrap_err().to_string();
