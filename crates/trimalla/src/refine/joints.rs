@@ -16,6 +16,11 @@ use crate::mesh::{HalfEdgeId, VertexId};
 /// A piece of an input segment, by its two ends in the order of the segment.
 pub(super) type Piece = [VertexId; 2];
 
+/// Where two different pieces of segments meet.
+pub(super) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
+    one.into_iter().find(|v| one != other && other.contains(v))
+}
+
 /// A joint inside a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Joint {

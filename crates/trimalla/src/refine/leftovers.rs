@@ -2,8 +2,7 @@
 
 use super::bad_triangles::{Badness, sorted};
 use super::extremes::Extremes;
-use super::joints::Piece;
-use super::mirror::common_end;
+use super::joints::{Piece, common_end};
 use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
@@ -224,10 +223,7 @@ impl Refinement {
     /// less than 60 degrees apart.
     fn apex_of_shell(&self, p: VertexId, q: VertexId) -> Option<VertexId> {
         let [one, other] = [self.joints.piece_of(&self.cdt, p)?, self.joints.piece_of(&self.cdt, q)?];
-        if one == other {
-            return None;
-        }
-        let apex = one.into_iter().find(|v| other.contains(v))?;
+        let apex = common_end(one, other)?;
         let [at, p, q] = [apex, p, q].map(|v| self.cdt.point(v));
         let (to_p, to_q) = (self.ruler.length_sq(at, p), self.ruler.length_sq(at, q));
         let same = (to_p - to_q).abs() <= SAME_SHELL * to_q;

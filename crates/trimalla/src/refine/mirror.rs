@@ -13,7 +13,7 @@
 //! # Source
 //! Our own, after the concentric shells of `[Ruppert95]` section 5.
 
-use super::joints::{Joints, Piece};
+use super::joints::{Joints, Piece, common_end};
 use super::refinement::Refinement;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, Released, SegmentPlan};
@@ -140,11 +140,6 @@ impl Refinement {
         let next = |&at: &HalfEdgeId| Some(turn(at)).filter(|&next| next != spoke);
         std::iter::successors(Some(spoke), next).find(|&spoke| self.cdt.is_marked(spoke))
     }
-}
-
-/// Where two different pieces of segments meet.
-pub(super) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
-    one.into_iter().find(|v| one != other && other.contains(v))
 }
 
 /// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is, where the

@@ -1,8 +1,7 @@
 //! What can be said of a refinement before it begins.
 
 use super::forecast::{Feature, Forecast, Gap, extent_of, forecast};
-use super::joints::Joints;
-use super::mirror::common_end;
+use super::joints::{Joints, common_end};
 use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
 use super::refinement::precision_floor;

@@ -22,12 +22,10 @@ use std::collections::VecDeque;
 use crate::constrained::ConstrainedDelaunay;
 use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::refine::Ruler;
+use crate::refine::joints::{Piece, common_end};
 
 /// Feet for each vertex and constrained edge, at most; drawings need fewer than one for each.
 const MOST_FEET: usize = 4;
-
-/// A constrained edge of the input triangulation, by its ends, the lower one first.
-pub(super) type Piece = [VertexId; 2];
 
 /// The triangulation with its feet.
 #[derive(Debug)]
@@ -136,14 +134,9 @@ impl Footed {
             (None, None) => true,
             (Some(piece), None) => !self.meets(v, piece),
             (None, Some(piece)) => !self.meets(u, piece),
-            (Some(one), Some(two)) => shared_end(one, two).is_none(),
+            (Some(one), Some(two)) => one != two && common_end(one, two).is_none(),
         }
     }
-}
-
-/// Where two pieces meet, if they do; one of its ends for a piece and itself.
-pub(super) fn shared_end(one: Piece, two: Piece) -> Option<VertexId> {
-    one.into_iter().find(|v| two.contains(v))
 }
 
 fn ends(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Piece {

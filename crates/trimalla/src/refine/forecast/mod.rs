@@ -23,6 +23,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
+use super::joints::Piece;
 use super::mirror::MIRRORED_DEG;
 use super::options::{Criteria, Limits, RefineOptions};
 use super::refinement::{length_floor, precision_floor};
@@ -30,7 +31,7 @@ use crate::constrained::{ConstrainedDelaunay, SegmentId};
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
-use feet::{Footed, Piece};
+use feet::Footed;
 use profile::{Facing, Sample, profile};
 use sizes::Sizes;
 

@@ -9,10 +9,11 @@
 //!      ════════════════════        region: halfway to what a ray meets
 //! ```
 
-use super::feet::{Footed, Piece, shared_end};
+use super::feet::Footed;
 use super::sizes::Sizes;
 use crate::geometry::{Point, Vector};
 use crate::mesh::{HalfEdgeId, VertexId};
+use crate::refine::joints::{Piece, common_end};
 use crate::refine::mirror::SMALL_SINE_SQ;
 
 /// Where rays start, as parameters of the subsegment.
@@ -194,11 +195,14 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
 /// that meet at less than a degree do not at all: splits of one mirror those of the other.
 fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
     let (own, other) = (footed.piece_of(h), footed.piece_of(met));
-    let Some(joint) = shared_end(own, other) else { return true };
+    if own == other {
+        return false;
+    }
+    let Some(joint) = common_end(own, other) else { return true };
     let distance_sq = |p: Point, q: Point| footed.ruler.length_sq(p, q);
     let length_sq = |piece: Piece| distance_sq(footed.cdt.point(piece[0]), footed.cdt.point(piece[1]));
-    let is_beyond_shells =
-        own != other && 4.0 * distance_sq(start, footed.cdt.point(joint)) >= length_sq(own).min(length_sq(other));
+    let to_joint_sq = distance_sq(start, footed.cdt.point(joint));
+    let is_beyond_shells = 4.0 * to_joint_sq >= length_sq(own).min(length_sq(other));
     is_beyond_shells && !meet_within_a_degree(footed, own, other, joint)
 }
 
