@@ -57,8 +57,7 @@ fn options(degrees: f64) -> RefineOptions {
 }
 
 /// Claim 1. Without the drawing, segments that bend by less than rounding may be joined that were apart, and others that
-/// rounding bent may stay apart, and vertices that the drawing lists inside segments are not known to end pieces: where that
-/// matters, what comes of the first refinement comes back.
+/// rounding bent may stay apart: where that matters, what comes of the first refinement comes back.
 fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool, bent: bool) -> Verdict {
     let Some((mesh, report, drawing)) = meshed(drawing, options)? else { return Ok(()) };
     let input = with_drawing.then_some(&drawing);
@@ -66,8 +65,7 @@ fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool, bent: 
     none("taken up: library checker", &taken.cdt.check())?;
     let again = refine_mesh(&mesh, input, &options).map_err(|e| e.to_string())?;
     let no_room = report.leftovers.iter().any(|l| l.reason == Reason::PrecisionFloor);
-    let has_more = again.mesh.points.len() > mesh.points.len();
-    if bent && no_room || !with_drawing && (bent || no_room || has_more) {
+    if !with_drawing && (bent || no_room) {
         let once_more = refine_mesh(&again.mesh, input, &options).map_err(|e| e.to_string())?;
         return same_mesh((&again.mesh, &again.report), (&once_more.mesh, &once_more.report));
     }
@@ -129,10 +127,7 @@ fn drawings() -> impl Iterator<Item = (String, f64, Pslg)> {
 fn with_its_drawing_a_mesh_comes_back() {
     let mut court = Court::default();
     for (name, degrees, drawing) in drawings() {
-        // In float soups segments lie within rounding of each other along much of their length: a file does not tell which
-        // of them an edge belongs to.
-        let bent = name.starts_with("FloatSoup");
-        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), true, bent));
+        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), true, false));
     }
     court.close();
 }

@@ -64,8 +64,9 @@ fn d03_gaps_of_every_width() {
             let width = libm::pow(10.0, f64::from(exponent));
             let options = asked(bound).with_max_vertices(20_000);
             let (mesh, report) = refined(&gap(width), DomainRule::Seeds, options);
-            assert!(mesh.points.len() <= 20_000);
-            assert!(report.stop != StopReason::Cancelled);
+            assert!(mesh.points.len() <= 20_000, "10^{exponent} at {bound}");
+            // Those of a metre and more need few triangles.
+            assert!(exponent < 0 || report.complete(), "10^{exponent} at {bound}: {:?}", report.reasons());
         }
     }
 }

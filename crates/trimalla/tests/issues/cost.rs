@@ -1,29 +1,14 @@
-//! Time and memory that grew faster than the drawing, and the catalogue of such drawings.
-
-use std::time::{Duration, Instant};
+//! Drawings on which time and memory grew faster than the drawing. The example `hubs_and_overlaps` shows what they cost.
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
-use trimalla::delaunay::{AlgorithmKey, Delaunay};
+use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, build};
 use trimalla::geometry::{Point, math};
 use trimalla::mesh::{HalfEdgeId, UndoLog, VertexId};
 use trimalla::refine::{NoObserver, Preset, RefineOptions, Refinement};
+use trimalla_testkit::generators::SplitMix64;
 
 use crate::issue;
-
-/// Numbers without pattern, the same on every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) as usize) % n
-    }
-
-    fn shuffle<T>(&mut self, list: &mut [T]) {
-        (1..list.len()).rev().for_each(|i| list.swap(i, self.below(i + 1)));
-    }
-}
 
 /// A hub, and so many points on an arc of the unit circle around it.
 fn hub_and_arc(n: u32, arc: f64) -> Vec<Point> {
@@ -34,19 +19,6 @@ fn hub_and_arc(n: u32, arc: f64) -> Vec<Point> {
     std::iter::once(Point::new(0.0, 0.0)).chain((0..n).map(on_circle)).collect()
 }
 
-/// So many segments that touch no other, one in each cell of a grid.
-fn disjoint(n: u32) -> (Vec<Point>, Vec<[u32; 2]>) {
-    let side = n.isqrt() + 1;
-    let mut r = Random(3);
-    let mut points = Vec::new();
-    for i in 0..n {
-        let (x, y) = (f64::from(i % side), f64::from(i / side));
-        let (dx, dy) = (0.1 + 0.001 * r.below(300) as f64, 0.001 * r.below(400) as f64);
-        points.extend([Point::new(x + 0.5 - dx, y + 0.5 - dy), Point::new(x + 0.5 + dx, y + 0.5 + dy)]);
-    }
-    (points, (0..n).map(|i| [2 * i, 2 * i + 1]).collect())
-}
-
 fn star(n: u32) -> (Vec<Point>, Vec<[u32; 2]>) {
     (hub_and_arc(n, std::f64::consts::TAU), (1..=n).map(|i| [0, i]).collect())
 }
@@ -55,67 +27,49 @@ fn constrained(points: &[Point], segments: &[[u32; 2]]) -> ConstrainedDelaunay {
     ConstrainedDelaunay::new(points, segments, Crossings::Refuse).expect("nothing crosses")
 }
 
-/// The least time of three.
-fn time_of(mut act: impl FnMut()) -> Duration {
-    let mut once = || {
-        let start = Instant::now();
-        act();
-        start.elapsed()
-    };
-    [once(), once(), once()].into_iter().min().unwrap_or_default()
-}
-
-/// Each segment's first step looked at the whole star of its start: quadratic in the degree of a hub.
+/// Each segment's first step looked at the whole star of its start: quadratic in the degree of a hub. The example
+/// `hubs_and_overlaps` shows the times.
 ///
 /// B12 of the catalogue: from one vertex to a circle and to a tiny arc, in both directions.
 #[test]
-fn b12_segments_from_a_hub_take_no_longer_than_disjoint_ones() {
+fn b12_segments_from_a_hub_are_edges() {
     const N: u32 = 30_000;
-    let (points, segments) = disjoint(N);
-    let usual = time_of(|| drop(constrained(&points, &segments)));
     for arc in [std::f64::consts::TAU, 1e-7] {
         let points = hub_and_arc(N, arc);
         for reversed in [false, true] {
             let segments: Vec<[u32; 2]> = (1..=N).map(|i| if reversed { [i, 0] } else { [0, i] }).collect();
-            let took = time_of(|| drop(constrained(&points, &segments)));
-            assert!(took < 3 * usual, "arc {arc}, reversed {reversed}: {took:?}, disjoint {usual:?}");
+            let cdt = constrained(&points, &segments);
+            assert!((0..N).all(|s| cdt.chain(s).len() == 1), "arc {arc}, reversed {reversed}");
         }
     }
     let (points, segments) = star(400);
-    let cdt = constrained(&points, &segments);
-    assert_eq!(cdt.check(), []);
-    assert!((0..400).all(|s| cdt.chain(s).len() == 1));
+    assert_eq!(constrained(&points, &segments).check(), []);
 }
 
-/// Two hubs, each joined to all vertices between them: both ends of no segment have a high degree for long.
+/// Both ends of half of the segments have a high degree, whichever end the search begins at.
 #[test]
-fn b12_two_hubs_that_share_their_neighbours_are_quick() {
+fn b12_two_hubs_share_their_neighbours() {
     const N: u32 = 30_000;
     let between = (0..N).map(|i| Point::new((f64::from(i) + 0.25) / f64::from(N) - 0.5, 0.0));
     let points: Vec<Point> = [Point::new(0.0, -1.0), Point::new(0.0, 1.0)].into_iter().chain(between).collect();
     let segments: Vec<[u32; 2]> = (0..2 * N).map(|i| [i % 2, 2 + i / 2]).collect();
-    let (apart, others) = disjoint(2 * N);
-    let usual = time_of(|| drop(constrained(&apart, &others)));
-    let took = time_of(|| drop(constrained(&points, &segments)));
-    assert!(took < 3 * usual, "{took:?}, disjoint {usual:?}");
+    let cdt = constrained(&points, &segments);
+    assert!((0..2 * N).all(|s| cdt.chain(s).len() == 1));
 }
 
 /// Subsegments at a hub were looked for in the hub's whole star, before each split.
 #[test]
-fn refining_a_star_takes_time_linear_in_its_vertices() {
-    let time = |n: u32| {
-        let (points, segments) = star(n);
-        let drawing = Pslg { points, segments, ..Pslg::default() };
-        let (cdt, _) = build(&drawing, DomainRule::Hull, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
-        let options = RefineOptions::default().with_max_vertices(4 * n as usize);
-        time_of(|| {
-            let mut refinement = Refinement::new(cdt.clone(), options).expect("good options");
-            refinement.run(&mut NoObserver);
-            assert!(refinement.finish().1.vertices > 3 * n as usize);
-        })
-    };
-    let (few, many) = (time(2_500), time(20_000));
-    assert!(many < 24 * few, "eight times the spokes: {few:?}, {many:?}");
+fn a_star_of_twenty_thousand_spokes_is_refined() {
+    const N: u32 = 20_000;
+    let (points, segments) = star(N);
+    let drawing = Pslg { points, segments, ..Pslg::default() };
+    let (cdt, _) = build(&drawing, DomainRule::Hull, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
+    let options = RefineOptions::default().with_max_vertices(4 * N as usize);
+    let mut refinement = Refinement::new(cdt, options).expect("good options");
+    refinement.run(&mut NoObserver);
+    let (cdt, report) = refinement.finish();
+    assert!(report.vertices > 3 * N as usize, "{} vertices", report.vertices);
+    assert_eq!(cdt.triangulation_faults(), []);
 }
 
 /// The half-edge between two vertices, found from both ends.
@@ -175,7 +129,7 @@ fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) 
 #[test]
 fn b03_overlapping_segments_are_named_edge_by_edge() {
     let directions = [[1.0, 0.0], [0.0, 1.0], [1.0, 3.0], [-2.0, 1.0], [3.0, -0.5]].map(Point::from);
-    let mut r = Random(11);
+    let mut r = SplitMix64::new(11);
     for round in 0..200 {
         let n = 2 + r.below(12);
         let mut places: Vec<i32> = (0..n as i32).collect();
@@ -213,7 +167,7 @@ fn b03_overlapping_segments_are_named_edge_by_edge() {
 /// Overlapping segments that others cross before, between and after: rounding bends them, and each stays one chain.
 #[test]
 fn overlapping_segments_that_are_crossed_stay_chains() {
-    let mut r = Random(5);
+    let mut r = SplitMix64::new(5);
     for round in 0..150 {
         let places: Vec<i32> = (0..8).map(|i| 3 * i).collect();
         let mut points = on_a_line(Point::new(3.0, 1.0 + 0.1 * (round % 3) as f64), &places);
@@ -245,7 +199,7 @@ fn overlapping_segments_that_are_crossed_stay_chains() {
 /// Overlapping segments of rounded points: some are exactly on one line, others off it by a last place.
 #[test]
 fn segments_that_nearly_overlap_stay_chains() {
-    let mut r = Random(7);
+    let mut r = SplitMix64::new(7);
     for round in 0..300 {
         let n = 3 + r.below(9);
         let step = [Point::new(0.1, 0.3), Point::new(0.7, -0.1), Point::new(0.3, 0.3)][round % 3];
@@ -282,11 +236,9 @@ fn nested_segments_are_kept_once() {
     let outwards: Vec<[u32; 2]> = (0..N as u32).rev().map(pair).collect();
     let inwards: Vec<[u32; 2]> = (0..N as u32).map(pair).collect();
     let mut mixed = inwards.clone();
-    Random(9).shuffle(&mut mixed);
+    SplitMix64::new(9).shuffle(&mut mixed);
     for (order, segments) in [("outwards", outwards), ("inwards", inwards), ("mixed", mixed)] {
-        let start = Instant::now();
         let cdt = constrained(&points, &segments);
-        assert!(start.elapsed() < Duration::from_secs(20), "{order}: {:?}", start.elapsed());
         let middle = cdt.half_edge_between(VertexId(N as u32 - 1), VertexId(N as u32)).expect("an edge");
         assert_eq!(cdt.segments_of(middle).len(), N as usize, "{order}");
         let outer = cdt.half_edge_between(VertexId(0), VertexId(1)).expect("an edge");
@@ -342,127 +294,32 @@ fn b02_the_first_marker_that_is_not_zero_counts() {
     assert_eq!([marker([0, 1]), marker([1, 2]), marker([2, 0])], [7, 5, 6]);
 }
 
-/// B04 of the catalogue: vertices on a segment, in either order, are vertices of its chain.
-#[test]
-fn b04_vertices_on_a_segment_split_it() {
-    let mid = [[0.0, 0.0], [4.0, 2.0], [2.0, 1.0], [1.0, 3.0]].map(Point::from);
-    assert_eq!(constrained(&mid, &[[0, 1]]).chain(0).len(), 2);
-    let n = 10_000;
-    let mut points: Vec<Point> = (0..=n).map(|i| Point::new(f64::from(i), 0.5 * f64::from(i))).collect();
-    points.push(Point::new(0.0, f64::from(n)));
-    for ends in [[0, n as u32], [n as u32, 0]] {
-        let cdt = constrained(&points, &[ends]);
-        assert_eq!(cdt.chain(0).len(), n as usize);
-        points[..=n as usize].reverse();
-    }
-}
-
-/// A14 of the catalogue: rings a last place apart, and a hub of high degree.
-#[test]
-fn a14_concentric_rings_and_a_hub_are_triangulated() {
-    const N: u32 = 20_000;
-    let ring = hub_and_arc(N, std::f64::consts::TAU);
-    let outer = ring[1..].iter().map(|p| Point::new(p.x * (1.0 + f64::EPSILON), p.y * (1.0 + f64::EPSILON)));
-    let points: Vec<Point> = ring.iter().copied().chain(outer).collect();
-    let delaunay = Delaunay::new(&points).expect("finite points");
-    assert_eq!(delaunay.check_delaunay(), []);
-    let alone = Delaunay::new(&ring).expect("finite points");
-    assert!(alone.degree(VertexId(0)) > N as usize / 2, "{}", alone.degree(VertexId(0)));
-}
-
-/// A17 of the catalogue: the order of the points changes neither the triangles nor, by much, the time.
-#[test]
-fn a17_no_order_of_the_points_is_slow() {
-    let n = 20_000;
-    let mut r = Random(17);
-    let mut points: Vec<Point> = (0..n).map(|_| Point::new(r.below(1 << 30) as f64, r.below(1 << 30) as f64)).collect();
-    let mut orders: Vec<(&str, Vec<Point>)> = vec![("mixed", points.clone())];
-    points.sort_by(|p, q| p.x.total_cmp(&q.x));
-    orders.push(("by x", points.clone()));
-    points.reverse();
-    orders.push(("by x, reversed", points.clone()));
-    let zigzag = (0..n).map(|i| points[if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 }]).collect();
-    orders.push(("from both sides", zigzag));
-    points.sort_by(|p, q| p.y.total_cmp(&q.y));
-    orders.push(("by y", points));
-    let mut times = Vec::new();
-    let mut triangles: Option<Vec<[[u64; 2]; 3]>> = None;
-    for (order, points) in &orders {
-        times.push(time_of(|| drop(Delaunay::new(points))));
-        let t = Delaunay::new(points).expect("finite points");
-        let place = |v: VertexId| [t.point(v).x.to_bits(), t.point(v).y.to_bits()];
-        let mut found: Vec<[[u64; 2]; 3]> = t.canonical().iter().map(|c| rotated(c.map(place))).collect();
-        found.sort_unstable();
-        assert_eq!(triangles.get_or_insert(found.clone()), &found, "{order}");
-    }
-    let (least, most) = (times.iter().min(), times.iter().max());
-    assert!(most < least.map(|t| *t * 5).as_ref(), "{times:?}");
-}
-
-fn rotated(corners: [[u64; 2]; 3]) -> [[u64; 2]; 3] {
-    let [a, b, c] = corners;
-    [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or(corners)
-}
-
 /// B13 of the catalogue: a segment across the teeth of a comb crosses every edge between them.
 #[test]
-fn b13_a_segment_through_a_comb_is_quick() {
+fn b13_a_segment_through_a_comb_is_an_edge() {
     const TEETH: u32 = 50_000;
     let tooth = |i: u32| Point::new(1e-6 * f64::from(i), if i % 2 == 0 { 0.0 } else { 1.0 });
     let mut points: Vec<Point> = (0..2 * TEETH).map(tooth).collect();
     points.extend([Point::new(-1.0, 0.5), Point::new(2.0, 0.5)]);
     let across = [2 * TEETH, 2 * TEETH + 1];
-    let start = Instant::now();
     let cdt = constrained(&points, &[across]);
-    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
     assert_eq!(cdt.chain(0).len(), 1);
     let comb: Vec<[u32; 2]> = (0..2 * TEETH - 1).map(|i| [i, i + 1]).collect();
     let cdt = constrained(&points, &comb);
     assert_eq!(cdt.marked_edges().count(), comb.len());
 }
 
-/// C01 of the catalogue: a thousand squares in one another, of which every second ring is kept.
-#[test]
-fn c01_a_thousand_nested_squares_alternate() {
-    const LEVELS: u32 = 1000;
-    let corner = |k: u32, i: u32| {
-        let r = f64::from(LEVELS - k);
-        Point::new(if i == 1 || i == 2 { r } else { -r }, if i >= 2 { r } else { -r })
-    };
-    let points: Vec<Point> = (0..LEVELS).flat_map(|k| (0..4).map(move |i| corner(k, i))).collect();
-    let segments = (0..LEVELS).flat_map(|k| (0..4).map(move |i| [4 * k + i, 4 * k + (i + 1) % 4])).collect();
-    // Between squares 1 and 2, 3 and 4, … there is a hole.
-    let holes = (1..LEVELS).step_by(2).map(|k| Point::new(f64::from(LEVELS - k) - 0.5, 0.25)).collect();
-    let nested = Pslg { points, segments, ..Pslg::default() };
-    let seeded = Pslg { holes, ..nested.clone() };
-    let faces = |drawing: &Pslg, rule| {
-        let (cdt, _) = build(drawing, rule, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
-        assert_eq!(cdt.check(), []);
-        cdt.canonical()
-    };
-    let by_depth = faces(&nested, DomainRule::Nesting);
-    assert_eq!(by_depth, faces(&seeded, DomainRule::Seeds));
-    assert_eq!(by_depth.len(), 8 * LEVELS as usize / 2, "eight triangles in each ring that is kept");
-}
-
 /// Without flips a walk to a far point crosses thousands of slivers: the time was quadratic.
 #[test]
-fn partition_with_free_points_takes_time_linear_in_its_vertices() {
-    let mut r = Random(21);
+fn partition_with_free_points_goes_on_to_its_budget() {
+    let mut r = SplitMix64::new(21);
     let mut points = [[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0]].map(Point::from).to_vec();
     points.extend((0..200).map(|_| Point::new(0.1 * r.below(1000) as f64, 0.1 * r.below(1000) as f64)));
     let drawing = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     let (cdt, _) = build(&drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
     let mut options = RefineOptions::of(Preset::OffCenter);
     options.recipe.insert = trimalla::refine::Insert::Partition;
-    let time = |vertices: usize| {
-        let start = Instant::now();
-        let mut refinement = Refinement::new(cdt.clone(), options.with_max_vertices(vertices)).expect("good options");
-        refinement.run(&mut NoObserver);
-        let report = refinement.finish().1;
-        (start.elapsed(), report.vertices)
-    };
-    let ((few, reached), (many, all)) = (time(4000), time(16_000));
-    assert_eq!((reached, all), (4000, 16_000));
-    assert!(many < 10 * few, "four times the vertices: {few:?}, {many:?}");
+    let mut refinement = Refinement::new(cdt, options.with_max_vertices(16_000)).expect("good options");
+    refinement.run(&mut NoObserver);
+    assert_eq!(refinement.finish().1.vertices, 16_000);
 }

@@ -90,41 +90,32 @@ fn drawing(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
     Pslg { points, segments: segments.to_vec(), ..Pslg::default() }
 }
 
-/// Runs the drawings of two segments that meet, whole and in pieces; returns the largest quotient of vertices.
-fn hold_joints(degrees: impl Iterator<Item = u32> + Clone, presets: &[Preset], rules: &[DomainRule]) -> f64 {
+/// The largest quotient of vertices of a drawing of two segments that meet, whole over in pieces, by every preset and rule, at
+/// bounds of 20 and 30 degrees.
+fn largest_quotient(name: &str, [whole, pieces]: [Pslg; 2]) -> f64 {
+    let rules = |preset| DomainRule::ALL.map(|rule| (preset, rule));
     let mut largest = 0.0_f64;
-    for meeting in Meeting::ALL {
-        for angle in degrees.clone() {
-            let [whole, pieces] = meeting.drawings(f64::from(angle));
-            for (&preset, &rule) in presets.iter().flat_map(|preset| rules.iter().map(move |rule| (preset, rule))) {
-                for bound in [20.0, 30.0] {
-                    let options = RefineOptions::of(preset).with_min_angle_deg(bound).with_max_vertices(5000);
-                    let [one, other] = [&whole, &pieces].map(|drawing| report_of(drawing, rule, options));
-                    let case = format!("{meeting:?} at {angle}, {preset:?}, {rule:?}, {bound}");
-                    assert_eq!(one.reasons(), other.reasons(), "{case}");
-                    assert_eq!((one.stop, one.complete()), (other.stop, other.complete()), "{case}");
-                    let quotient = one.vertices as f64 / other.vertices as f64;
-                    assert!(quotient <= 1.1, "{case}: {} and {}", one.vertices, other.vertices);
-                    largest = largest.max(quotient);
-                }
-            }
-        }
+    for ((preset, rule), bound) in Preset::ALL.iter().flat_map(|&p| rules(p)).flat_map(|c| [(c, 20.0), (c, 30.0)]) {
+        let options = RefineOptions::of(preset).with_min_angle_deg(bound).with_max_vertices(5000);
+        let [one, other] = [&whole, &pieces].map(|drawing| report_of(drawing, rule, options));
+        let case = format!("{name}, {preset:?}, {rule:?}, {bound}");
+        assert_eq!(one.reasons(), other.reasons(), "{case}");
+        assert_eq!((one.stop, one.complete()), (other.stop, other.complete()), "{case}");
+        let quotient = one.vertices as f64 / other.vertices as f64;
+        assert!(quotient <= 1.1, "{case}: {} and {}", one.vertices, other.vertices);
+        largest = largest.max(quotient);
     }
     largest
 }
 
 /// `leftovers` asked for a common end of two input segments: joints inside segments and crossings had no shells.
 #[test]
-fn joints_inside_segments_end_their_pieces() {
-    let rules = [DomainRule::Seeds];
-    hold_joints([2, 9, 23, 44, 59].into_iter(), &[Preset::OffCenter, Preset::Circumcenter], &rules);
-    hold_joints([5, 31].into_iter(), Preset::ALL, &DomainRule::ALL);
-}
-
-#[test]
-#[ignore = "all of 1 to 59 degrees, presets and rules: minutes"]
 fn joints_at_every_angle() {
-    let largest = hold_joints(1..60, Preset::ALL, &DomainRule::ALL);
+    let drawings = Meeting::ALL.into_iter().flat_map(|meeting| (1..60).map(move |angle| (meeting, angle)));
+    let quotients = drawings.map(|(meeting, angle)| {
+        largest_quotient(&format!("{meeting:?} at {angle}"), meeting.drawings(f64::from(angle)))
+    });
+    let largest = quotients.fold(0.0, f64::max);
     println!("vertices over those of the drawing with its pieces listed: at most {largest:.3}");
 }
 
@@ -170,17 +161,11 @@ fn hold_random_segments(count: u32, seed: u64) -> [usize; 2] {
     [one, other]
 }
 
+/// Meshes of up to 30,000 vertices.
 #[test]
 fn random_segments_that_cross_need_no_more_vertices_than_their_pieces() {
     for seed in 0..5 {
         hold_random_segments(30, seed);
-    }
-}
-
-#[test]
-#[ignore = "a mesh of some 30,000 vertices"]
-fn two_hundred_random_segments() {
-    for seed in 0..5 {
         println!("seed {seed}: {:?} vertices, whole and in pieces", hold_random_segments(200, seed));
     }
 }
