@@ -101,23 +101,27 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
-    let outlook = foreseen(&cdt, &options.refine, observer);
-    let mut refinement = Refinement::timed(cdt, options.refine, observer.clock())?;
+    let (cdt, report, outlook) = refined(cdt, &options.refine, observer)?;
+    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook })
+}
+
+/// Refines a triangulation under an observer; the outlook is shown to one that wants it.
+fn refined(
+    cdt: ConstrainedDelaunay,
+    options: &RefineOptions,
+    observer: &mut dyn Observer,
+) -> Result<(ConstrainedDelaunay, Report, Option<Outlook>), OptionError> {
+    let outlook = observer.wants_outlook().then(|| Outlook::of(&cdt, options));
+    if let Some(outlook) = &outlook {
+        observer.outlook(outlook);
+    }
+    let mut refinement = Refinement::timed(cdt, *options, observer.clock())?;
     if refinement.prepare(observer) {
         observer.begins(&mut refinement);
         refinement.run(observer);
     }
     let (cdt, report) = refinement.finish();
-    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook })
-}
-
-/// The outlook, shown to an observer that wants it.
-fn foreseen(cdt: &ConstrainedDelaunay, options: &RefineOptions, observer: &mut dyn Observer) -> Option<Outlook> {
-    let outlook = observer.wants_outlook().then(|| Outlook::of(cdt, options));
-    if let Some(outlook) = &outlook {
-        observer.outlook(outlook);
-    }
-    outlook
+    Ok((cdt, report, outlook))
 }
 
 /// Refines a mesh that exists, without triangulating it anew.
@@ -176,13 +180,7 @@ pub fn refine_mesh_with(
             return Err(Error::NotOfDrawing(faults));
         }
     }
-    let outlook = foreseen(&cdt, options, observer);
-    let mut refinement = Refinement::timed(cdt, *options, observer.clock())?;
-    if refinement.prepare(observer) {
-        observer.begins(&mut refinement);
-        refinement.run(observer);
-    }
-    let (cdt, report) = refinement.finish();
+    let (cdt, report, outlook) = refined(cdt, options, observer)?;
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }

@@ -146,14 +146,14 @@ impl Refinement {
 /// pieces meet at less than 60 degrees, and in the middle elsewhere.
 pub(super) struct Mirrors<'a> {
     joints: &'a Joints,
-    /// All pieces, the lower end first, sorted.
-    pieces: Vec<Piece>,
+    /// [All pieces](Joints::pieces).
+    pieces: &'a [Piece],
     ruler: Ruler,
 }
 
 impl<'a> Mirrors<'a> {
-    pub(super) fn new(cdt: &ConstrainedDelaunay, joints: &'a Joints, ruler: Ruler) -> Self {
-        Self { joints, pieces: joints.pieces(cdt), ruler }
+    pub(super) const fn new(joints: &'a Joints, pieces: &'a [Piece], ruler: Ruler) -> Self {
+        Self { joints, pieces, ruler }
     }
 
     /// The parameter at which a stretch is split that a plan found to cross edges.

@@ -17,10 +17,11 @@ use super::options::{OptionError, RefineOptions};
 use super::queue::{Claim, Patches, Queue};
 use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
+use super::s5_recover::UnderWay;
 use super::split_segments::Encroached;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
-use crate::constrained::{ConstrainedDelaunay, Recovery, Released};
+use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -80,7 +81,7 @@ pub struct Refinement {
     /// Pieces of segments that are not locked.
     pub(super) released: Vec<Released>,
     /// Such pieces on their way back.
-    pub(super) recovery: Option<Box<Recovery>>,
+    pub(super) recovery: Option<Box<UnderWay>>,
     /// Pieces that could not come back.
     pub(super) lost: Vec<Released>,
     /// Places proposed for the triangle at work.

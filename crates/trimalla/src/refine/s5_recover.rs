@@ -13,7 +13,7 @@ mod whole_edge;
 use std::sync::Arc;
 
 use super::event::InsertedKind;
-use super::joints::Joints;
+use super::joints::{Joints, Piece};
 use super::mirror::Mirrors;
 use super::recipe::{Recipe, Recover};
 use super::refinement::{Refinement, precision_floor};
@@ -30,6 +30,14 @@ use whole_edge::WholeEdge;
 
 /// Pieces of segments looked at in one slice.
 const SLICE: usize = 256;
+
+/// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
+#[derive(Clone, Debug)]
+pub(super) struct UnderWay {
+    recovery: Recovery,
+    /// [All pieces](Joints::pieces).
+    pieces: Vec<Piece>,
+}
 
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
@@ -52,7 +60,8 @@ impl Refinement {
 
     /// Lets segments that are let go wait for [`recover_on`](Self::recover_on).
     pub(super) fn begin_recovery(&mut self) {
-        self.recovery = Some(Box::new(Recovery::of(std::mem::take(&mut self.released))));
+        let recovery = Recovery::of(std::mem::take(&mut self.released));
+        self.recovery = Some(Box::new(UnderWay { recovery, pieces: self.joints.pieces(&self.cdt) }));
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
@@ -63,29 +72,30 @@ impl Refinement {
     }
 
     fn recover_slice(&mut self) -> bool {
-        let Some(mut recovery) = self.recovery.take() else { return false };
+        let Some(mut under_way) = self.recovery.take() else { return false };
+        let UnderWay { recovery, pieces } = &mut *under_way;
         let before = self.stopwatch.enter(Part::Recover);
         let (ruler, floor_sq) = (self.ruler, self.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
         let is_cancelled = self.report.stop == StopReason::Cancelled;
         let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
         let vertices = if is_cancelled { 0 } else { room };
-        let mirrors = Mirrors::new(&self.cdt, &self.joints, ruler);
+        let mirrors = Mirrors::new(&self.joints, pieces, ruler);
         let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
         let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
-        let Changed { inserted, removed } = self.cdt.recover_some(&mut recovery, &limits, &mut self.log);
+        let Changed { inserted, removed } = self.cdt.recover_some(recovery, &limits, &mut self.log);
         self.vertices = self.vertices + inserted - removed;
         self.report.vertices_deleted += removed as u64;
         self.insertions += inserted as u64;
         self.report.segments_split += inserted as u64;
         self.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
         if recovery.is_done() {
-            self.lost.extend(recovery.into_lost());
+            self.lost.extend(under_way.recovery.into_lost());
             if self.is_open() {
                 self.look_at_everything();
             }
         } else {
-            self.recovery = Some(recovery);
+            self.recovery = Some(under_way);
         }
         self.stopwatch.enter(before);
         true
@@ -120,7 +130,8 @@ pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize
     let floor = precision_floor(bounds, ruler);
     let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor * floor;
     let joints = Joints::of(cdt);
-    let mirrors = Mirrors::new(cdt, &joints, ruler);
+    let pieces = joints.pieces(cdt);
+    let mirrors = Mirrors::new(&joints, &pieces, ruler);
     let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
     let mut log = UndoLog::new();
     // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
