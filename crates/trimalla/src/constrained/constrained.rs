@@ -239,8 +239,8 @@ impl ConstrainedDelaunay {
     #[inline]
     pub(crate) fn count_bound(&self, vertices: [VertexId; 3]) -> usize {
         let is_bound = |v: VertexId| {
-            let i = v.index().saturating_sub(self.first_provenance);
-            (v.index() >= self.first_provenance) & self.provenance.is_bound(i)
+            // Of the input, the number wraps around, and no vertex has such a one.
+            self.provenance.is_bound(v.index().wrapping_sub(self.first_provenance))
         };
         vertices.into_iter().map(|v| usize::from(is_bound(v))).sum()
     }

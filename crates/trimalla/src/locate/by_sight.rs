@@ -45,7 +45,7 @@ impl Triangulation {
 
     /// [`walk_within`](Self::walk_within) by sight: the face at which it ends, proved. `None` where rounding leaves something
     /// open, or a constrained edge or the end of the domain is in the way.
-    pub(super) fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
+    pub(crate) fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
         let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
         let (mut a, mut b) = (*a?, *b?);
         let mut e = start.half_edge(0);

@@ -71,17 +71,13 @@ impl Triangulation {
     /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
-        // Without a bound of its own the walk ends.
-        self.walk_within_steps(start, p, usize::MAX).unwrap_or(Walk::Arrived(Locus::Nowhere))
-    }
-
-    /// [`walk_within`](Self::walk_within) in no more than so many steps; `None` where it takes more.
-    pub(crate) fn walk_within_steps(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
         let arrived = self.walk_within_by_sight(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
-        arrived.or_else(|| self.walk_within_exactly(start, p, steps))
+        // Without a bound of its own the walk ends.
+        arrived.or_else(|| self.walk_within_exactly(start, p, usize::MAX)).unwrap_or(Walk::Arrived(Locus::Nowhere))
     }
 
-    fn walk_within_exactly(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
+    /// [`walk_within`](Self::walk_within) without rounded products, in no more than so many steps; `None` where it takes more.
+    pub(crate) fn walk_within_exactly(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
         let Some(start) = self.real_face_near(start) else { return Some(Walk::Arrived(Locus::Nowhere)) };
         let mut e = start.half_edge(0);
         let [mut a, mut b] = self.edge_points(e);

@@ -106,6 +106,12 @@ impl HalfEdgeMesh {
         self.mark(h) != 0
     }
 
+    /// Whether a side of a face carries a constraint mark.
+    #[inline]
+    pub(crate) fn has_marked_side(&self, f: FaceId) -> bool {
+        self.mark.get(f.index()).is_some_and(|marks| marks[0] | marks[1] | marks[2] != 0)
+    }
+
     /// The region of a face, 0 for none.
     #[must_use]
     #[inline]

@@ -163,10 +163,17 @@ impl Refinement {
         }
     }
 
+    /// Adds to the event, where there is one, which triangle is to be treated.
+    #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_selected(&mut self, face: FaceId) {
-        if self.event.is_none() {
-            return;
+        if self.event.is_some() {
+            self.tell_selected(face);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tell_selected(&mut self, face: FaceId) {
         let why = self.badness(face).map_or(Why::Picked, |b| match b {
             Badness::Angle => Why::Angle,
             Badness::AspectRatio => Why::AspectRatio,
@@ -182,10 +189,17 @@ impl Refinement {
         });
     }
 
+    /// Adds to the event, where there is one, what became of a place.
+    #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
-        if self.event.is_none() {
-            return;
+        if self.event.is_some() {
+            self.tell_candidate(place, tried);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tell_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
         // Where it was taken the half-edge is another one now, but its ends are told by the event's other fields.
         let (point, edge) = match place {
             Proposal::Free { point, .. } => (Some(point), None),

@@ -45,15 +45,16 @@ impl Joints {
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
     pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
         let mut sorted = Vec::new();
-        for h in cdt.marked_edges() {
-            let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { continue };
+        // Edge by edge the nested iterators would be a machine of states.
+        cdt.marked_edges().for_each(|h| {
+            let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { return };
             let ends = cdt.segments()[segment as usize];
             for vertex in [cdt.origin(h), cdt.dest(h)] {
                 if !ends.contains(&vertex) && ends_pieces(cdt, vertex) {
                     sorted.push(Joint { segment, t: cdt.parameter(segment, vertex), vertex });
                 }
             }
-        }
+        });
         sorted.sort_unstable_by(|a, b| {
             a.segment.cmp(&b.segment).then(a.t.total_cmp(&b.t)).then_with(|| a.vertex.cmp(&b.vertex))
         });

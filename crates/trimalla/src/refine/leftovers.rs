@@ -8,7 +8,7 @@ use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
 use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::{Point, Triangle};
+use crate::geometry::{Point, Triangle, Vector};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 
@@ -26,6 +26,15 @@ enum Place {
     Beside,
     /// Beyond one of them.
     Beyond,
+}
+
+impl Place {
+    /// The place of a vertex, by the vectors to it and along the subsegment from the start of that.
+    #[cold]
+    fn of(along: Vector, to_vertex: Vector) -> Self {
+        let dot = along.dot(to_vertex);
+        if 0.0 < dot && dot < along.length_sq() { Self::Beside } else { Self::Beyond }
+    }
 }
 
 /// Squared distances this close, relatively, are on one shell.
@@ -123,10 +132,14 @@ impl Refinement {
     }
 
     /// Why no point can help a triangle of bad shape that lies between two pieces of segments, where none can.
-    #[inline] // Once for each bad triangle; most have no side on a segment.
+    #[inline(always)] // Once for each bad triangle; most have neither a side on a segment nor two corners inside segments.
     pub(super) fn hopeless_between_segments(&self, f: FaceId) -> Option<Reason> {
-        let is_beside = f.half_edges().into_iter().any(|h| self.is_input(h));
-        self.across_shell(f).or_else(|| if is_beside { self.within_rounding(f) } else { None })
+        let is_across = self.cdt.count_bound(self.cdt.face_vertices(f)) >= 2;
+        if !(is_across | self.cdt.has_marked_side(f)) {
+            return None;
+        }
+        let across = if is_across { self.across_shell(f) } else { None };
+        across.or_else(|| self.within_rounding(f))
     }
 
     /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end, where
@@ -137,14 +150,8 @@ impl Refinement {
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
-    #[inline]
-    fn across_shell(&self, f: FaceId) -> Option<Reason> {
-        if self.cdt.count_bound(self.cdt.face_vertices(f)) < 2 { None } else { self.across_shell_if_any(f) }
-    }
-
-    /// [`across_shell`](Self::across_shell) where two corners are on segments.
     #[inline(never)]
-    fn across_shell_if_any(&self, f: FaceId) -> Option<Reason> {
+    fn across_shell(&self, f: FaceId) -> Option<Reason> {
         let shortest = self.shortest_edge(f);
         let [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
         let apex = self.apex_of_shell(p, q)?;
@@ -153,8 +160,26 @@ impl Refinement {
     }
 
     /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
-    #[inline(never)]
     fn within_rounding(&self, f: FaceId) -> Option<Reason> {
+        let corners = self.cdt.face_vertices(f).map(|v| self.cdt.point(v));
+        if self.may_be_within_rounding(corners) { self.within_rounding_of_side(f) } else { None }
+    }
+
+    /// Whether some corner of a triangle may lie within rounding of the line through the two others: where its height over the
+    /// longest side is below twice the distance that rounding lets vertices be apart.
+    ///
+    /// What the area loses to rounding is less than a tenth of what is between the two distances.
+    #[inline]
+    pub(super) fn may_be_within_rounding(&self, [a, b, c]: [Point; 3]) -> bool {
+        let (ab, ac, bc) = (self.ruler.vector(a, b), self.ruler.vector(a, c), self.ruler.vector(b, c));
+        let doubled_area = ab.cross(ac);
+        let longest_sq = ab.length_sq().max(ac.length_sq()).max(bc.length_sq());
+        doubled_area * doubled_area <= 4.0 * self.precision_sq * longest_sq
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn within_rounding_of_side(&self, f: FaceId) -> Option<Reason> {
         let marked = f.half_edges().into_iter().filter(|&h| self.is_input(h));
         let mut found = marked.filter_map(|h| Some((h, self.place_within_rounding(h)?)));
         found.find_map(|(h, place)| match place {
@@ -172,14 +197,14 @@ impl Refinement {
     /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets vertices be.
     fn place_within_rounding(&self, h: HalfEdgeId) -> Option<Place> {
         let apex = self.cdt.apex(h);
-        if !apex.is_finite() || self.cdt.provenance(apex).is_free() {
+        if !apex.is_finite() {
             return None;
         }
         let [a, b] = self.cdt.edge_points(h);
         let (along, to_apex) = (self.ruler.vector(a, b), self.ruler.vector(a, self.cdt.point(apex)));
-        let (length_sq, cross, dot) = (along.length_sq(), along.cross(to_apex), along.dot(to_apex));
-        let place = if 0.0 < dot && dot < length_sq { Place::Beside } else { Place::Beyond };
-        (cross * cross < self.precision_sq * length_sq).then_some(place)
+        let (length_sq, cross) = (along.length_sq(), along.cross(to_apex));
+        let is_near = cross * cross < self.precision_sq * length_sq;
+        if is_near && !self.cdt.provenance(apex).is_free() { Some(Place::of(along, to_apex)) } else { None }
     }
 
     /// Whether the vertex opposite `h` is on a piece of a segment that meets the piece of `h` at less than 90 degrees.
@@ -202,21 +227,16 @@ impl Refinement {
 
     /// The shortest edge of a face; of equal ones that with the lowest vertices.
     fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
-        let key = |h: HalfEdgeId| {
-            let [a, b] = self.cdt.edge_points(h);
-            (
-                self.ruler.length_sq(a, b),
-                self.cdt.origin(h).min(self.cdt.dest(h)),
-                self.cdt.origin(h).max(self.cdt.dest(h)),
-            )
+        let corners = self.cdt.face_vertices(f);
+        let [a, b, c] = corners.map(|v| self.cdt.point(v));
+        let lengths = [(a, b), (b, c), (c, a)].map(|(p, q)| self.ruler.length_sq(p, q));
+        let ends = |i: usize| {
+            let (v, w) = (corners[i], corners[(i + 1) % 3]);
+            (v.min(w), v.max(w))
         };
-        let less = |h: HalfEdgeId, g: HalfEdgeId| {
-            let ((l, a, b), (m, c, d)) = (key(h), key(g));
-            l.total_cmp(&m).then(a.cmp(&c)).then(b.cmp(&d)).is_lt()
-        };
-        let [h, g, k] = f.half_edges();
-        let shorter = if less(g, h) { g } else { h };
-        if less(k, shorter) { k } else { shorter }
+        let less = |i: usize, k: usize| lengths[i].total_cmp(&lengths[k]).then_with(|| ends(i).cmp(&ends(k))).is_lt();
+        let shorter = usize::from(less(1, 0));
+        f.half_edges()[if less(2, shorter) { 2 } else { shorter }]
     }
 
     /// The common end of the two pieces of segments that two vertices lie inside, if those are on one circle around it,

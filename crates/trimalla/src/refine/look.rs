@@ -121,8 +121,11 @@ impl Looker<'_> {
     fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = &self.view.cdt.cavity;
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
-            push_if(subsegments, face.half_edge(0), edge.mark != 0);
-            push_if(subsegments, face.half_edge(2), edge.spoke != 0);
+            // Most faces have no subsegment.
+            if edge.mark | edge.spoke != 0 {
+                push_if(subsegments, face.half_edge(0), edge.mark != 0);
+                push_if(subsegments, face.half_edge(2), edge.spoke != 0);
+            }
         }
     }
 }
@@ -210,8 +213,16 @@ impl Refinement {
     }
 
     /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the list.
+    #[inline(always)] // After each insertion, and most are near no subsegment.
     fn queue_encroached_of(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
-        if subsegments.is_empty() || !self.prepare.is_lasting() {
+        if !subsegments.is_empty() {
+            self.queue_encroached_among(subsegments);
+        }
+    }
+
+    #[inline(never)]
+    fn queue_encroached_among(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
+        if !self.prepare.is_lasting() {
             return subsegments.clear();
         }
         let before = self.stopwatch.enter(Part::Prepare);

@@ -215,7 +215,7 @@ impl Queue {
     }
 
     /// Looks at a slot: earlier claims to it are void.
-    #[inline]
+    #[inline(always)] // For each bad triangle, twice.
     pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
             self.make_room_for(cdt.face_slots());

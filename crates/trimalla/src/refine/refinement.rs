@@ -19,7 +19,7 @@ use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::s5_recover::UnderWay;
 use super::split_segments::Encroached;
-use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, Steps, View};
+use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, StepFacts, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedDelaunay, Released};
 use crate::delaunay::max_points;
@@ -50,6 +50,7 @@ pub struct Refinement {
     pub(super) point: Arc<dyn PointStep + Send + Sync>,
     /// Whether step 3 is of the library: what it proposes inside a face was found there by a walk.
     pub(super) walks_prove_places: bool,
+    pub(super) facts: StepFacts,
     pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
     pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
     pub(super) region: Region,
@@ -195,6 +196,7 @@ impl Refinement {
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let recipe = options.recipe;
         let mut refinement = Self {
+            facts: StepFacts::of(select.as_ref(), point.as_ref(), insert.as_ref()),
             prepare,
             is_manual: select.is_manual(),
             select,
@@ -297,6 +299,7 @@ impl Refinement {
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.is_manual = select.is_manual();
         self.select = Arc::new(select);
+        self.ask_steps();
         if self.is_open() {
             self.begin(self.cdt.bounding_box());
         }
@@ -307,6 +310,7 @@ impl Refinement {
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
         self.point = Arc::new(point);
+        self.ask_steps();
         self.walks_prove_places = false;
         self
     }
@@ -317,10 +321,16 @@ impl Refinement {
         self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
         self.longest_walk = View::longest_walk(&insert);
         self.insert = Arc::new(insert);
+        self.ask_steps();
         if self.insert.keeps_small_angles() {
             self.improvement = Improvement::UNWATCHED;
         }
         self
+    }
+
+    /// Asks the steps what they say of themselves.
+    fn ask_steps(&mut self) {
+        self.facts = StepFacts::of(self.select.as_ref(), self.point.as_ref(), self.insert.as_ref());
     }
 
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
@@ -477,7 +487,7 @@ impl Refinement {
             return Some(claim.face);
         }
         if !self.is_manual {
-            return self.queue.pop(&self.cdt, self.select.takes_oldest());
+            return self.queue.pop(&self.cdt, self.facts.takes_oldest);
         }
         let there =
             |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
@@ -509,7 +519,7 @@ impl Refinement {
 
     /// Whether the point strategy keeps clear of segments.
     pub(super) fn minds_encroachment(&self) -> bool {
-        self.point.minds_encroachment()
+        self.facts.minds_encroachment
     }
 
     pub(super) fn view(&self) -> View<'_> {

@@ -65,12 +65,13 @@ impl Refinement {
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
-    #[inline]
+    #[inline(always)] // Before each step.
     pub(super) fn recover_on(&mut self) -> bool {
         // Nearly always there is nothing to recover.
         self.recovery.is_some() && self.recover_slice()
     }
 
+    #[inline(never)]
     fn recover_slice(&mut self) -> bool {
         let Some(mut under_way) = self.recovery.take() else { return false };
         let UnderWay { recovery, pieces } = &mut *under_way;

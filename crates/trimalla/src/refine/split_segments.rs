@@ -58,14 +58,24 @@ impl Refinement {
 
     /// Whether step 1 wants a subsegment split, and a split would help: not where all that is in its disk lies within
     /// rounding of it, since no split parts that from it.
+    #[inline] // For each subsegment beside what is new; most need no split.
     pub(super) fn needs_split(&self, h: HalfEdgeId) -> bool {
         self.prepare.needs_split(self.view(), h) && !self.is_encroached_within_rounding(h)
     }
 
     /// Whether an apex of `h` lies within rounding of it, and none in its disk does not.
+    #[inline(never)]
     fn is_encroached_within_rounding(&self, h: HalfEdgeId) -> bool {
         let sides = [h, self.cdt.twin(h)];
         let [a, b] = self.cdt.edge_points(h);
+        let is_near = |apex: VertexId| apex.is_finite() && self.may_be_within_rounding([a, b, self.cdt.point(apex)]);
+        sides.into_iter().any(|side| is_near(self.cdt.apex(side))) && self.is_encroached_by_flat(sides, [a, b])
+    }
+
+    /// [`is_encroached_within_rounding`](Self::is_encroached_within_rounding) where the triangle on one of the sides is flat.
+    #[cold]
+    #[inline(never)]
+    fn is_encroached_by_flat(&self, sides: [HalfEdgeId; 2], [a, b]: [Point; 2]) -> bool {
         let is_inside =
             |apex: VertexId| apex.is_finite() && in_diametral_disk(a, b, self.cdt.point(apex)) == CircleSide::Inside;
         sides.into_iter().any(|h| self.is_apex_within_rounding(h))
@@ -154,7 +164,7 @@ impl Refinement {
         let Ok(cut) = cut.map_or_else(|| self.cut_at(h, acute), Ok) else { return false };
         let provenance = self.provenance_of(h, cut);
         let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
-        let split = if self.insert.by_cavity() {
+        let split = if self.facts.by_cavity {
             self.split_by_cavity(h, cut.point, provenance)
         } else {
             self.split_and_look(h, cut.point, provenance)
@@ -353,7 +363,7 @@ impl Refinement {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
-        let keeps_delaunay = self.insert.keeps_delaunay();
+        let keeps_delaunay = self.facts.keeps_delaunay;
         let link: Vec<VertexId> = if keeps_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
         if self.cdt.remove_with(v, &mut self.log).is_err() {
             return false;

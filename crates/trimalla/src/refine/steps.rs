@@ -72,6 +72,33 @@ impl fmt::Debug for Steps {
     }
 }
 
+/// What steps say of themselves, asked for once: the loop needs it for each triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepFacts {
+    /// See [`SelectStep::takes_oldest`].
+    pub(super) takes_oldest: bool,
+    /// See [`PointStep::follows_path`].
+    pub(super) follows_path: bool,
+    /// See [`PointStep::minds_encroachment`].
+    pub(super) minds_encroachment: bool,
+    /// See [`InsertStep::by_cavity`].
+    pub(super) by_cavity: bool,
+    /// See [`InsertStep::keeps_delaunay`].
+    pub(super) keeps_delaunay: bool,
+}
+
+impl StepFacts {
+    pub(super) fn of(select: &dyn SelectStep, point: &dyn PointStep, insert: &dyn InsertStep) -> Self {
+        Self {
+            takes_oldest: select.takes_oldest(),
+            follows_path: point.follows_path(),
+            minds_encroachment: point.minds_encroachment(),
+            by_cavity: insert.by_cavity(),
+            keeps_delaunay: insert.keeps_delaunay(),
+        }
+    }
+}
+
 /// What a step may look at.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'a> {
@@ -172,7 +199,17 @@ impl Proposal {
         if !point.is_finite() {
             return None;
         }
-        match view.cdt.walk_within_steps(from, point, view.longest_walk)? {
+        // Most walks meet no segment, and rounding leaves nothing open.
+        if let Some(f) = view.cdt.walk_within_by_sight(from, point) {
+            return Some(Self::Free { point, locus: Locus::Face(f) });
+        }
+        Self::towards_exactly(view, from, point)
+    }
+
+    /// [`towards`](Self::towards) a finite point where rounding leaves the way open, or a segment is in it.
+    #[inline(never)]
+    fn towards_exactly(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
+        match view.cdt.walk_within_exactly(from, point, view.longest_walk)? {
             Walk::Blocked(h) => Some(Self::Split(h)),
             Walk::Arrived(Locus::Edge(h)) if view.cdt.is_marked(h) => Some(Self::Split(h)),
             Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => Some(Self::Free { point, locus }),
@@ -187,7 +224,7 @@ impl Proposal {
     /// The loop asks this of every proposal, whoever made it, before it uses one.
     #[must_use]
     pub fn is_true(self, cdt: &ConstrainedDelaunay) -> bool {
-        self.is_possible(cdt) && self.is_in_its_face(cdt)
+        self.is_there(cdt) && self.is_in_its_face(cdt)
     }
 
     /// Whether a point inside a face lies left of its three sides; true for other places.
@@ -196,9 +233,18 @@ impl Proposal {
         f.half_edges().into_iter().all(|h| cdt.side_of(h, point) == Orientation::CounterClockwise)
     }
 
-    /// What [`is_true`](Self::is_true) asks, but not whether a point inside a face is there: a walk has proved that
-    /// where a step of the library proposes it.
-    pub(super) fn is_possible(self, cdt: &ConstrainedDelaunay) -> bool {
+    /// [`is_true`](Self::is_true), where a step of the library proposes the place: a point inside a face is not asked about,
+    /// since it was proved by the walk that found the face.
+    #[inline(always)] // Before each insertion.
+    pub(super) fn is_true_after_walk(self, cdt: &ConstrainedDelaunay) -> bool {
+        let is_walked_to = matches!(self, Self::Free { locus: Locus::Face(_), .. });
+        debug_assert!(!is_walked_to || self.is_true(cdt), "a walk ends where the point is");
+        is_walked_to || self.is_there(cdt)
+    }
+
+    /// What [`is_true`](Self::is_true) asks, but not whether a point lies left of the sides of its face.
+    #[inline(never)]
+    fn is_there(self, cdt: &ConstrainedDelaunay) -> bool {
         let is_free_edge = |h: HalfEdgeId| {
             let faces = [h.face(), cdt.twin(h).face()];
             faces.into_iter().all(|f| cdt.is_real(f)) && !cdt.is_marked(h)

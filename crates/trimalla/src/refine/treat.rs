@@ -30,7 +30,7 @@ impl Refinement {
         self.point.propose(self.view(), face, &mut places);
         self.stopwatch.enter(Part::Insert);
         // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never will.
-        let is_kept = self.insert.keeps_delaunay();
+        let is_kept = self.facts.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
         let taken = places.iter().any(|&place| {
@@ -49,7 +49,7 @@ impl Refinement {
         }
         let reason = if let Some(reason) = self.hopeless_between_segments(face) {
             reason
-        } else if self.is_beyond_help(self.cdt.corners(face)) {
+        } else if self.is_beyond_help(face) {
             Reason::StrategyCannotImprove
         } else {
             return None;
@@ -59,7 +59,7 @@ impl Refinement {
 
     /// Counts the length of the path, where the strategy follows it.
     fn count_path(&mut self, face: FaceId) {
-        if self.point.follows_path() {
+        if self.facts.follows_path {
             let length = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule).len();
             let lengths = &mut self.report.lepp_lengths;
             lengths.resize(lengths.len().max(length + 1), 0);
@@ -69,7 +69,8 @@ impl Refinement {
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
     fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
-        let is_true = if self.walks_prove_places { place.is_possible(&self.cdt) } else { place.is_true(&self.cdt) };
+        let is_true =
+            if self.walks_prove_places { place.is_true_after_walk(&self.cdt) } else { place.is_true(&self.cdt) };
         if !is_true {
             return Err(Reason::StrategyCannotImprove);
         }
@@ -99,6 +100,9 @@ impl Refinement {
     /// One split often clears the way of the others too, so they are left until they are met again. With lenses the
     /// longest is split, with disks the shortest: measured on drawings, that leaves fewest vertices.
     fn split_instead(&mut self, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
+        if let [only] = subsegments {
+            return self.queue_subsegment(*only, true);
+        }
         let length = |h: HalfEdgeId| {
             let [a, b] = self.cdt.edge_points(h);
             self.ruler.length_sq(a, b)
@@ -134,9 +138,9 @@ impl Refinement {
             let encroached = self.encroached_on_rim(point);
             if !encroached.is_empty() {
                 self.report.points_rejected += 1;
-                let ends = |&h: &HalfEdgeId| ends_of(&self.cdt, h);
-                let ends: Vec<[VertexId; 2]> = encroached.iter().map(ends).collect();
-                self.note(|event| event.encroached = ends);
+                if let Some(event) = &mut self.event {
+                    event.encroached = encroached.iter().map(|&h| ends_of(&self.cdt, h)).collect();
+                }
                 return self.split_instead(&encroached);
             }
         }
@@ -180,7 +184,7 @@ impl Refinement {
 
     /// Inserts a free point; takes it back if it encroaches upon subsegments.
     fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if self.insert.by_cavity() {
+        if self.facts.by_cavity {
             return self.try_cavity(point, locus);
         }
         if self.nearest_sq(point, locus) < self.floor_sq {
@@ -251,9 +255,12 @@ impl Refinement {
 
     /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
     /// there is nothing to win.
-    fn is_beyond_help(&self, [a, b, c]: [Point; 3]) -> bool {
-        let shortest = || self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a));
-        self.bisection_floor_sq > 0.0 && shortest() < self.bisection_floor_sq
+    fn is_beyond_help(&self, face: FaceId) -> bool {
+        let shortest_sq = || {
+            let [a, b, c] = self.cdt.corners(face);
+            self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a))
+        };
+        self.bisection_floor_sq > 0.0 && shortest_sq() < self.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.

@@ -46,9 +46,21 @@ impl OffCenter {
 
 impl PointStep for OffCenter {
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
-        let towards = |point| Proposal::towards(view, face, point);
-        places.extend(self.place(view, face).and_then(towards).or_else(|| center_of(view, face).and_then(towards)));
+        // Not chained: each place is as large as a handful of numbers, and copied for each link.
+        if let Some(point) = self.place(view, face) {
+            if let Some(place) = Proposal::towards(view, face, point) {
+                return places.push(place);
+            }
+        }
+        propose_center(view, face, places);
     }
+}
+
+/// Proposes the circumcenter, where there is no off-center or no way to it.
+#[cold]
+#[inline(never)]
+fn propose_center(view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
 }
 
 /// The ends of the shortest edge; of equal ones that with the first middle, whichever corner comes first.
