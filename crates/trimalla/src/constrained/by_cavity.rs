@@ -28,7 +28,7 @@ impl ConstrainedDelaunay {
             return None;
         }
         let border = match locus {
-            Locus::Edge(h) => self.border_ends(h),
+            Locus::Edge(h) => self.noted_ends(h),
             _ => None,
         };
         let v = self.fill_cavity(p, provenance, j);
@@ -67,7 +67,7 @@ impl ConstrainedDelaunay {
         }
         let holds = |h: HalfEdgeId| !self.t.is_real(h.face()) || self.circle_holds(h.face(), p);
         let is_proved = self.t.side_of(h, p) == Orientation::Collinear || holds(h) && holds(self.t.twin(h));
-        Ok(SplitCavity { is_proved, border: self.border_ends(h) })
+        Ok(SplitCavity { is_proved, border: self.noted_ends(h) })
     }
 
     /// Puts a vertex into the cavity found last, which is that of a split.

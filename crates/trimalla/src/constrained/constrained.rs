@@ -362,7 +362,7 @@ impl ConstrainedDelaunay {
             _ => Provenance::Free,
         };
         let border = match locus {
-            Locus::Edge(h) => self.border_ends(h),
+            Locus::Edge(h) => self.noted_ends(h),
             _ => None,
         };
         let v = self.add_vertex(p, provenance, j);

@@ -50,7 +50,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::apply::Before;
 use super::constrained::ConstrainedDelaunay;
 use super::insert_segment::Crossings;
-use crate::geometry::{Point, math};
+use crate::geometry::{BoundingBox, Point, math};
 use crate::locate::Locus;
 use crate::mesh::{Border, Checkpoint, Column, FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::triangulation::{Closure, Triangulation};
@@ -97,8 +97,8 @@ impl Outside {
     /// Whether a split of the border edge between two points needs a proof. Once some did, all do, so that the triangles stay
     /// those beside the border.
     fn needs_proof(&self, [a, b]: [Point; 2]) -> bool {
-        let extent = (b.x - a.x).abs().max((b.y - a.y).abs());
-        self.is_thin || extent.is_nan() || extent < self.short || self.faces.is_some()
+        let is_long = |from: f64, to: f64| (to - from).abs() >= self.short;
+        self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
     }
 
     /// Forgets the triangles: they are made again when they are needed.
@@ -117,7 +117,8 @@ impl Outside {
 
 /// The length below which the border edges of a triangulation are split with proof only.
 fn short_edge(t: &Triangulation) -> f64 {
-    let largest = t.points().iter().fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
+    let bounds = BoundingBox::of_finite(t.points().iter().copied());
+    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
     SHORT_ULPS * math::last_place(largest)
 }
 
@@ -315,10 +316,23 @@ impl ConstrainedDelaunay {
         self.t.is_on_border(h).then(|| [self.t.origin(h), self.t.dest(h)])
     }
 
+    /// [`border_ends`](Self::border_ends) for [`note_split`](Self::note_split), which asks for them only where the outside is
+    /// kept in triangles.
+    #[inline]
+    pub(super) fn noted_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
+        if self.outside.faces.is_some() { self.border_ends(h) } else { None }
+    }
+
     /// Whether a vertex at `p` may split an edge as far as what is outside goes: always where that is inside.
+    #[inline]
     pub(super) fn outside_allows(&mut self, h: HalfEdgeId, p: Point) -> bool {
-        let Some(ends) = self.border_ends(h).filter(|_| self.t.closure() == Closure::Domain) else { return true };
-        !self.outside.needs_proof(self.t.edge_points(h)) || self.faces_of_border().may_split(ends, p)
+        let is_sure = self.t.closure() != Closure::Domain || !self.outside.needs_proof(self.t.edge_points(h));
+        is_sure || self.is_split_proved_outside(h, p)
+    }
+
+    #[inline(never)]
+    fn is_split_proved_outside(&mut self, h: HalfEdgeId, p: Point) -> bool {
+        self.border_ends(h).is_none_or(|ends| self.faces_of_border().may_split(ends, p))
     }
 
     /// Whether the edge between two vertices is split, and merged, with proof only.
@@ -333,6 +347,7 @@ impl ConstrainedDelaunay {
     }
 
     /// Notes that vertex `v` at `p` has split the border edge that had these ends, if it was one.
+    #[inline]
     pub(super) fn note_split<J: Journal>(&mut self, ends: Option<[VertexId; 2]>, v: VertexId, p: Point, j: &mut J) {
         let Some((ends, faces)) = ends.zip(self.outside.faces.as_mut()) else { return };
         if !faces.split(ends, v, p) {

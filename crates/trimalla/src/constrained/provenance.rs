@@ -65,15 +65,27 @@ impl Provenances {
         self.bound.get(i / 64).is_some_and(|bits| bits >> (i % 64) & 1 == 1)
     }
 
-    /// Sets it, through the journal.
+    /// The parameter of the `i`-th vertex after the input, if it is on this segment by its provenance.
     #[inline]
+    pub(crate) fn parameter_on(&self, segment: u32, i: usize) -> Option<f64> {
+        let [kind, place] = self.words[self.place(i)?];
+        let is_on = matches!(kind & 0xff, ON_SEGMENT | SHELL_AROUND_START | SHELL_AROUND_END);
+        (is_on && (kind >> 8) as u32 == segment).then(|| f64::from_bits(place))
+    }
+
+    /// Sets it, through the journal.
+    #[inline(always)] // For each new vertex; nearly all are free, and were.
     pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
-        let new = new.to_words();
-        let place = match self.place(i) {
-            Some(place) => place,
-            None if new == FREE => return,
-            None => self.make_room(i, j),
-        };
+        let place = self.place(i);
+        if place.is_some() || !new.is_free() {
+            self.set_words(i, place, new.to_words(), j);
+        }
+    }
+
+    /// Sets the words of a vertex, which lie at `place` if it has any.
+    #[inline(never)]
+    fn set_words<J: Journal>(&mut self, i: usize, place: Option<usize>, new: [u64; 2], j: &mut J) {
+        let place = place.unwrap_or_else(|| self.make_room(i, j));
         let old = self.words[place];
         if old == new {
             return;
@@ -140,6 +152,10 @@ impl Provenances {
 
 /// The words of a free vertex.
 const FREE: [u64; 2] = [1, 0];
+/// The low bytes of the provenances that have a parameter on a segment.
+const ON_SEGMENT: u64 = 2;
+const SHELL_AROUND_START: u64 = 4;
+const SHELL_AROUND_END: u64 = 5;
 
 impl Provenance {
     /// Kind in the low byte, segment in the middle, circle on top; parameter or second segment.
@@ -147,11 +163,12 @@ impl Provenance {
         match self {
             Self::Input => [0, 0],
             Self::Free => FREE,
-            Self::OnSegment { segment, t } => [2 | u64::from(segment) << 8, t.to_bits()],
+            Self::OnSegment { segment, t } => [ON_SEGMENT | u64::from(segment) << 8, t.to_bits()],
             Self::Crossing { segments: [a, b] } => [3 | u64::from(a) << 8, u64::from(b)],
             Self::Shell { segment, t, around_end, shell } => {
                 let circle = u64::from(u16::from_ne_bytes(shell.to_ne_bytes())) << 40;
-                [(if around_end { 5 } else { 4 }) | u64::from(segment) << 8 | circle, t.to_bits()]
+                let kind = if around_end { SHELL_AROUND_END } else { SHELL_AROUND_START };
+                [kind | u64::from(segment) << 8 | circle, t.to_bits()]
             }
         }
     }
@@ -161,11 +178,11 @@ impl Provenance {
         let segment = (kind >> 8) as u32;
         match kind & 0xff {
             0 => Self::Input,
-            2 => Self::OnSegment { segment, t: f64::from_bits(place) },
+            ON_SEGMENT => Self::OnSegment { segment, t: f64::from_bits(place) },
             3 => Self::Crossing { segments: [segment, place as u32] },
-            k @ (4 | 5) => {
+            k @ (SHELL_AROUND_START | SHELL_AROUND_END) => {
                 let shell = i16::from_ne_bytes(((kind >> 40) as u16).to_ne_bytes());
-                Self::Shell { segment, t: f64::from_bits(place), around_end: k == 5, shell }
+                Self::Shell { segment, t: f64::from_bits(place), around_end: k == SHELL_AROUND_END, shell }
             }
             _ => Self::Free,
         }

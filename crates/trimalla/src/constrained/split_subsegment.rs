@@ -60,15 +60,20 @@ impl ConstrainedDelaunay {
     /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the rule.
     fn place_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> Point {
         let [p, q] = [a, b].map(|v| self.t.point(v));
-        let Some(segment) = self.finest_segment(mark) else { return Point::lerp(p, q, t) };
-        let [from, to] = [(p, self.parameter(segment, a)), (q, self.parameter(segment, b))];
-        self.place_along(mark, self.segment_points(segment), [from, to], t)
+        let class = self.constraints.class(mark);
+        let only = if let Class::List(&[only]) = class { Some(only) } else { None };
+        let Some(segment) = only.or_else(|| self.finest_segment(mark)) else { return Point::lerp(p, q, t) };
+        let ends = [(p, self.parameter(segment, a)), (q, self.parameter(segment, b))];
+        let whole = self.segment_points(segment);
+        let place = only.and_then(|_| place_on_only_segment(whole, ends, t));
+        place.unwrap_or_else(|| self.place_along(mark, whole, ends, t))
     }
 
     /// The point at parameter `t` between two points with their parameters on `whole`, a segment of class `mark` or a piece
     /// of one; the first of them where no point keeps the rule of [`Strip`].
+    #[inline(never)]
     fn place_along(&self, mark: u32, whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Point {
-        let on_whole = whole.at(tp + (tq - tp) * t);
+        let on_whole = at_parameter(whole, [tp, tq], t);
         let bounds = BoundingBox::around(p).including(q);
         let keeps_rule = |m: &Point| {
             let mut strips = self.strips(mark, Strip::LAST_PLACES);
@@ -103,6 +108,7 @@ impl ConstrainedDelaunay {
     }
 
     /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
+    #[inline]
     pub(crate) fn parameter(&self, segment: u32, v: VertexId) -> f64 {
         let [a, b] = self.segments[segment as usize];
         if v == a {
@@ -111,10 +117,8 @@ impl ConstrainedDelaunay {
         if v == b {
             return 1.0;
         }
-        match self.provenance(v) {
-            Provenance::OnSegment { segment: s, t } | Provenance::Shell { segment: s, t, .. } if s == segment => t,
-            _ => Segment::new(self.t.point(a), self.t.point(b)).parameter_of(self.t.point(v)),
-        }
+        let known = v.index().checked_sub(self.first_provenance).and_then(|i| self.provenance.parameter_on(segment, i));
+        known.unwrap_or_else(|| Segment::new(self.t.point(a), self.t.point(b)).parameter_of(self.t.point(v)))
     }
 
     /// The provenance of a point on a constrained edge.
@@ -176,7 +180,7 @@ impl ConstrainedDelaunay {
         if !self.outside_allows(h, p) {
             return Err(SplitError::Crowded);
         }
-        let border = self.border_ends(h);
+        let border = self.noted_ends(h);
         let v = self.add_vertex(p, provenance, j);
         self.t.mesh.split_edge(h, v, j);
         self.note_split(border, v, p, j);
@@ -195,4 +199,19 @@ impl ConstrainedDelaunay {
         let is_proved = self.t.may_split_edge(h, p) && (!on_hull || self.t.side_of(h, p) == Orientation::Collinear);
         if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
     }
+}
+
+/// The point at parameter `t` between two parameters on a segment.
+fn at_parameter(whole: Segment, [from, to]: [f64; 2], t: f64) -> Point {
+    whole.at(from + (to - from) * t)
+}
+
+/// The point at parameter `t` between two points with their parameters on the only segment of a class, if that keeps the rule of
+/// [`Strip`]. A point at a parameter of a segment is in its strip: only its place between the two is asked for.
+#[inline]
+fn place_on_only_segment(whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Option<Point> {
+    let point = at_parameter(whole, [tp, tq], t);
+    let strip = Strip::new(whole, Strip::LAST_PLACES);
+    debug_assert!(strip.contains(point), "three last places are enough");
+    (BoundingBox::around(p).including(q).contains(point) && strip.is_between(p, point, q)).then_some(point)
 }
