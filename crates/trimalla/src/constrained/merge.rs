@@ -1,7 +1,7 @@
 //! Merging two subsegments: the vertex between them taken out.
 
 use super::constrained::ConstrainedDelaunay;
-use crate::delaunay::{RemoveError, flip_spokes_away, legalise_hole};
+use crate::delaunay::{Hole, RemoveError, flip_spokes_away, legalise_hole};
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 
 impl ConstrainedDelaunay {
@@ -46,8 +46,9 @@ impl ConstrainedDelaunay {
     }
 
     fn try_merge(&mut self, v: VertexId, log: &mut UndoLog) -> Option<HalfEdgeId> {
-        let rim: Vec<HalfEdgeId> = self.t.star(v).map(|h| self.t.twin(h.next())).collect();
-        let flipped = flip_spokes_away(&mut self.t, v, log);
+        let mut hole = Hole::default();
+        hole.begin(&self.t, v);
+        flip_spokes_away(&mut self.t, v, &mut hole, log);
         let spokes: Vec<HalfEdgeId> = self.t.star(v).collect();
         let h = spokes.iter().copied().find(|&h| self.t.is_marked(h))?;
         let opposite = self.t.ccw(self.t.ccw(h));
@@ -55,7 +56,7 @@ impl ConstrainedDelaunay {
             return None;
         }
         let e = self.t.mesh.unsplit_edge(h, log);
-        legalise_hole(&mut self.t, &rim, &flipped, &mut self.lawson, log);
+        legalise_hole(&mut self.t, &hole, &mut self.lawson, log);
         Some(e)
     }
 

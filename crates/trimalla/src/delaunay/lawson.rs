@@ -1,5 +1,6 @@
 //! Lawson's loop: flip what fails the circle test until nothing does.
 
+use super::remove::Hole;
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, inside_two_circles};
 use crate::mesh::{HalfEdgeId, Journal, VertexId, push_if};
 use crate::triangulation::{Closure, Triangulation};
@@ -8,6 +9,8 @@ use crate::triangulation::{Closure, Triangulation};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lawson {
     stack: Vec<HalfEdgeId>,
+    /// Room for removals.
+    pub(super) hole: Hole,
 }
 
 impl Lawson {
@@ -81,7 +84,11 @@ impl Lawson {
     /// Flips raise the lifted surface nowhere, so the loop ends; `[Lawson77]` bounds it by the square of the
     /// number of vertices. Returns how many flips there were.
     pub(crate) fn legalise_all<J: Journal>(&mut self, t: &mut Triangulation, j: &mut J) -> u64 {
-        self.legalise_some(t, usize::MAX, j)
+        let mut flips = 0;
+        while let Some(e) = self.stack.pop() {
+            flips += u64::from(self.flip_if_illegal(t, e, j));
+        }
+        flips
     }
 
     /// [`legalise_all`](Self::legalise_all), for so many edges of the stack at most; the others wait.
@@ -89,18 +96,25 @@ impl Lawson {
         let mut flips = 0;
         for _ in 0..most {
             let Some(e) = self.stack.pop() else { break };
-            if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
-                continue;
-            }
-            let o = t.mesh.twin(e);
-            // A hull edge between a ghost and its face is legal.
-            if t.points.get(t.apex(e).index()).is_some_and(|&q| conflicts(t, e, o, q)) {
-                t.mesh.flip(e, j);
-                flips += 1;
-                self.stack.extend([e, e.next(), o, o.next()]);
-            }
+            flips += u64::from(self.flip_if_illegal(t, e, j));
         }
         flips
+    }
+
+    /// Flips an edge that fails the circle test; then its sides wait, and the edge itself.
+    #[inline(always)] // The body of two loops.
+    fn flip_if_illegal<J: Journal>(&mut self, t: &mut Triangulation, e: HalfEdgeId, j: &mut J) -> bool {
+        if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
+            return false;
+        }
+        let o = t.mesh.twin(e);
+        // A hull edge between a ghost and its face is legal.
+        let is_illegal = t.points.get(t.apex(e).index()).is_some_and(|&q| conflicts(t, e, o, q));
+        if is_illegal {
+            t.mesh.flip(e, j);
+            self.stack.extend([e, e.next(), o, o.next()]);
+        }
+        is_illegal
     }
 }
 

@@ -38,4 +38,4 @@ pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
 pub(crate) use order::{along_curve, insertion_order};
 pub use remove::RemoveError;
-pub(crate) use remove::{flip_spokes_away, legalise_hole, remove_vertex};
+pub(crate) use remove::{Hole, flip_spokes_away, legalise_hole, remove_vertex};

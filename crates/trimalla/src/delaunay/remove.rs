@@ -16,9 +16,6 @@ use crate::geometry::{Point, strictly_between};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
-/// Room for as many spokes as hardly any vertex has more of, so that lists of them do not grow.
-const USUAL_SPOKES: usize = 8;
-
 /// Why a vertex cannot be removed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -39,6 +36,25 @@ pub enum RemoveError {
     NotFinite(Point),
 }
 
+/// The edges of the hole that a vertex leaves, kept between removals so that none allocates.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Hole {
+    /// The half-edges outside the rim.
+    rim: Vec<HalfEdgeId>,
+    /// Spokes that may be flipped away.
+    spokes: Vec<HalfEdgeId>,
+    /// The edges that flips made, as half-edges with the ear on their left.
+    made: Vec<HalfEdgeId>,
+}
+
+impl Hole {
+    /// Notes the rim of the star of a vertex, before anything changes.
+    pub(crate) fn begin(&mut self, t: &Triangulation, v: VertexId) {
+        self.rim.clear();
+        self.rim.extend(t.star(v).map(|h| t.twin(h.next())));
+    }
+}
+
 /// Takes `v` out of the triangulation; it stays as an unused vertex.
 pub(crate) fn remove_vertex<J: Journal>(
     t: &mut Triangulation,
@@ -56,13 +72,14 @@ pub(crate) fn remove_vertex<J: Journal>(
         0 => t.set_state(-1, t.closure, None, j),
         1 => remove_from_chain(t, v, j),
         _ => {
-            let mut rim = Vec::with_capacity(USUAL_SPOKES);
-            rim.extend(t.star(v).map(|h| t.twin(h.next())));
+            let mut hole = std::mem::take(&mut lawson.hole);
+            hole.begin(t, v);
             let neighbour = t.neighbours(v).next();
-            let flipped = flip_spokes_away(t, v, j);
+            flip_spokes_away(t, v, &mut hole, j);
             take_out(t, v, j);
             lower_dimension(t, neighbour, j);
-            legalise_hole(t, &rim, &flipped, lawson, j);
+            legalise_hole(t, &hole, lawson, j);
+            lawson.hole = hole;
         }
     }
     t.forget_duplicates_of(v, j);
@@ -71,22 +88,16 @@ pub(crate) fn remove_vertex<J: Journal>(
 
 /// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away from the
 /// vertex, which flips and unsplits leave where they are.
-pub(crate) fn legalise_hole<J: Journal>(
-    t: &mut Triangulation,
-    rim: &[HalfEdgeId],
-    flipped: &[HalfEdgeId],
-    lawson: &mut Lawson,
-    j: &mut J,
-) {
+pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, hole: &Hole, lawson: &mut Lawson, j: &mut J) {
     if t.dimension < 2 {
         return;
     }
-    for &outer in rim.iter().filter(|o| t.is_alive(o.face())) {
+    for &outer in hole.rim.iter().filter(|o| t.is_alive(o.face())) {
         for h in t.twin(outer).face().half_edges() {
             lawson.push(h);
         }
     }
-    for &h in flipped {
+    for &h in &hole.made {
         lawson.push(t.twin(h));
     }
     lawson.legalise_all(t, j);
@@ -119,11 +130,12 @@ fn remove_from_chain<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) 
     }
 }
 
-/// Flips spokes of `v` away as long as one is an ear; returns the edges made, as half-edges with the ear on their left.
-pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) -> Vec<HalfEdgeId> {
-    let mut spokes = Vec::with_capacity(2 * USUAL_SPOKES);
+/// Flips spokes of `v` away as long as one is an ear, and notes the edges made.
+pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, hole: &mut Hole, j: &mut J) {
+    let Hole { spokes, made, .. } = hole;
+    spokes.clear();
+    made.clear();
     spokes.extend(t.star(v));
-    let mut made = Vec::with_capacity(USUAL_SPOKES);
     while let Some(h) = spokes.pop() {
         // A spoke that was flipped away no longer starts at v.
         if t.origin(h) != v || !is_ear(t, h) {
@@ -134,7 +146,6 @@ pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, j
         // The neighbours' ears changed; find their spokes again, their slots may have moved.
         spokes.extend(t.star(v).filter(|&s| t.dest(s) == a || t.dest(s) == c));
     }
-    made
 }
 
 /// Whether spoke `h` = v→b between neighbours a (clockwise) and c (counter-clockwise) can be flipped:
