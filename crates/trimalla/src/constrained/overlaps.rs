@@ -41,9 +41,13 @@ impl ConstrainedDelaunay {
         }
     }
 
-    /// Whether a class is a span of a line, so that its segments are computed, and not a list.
-    pub(crate) fn is_span(&self, mark: u32) -> bool {
-        matches!(self.constraints.class(mark), Class::Span(_))
+    /// The input segments of a class, sorted; `None` where it is a span of a line, so that they are computed.
+    #[inline]
+    pub(crate) fn listed_segments(&self, mark: u32) -> Option<&[SegmentId]> {
+        match self.constraints.class(mark) {
+            Class::List(list) => Some(list),
+            Class::Span(_) => None,
+        }
     }
 
     /// The lowest of the input segments that an edge is part of.

@@ -67,38 +67,51 @@ impl ConstrainedDelaunay {
     /// Linear, and a sort of each segment's pieces.
     fn subsegments(&self, pslg: &Pslg) -> Vec<Subsegment> {
         let markers = if pslg.segment_markers.iter().all(|&m| m == 0) { &[][..] } else { &pslg.segment_markers };
-        let mut found = Vec::new();
-        // Not collected: edge by edge the nested iterators would be a machine of states.
-        self.marked_edges().for_each(|h| found.push(self.subsegment(h, markers)));
-        // Sorted by counting: most segments have one piece.
-        let count = self.segments().len();
-        let place = |s: &Subsegment| s.segment.map_or(count, |segment| segment as usize);
-        let mut ends = vec![0_usize; count + 1];
-        found.iter().for_each(|s| ends[place(s)] += 1);
-        let mut total = 0;
-        for end in &mut ends {
-            total += *end;
-            *end = total;
-        }
-        let mut sorted = found.clone();
-        let mut starts = ends.clone();
-        for s in found.into_iter().rev() {
-            let start = &mut starts[place(&s)];
-            *start -= 1;
-            sorted[*start] = s;
-        }
-        for (&start, &end) in starts.iter().zip(&ends).filter(|(start, end)| **start + 1 < **end) {
-            sorted[start..end].sort_unstable_by(|a, b| a.along.total_cmp(&b.along).then_with(|| a.ends.cmp(&b.ends)));
+        let (edges, ends) = self.edges_by_segment();
+        let mut sorted = Vec::with_capacity(edges.len());
+        let mut pieces = edges.into_iter();
+        for (segment, &end) in (0..).zip(&ends) {
+            let segment = Some(segment).filter(|&s| (s as usize) < self.segments().len());
+            let start = sorted.len();
+            sorted.extend(pieces.by_ref().take(end - start).map(|h| self.subsegment(h, segment, markers)));
+            if end - start > 1 {
+                sorted[start..].sort_unstable_by(|a, b| a.along.total_cmp(&b.along).then_with(|| a.ends.cmp(&b.ends)));
+            }
         }
         sorted
     }
 
-    /// What a subsegment is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside otherwise.
-    fn subsegment(&self, h: HalfEdgeId, markers: &[i32]) -> Subsegment {
+    /// The marked edges by the lowest segment that each is part of, those of none at the end, sorted by counting; and where those
+    /// of each segment end.
+    fn edges_by_segment(&self) -> (Vec<HalfEdgeId>, Vec<usize>) {
+        let count = self.segments().len();
+        // Until the edges are in order each place holds where the edges of its segment start, after that where they end.
+        let mut places = vec![0_usize; count + 2];
+        let mut found = Vec::new();
+        // Not collected: edge by edge the nested iterators would be a machine of states.
+        self.marked_edges().for_each(|h| {
+            let segment = self.first_segment_of(h).map_or(count, |segment| segment as usize);
+            places[segment + 1] += 1;
+            found.push((segment, h));
+        });
+        for i in 0..=count {
+            places[i + 1] += places[i];
+        }
+        let mut sorted = vec![HalfEdgeId(0); found.len()];
+        for (segment, h) in found {
+            sorted[places[segment]] = h;
+            places[segment] += 1;
+        }
+        places.pop();
+        (sorted, places)
+    }
+
+    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside
+    /// otherwise.
+    fn subsegment(&self, h: HalfEdgeId, segment: Option<u32>, markers: &[i32]) -> Subsegment {
         let on_border = self.is_on_border(h);
         let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
         // Nearly always the first has one.
-        let segment = self.first_segment_of(h);
         let given = segment.filter(|_| !markers.is_empty()).and_then(|first| {
             let others = || self.segments_of(h).into_iter().find_map(marker_of);
             marker_of(first).or_else(others)
@@ -115,7 +128,7 @@ impl ConstrainedDelaunay {
         } else {
             ends.sort_unstable();
         }
-        Subsegment { ends, segment, along, on_border, marker }
+        Subsegment { ends, along, on_border, marker }
     }
 
     /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
@@ -141,9 +154,7 @@ impl ConstrainedDelaunay {
 struct Subsegment {
     /// In the direction of its segment.
     ends: [VertexId; 2],
-    /// The lowest segment that it is part of.
-    segment: Option<u32>,
-    /// The parameter on that segment at which it starts.
+    /// The parameter on the lowest segment that it is part of at which it starts.
     along: f64,
     on_border: bool,
     marker: i32,

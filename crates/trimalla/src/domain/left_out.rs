@@ -57,9 +57,9 @@ impl Found {
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
         // Edges of one span are parts of the same segments, which are computed: each span is looked at once.
         let mut spans = Vec::new();
-        cdt.marked_edges().for_each(|h| match cdt.mark(h) {
-            mark if cdt.is_span(mark) => spans.push(mark),
-            mark => found.look_at_class(&cdt.segments_of_class(mark), pslg),
+        cdt.marked_edges().for_each(|h| match cdt.listed_segments(cdt.mark(h)) {
+            Some(list) => found.look_at_class(list, pslg),
+            None => spans.push(cdt.mark(h)),
         });
         spans.sort_unstable();
         spans.dedup();

@@ -1,6 +1,6 @@
 //! Every edge once.
 
-use super::half_edges::HalfEdgeMesh;
+use super::half_edges::{HalfEdge, HalfEdgeMesh};
 use super::ids::{FaceId, HalfEdgeId, VertexId};
 
 impl HalfEdgeMesh {
@@ -13,19 +13,31 @@ impl HalfEdgeMesh {
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         // Most faces have no mark at all.
         let faces = self.mark.iter().enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
-        let sides = faces.flat_map(|(f, _)| FaceId::from_index(f).half_edges());
-        sides.filter(|&h| self.is_marked(h) && self.stands_for_edge(h))
+        faces.flat_map(|(f, marks)| {
+            let f = FaceId::from_index(f);
+            let [x, y, z] = self.face(f);
+            let corners = [[x, y, z], [y, z, x], [z, x, y]].into_iter().zip(f.half_edges()).zip(*marks);
+            let marked = corners.filter(|(_, mark)| *mark != 0).map(|(side, _)| side);
+            marked.filter(|&(corners, h)| self.is_named_by(corners, h)).map(|(_, h)| h)
+        })
     }
 
     /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.
-    #[inline] // In loops over all edges.
+    #[inline(always)] // In loops over all edges.
     fn stands_for_edge(&self, h: HalfEdgeId) -> bool {
-        let (a, b, t) = (self.origin(h), self.dest(h), self.twin(h));
+        let stored = |h: HalfEdgeId| self.half_edges[h.index()];
+        self.is_named_by([stored(h), stored(h.next()), stored(h.prev())], h)
+    }
+
+    /// [`stands_for_edge`](Self::stands_for_edge), where what is stored of the half-edge, the next one and the last one is known.
+    #[inline(always)] // In loops over all edges.
+    fn is_named_by(&self, corners: [HalfEdge; 3], h: HalfEdgeId) -> bool {
+        let ([a, b, apex], t) = (corners.map(|corner| corner.origin), corners[0].twin);
         if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {
             return false;
         }
         // Between two finite ends a face is a ghost by its apex. The face across is looked at only where it matters.
-        match (self.apex(h).is_finite(), h < t) {
+        match (apex.is_finite(), h < t) {
             (true, true) => true,
             (true, false) => !self.apex(t).is_finite(),
             (false, is_lower) => is_lower && !self.apex(t).is_finite(),

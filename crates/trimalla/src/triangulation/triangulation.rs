@@ -175,7 +175,7 @@ impl Triangulation {
     /// The box around the used vertices; `None` without any.
     #[must_use]
     pub fn bounding_box(&self) -> Option<BoundingBox> {
-        BoundingBox::of(self.used_vertices().map(|v| self.point(v)))
+        BoundingBox::of_finite(self.used_vertices().map(|v| self.point(v)))
     }
 
     /// The side of directed edge `h` that `p` lies on; `CounterClockwise` is left.
