@@ -190,6 +190,10 @@ impl ConstrainedDelaunay {
             }
         }
         let first = self.segments.len();
+        if first == 0 {
+            // All at once, as a rule: no room is left over.
+            self.segments.reserve_exact(segments.len());
+        }
         for (i, &[a, b]) in segments.iter().enumerate() {
             match self.insert_segment_with(VertexId(a), VertexId(b), crossings, j) {
                 Ok(_) => {}

@@ -81,9 +81,9 @@ impl Constraints {
     }
 
     /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is the
-    /// lowest segment that covers it.
-    pub(super) fn mark_of_span(&mut self, line: u32, ends: [VertexId; 2], first: u32) -> u32 {
-        SPAN | self.lines.add_span(line, ends, first) as u32
+    /// lowest segment that covers it, and a member of the line.
+    pub(super) fn mark_of_span(&mut self, ends: [VertexId; 2], first: u32) -> u32 {
+        SPAN | self.lines.add_span(ends, first) as u32
     }
 
     /// What a mark names; the empty list for mark 0.

@@ -82,36 +82,46 @@ impl ConstrainedDelaunay {
             return Err(ConstraintError::UnusedVertex { segment: segment as usize, vertex });
         }
         if a == b {
-            self.begin_segment([a, b], j);
+            self.name_segment([a, b], j);
             return Ok(segment);
         }
         let way = self.survey(segment, [a, b], crossings)?;
-        let mark = self.begin_segment([a, b], j);
-        match way {
-            Way::Free => {
-                let before = if self.as_given { Before::Any } else { Before::Delaunay };
-                self.apply_plan(mark, before, j);
-            }
-            Way::Pieces => self.work_off(Piece { from: a, to: b, mark }, segment, j)?,
-            Way::Overlaps => match self.join_line(segment, j) {
+        if way == Way::Overlaps {
+            self.name_segment([a, b], j);
+            // What joins a line needs no class of its own.
+            match self.join_line(segment, j) {
                 Some(gaps) => self.fill_gaps(segment, gaps, j)?,
-                None => self.work_off(Piece { from: a, to: b, mark }, segment, j)?,
-            },
+                None => {
+                    let mark = self.mark_of_list(&[segment], [], j);
+                    self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
+                }
+            }
+            return Ok(segment);
+        }
+        let mark = self.begin_segment([a, b], j);
+        if way == Way::Free {
+            let before = if self.as_given { Before::Any } else { Before::Delaunay };
+            self.apply_plan(mark, before, j);
+        } else {
+            self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
         }
         Ok(segment)
     }
 
     /// Names a segment and makes its class; returns the mark.
     pub(crate) fn begin_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> u32 {
+        let segment = self.name_segment(ends, j);
+        self.mark_of_list(&[segment], [], j)
+    }
+
+    /// Names a segment, which has no class so far.
+    fn name_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> SegmentId {
         let segment = self.segments.len() as SegmentId;
         if J::ACTIVE {
             j.note(Column::Segment, segment, 0);
         }
         self.segments.push(ends);
-        let before = self.constraints.count();
-        let mark = self.constraints.mark_of(&[segment]);
-        self.note_classes(before, j);
-        mark
+        segment
     }
 
     /// Notes that classes were added since there were `before`.

@@ -17,6 +17,9 @@
 //!    stretch without gaps. New segments join open lines only.
 //! 3. A line closes when one of its edges needs a list of its own, or a member is removed. What its spans say stays true.
 //!
+//! Lines and spans cost some twenty bytes for each segment: what names a span is in one place, and the list of spans grows by
+//! [blocks](Blocks).
+//!
 //! Lines that a later segment connects become a tree, whose root stands for all: undoing a connection is one entry.
 
 use std::collections::BTreeSet;
@@ -43,11 +46,59 @@ struct Line {
 /// A stretch of a line between two of its vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Span {
-    line: u32,
     /// The vertices between which the edge lies, lexicographically lower first.
     pub(super) ends: [VertexId; 2],
-    /// The lowest segment that covers it, as long as that is not removed.
+    /// The lowest segment that covers it, as long as that is not removed: a member of its line in any case.
     pub(super) first: u32,
+}
+
+/// A list that grows by blocks: one that doubles takes, while it moves, three times the room of what is in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Blocks<T> {
+    /// All full but the last.
+    blocks: Vec<Vec<T>>,
+}
+
+impl<T> Default for Blocks<T> {
+    fn default() -> Self {
+        Self { blocks: Vec::new() }
+    }
+}
+
+impl<T> Blocks<T> {
+    /// What a block holds.
+    const LEN: usize = 1 << 10;
+
+    fn len(&self) -> usize {
+        let full = self.blocks.len().saturating_sub(1) * Self::LEN;
+        full + self.blocks.last().map_or(0, Vec::len)
+    }
+
+    fn get(&self, i: usize) -> Option<&T> {
+        self.blocks.get(i / Self::LEN)?.get(i % Self::LEN)
+    }
+
+    fn push(&mut self, value: T) {
+        let is_first = self.blocks.is_empty();
+        match self.blocks.last_mut().filter(|block| block.len() < Self::LEN) {
+            Some(block) => block.push(value),
+            None => {
+                // Most drawings have few.
+                let mut block = Vec::with_capacity(if is_first { 0 } else { Self::LEN });
+                block.push(value);
+                self.blocks.push(block);
+            }
+        }
+    }
+
+    fn truncate(&mut self, len: usize) {
+        self.blocks.truncate(len.div_ceil(Self::LEN));
+        if self.len() > len {
+            if let Some(last) = self.blocks.last_mut() {
+                last.truncate(len - (len - 1) / Self::LEN * Self::LEN);
+            }
+        }
+    }
 }
 
 /// All lines on which segments overlap.
@@ -56,7 +107,7 @@ pub(super) struct Lines {
     /// The line of each segment, counted from 1; 0, or missing, for a segment that overlaps no other.
     line_of: Vec<u32>,
     lines: Vec<Line>,
-    spans: Vec<Span>,
+    spans: Blocks<Span>,
     /// Members that were removed.
     removed: BTreeSet<u32>,
 }
@@ -72,9 +123,9 @@ impl Lines {
         self.spans.get(i).copied()
     }
 
-    /// Adds a span; its number.
-    pub(super) fn add_span(&mut self, line: u32, ends: [VertexId; 2], first: u32) -> usize {
-        self.spans.push(Span { line, ends, first });
+    /// Adds a span, which a segment that joined its line before covers; its number.
+    pub(super) fn add_span(&mut self, ends: [VertexId; 2], first: u32) -> usize {
+        self.spans.push(Span { ends, first });
         self.spans.len() - 1
     }
 
@@ -96,13 +147,18 @@ impl Lines {
 
     /// The line of a span.
     pub(super) fn line_of_span(&self, span: Span) -> u32 {
-        self.root(span.line)
+        self.root(self.line_of[span.first as usize] - 1)
     }
 
     /// The line of a segment, if it overlaps others.
     pub(super) fn line_of_segment(&self, segment: u32) -> Option<u32> {
         let line = self.line_of.get(segment as usize)?.checked_sub(1)?;
         Some(self.root(line))
+    }
+
+    /// Makes room for so many segments, so that the list of their lines does not grow by doubling.
+    pub(super) fn reserve(&mut self, segments: usize) {
+        self.line_of.reserve_exact(segments.saturating_sub(self.line_of.len()));
     }
 
     /// Whether segments may join a line.
@@ -220,6 +276,29 @@ impl Lines {
             Column::LineClosed => self.lines[i].is_open = true,
             Column::LineMemberRemoved => drop(self.removed.remove(&entry.index)),
             _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_of_blocks_is_a_list() {
+        let (mut blocks, mut list) = (Blocks::<usize>::default(), Vec::new());
+        for len in [0, 1, 1023, 1024, 1025, 3000, 2048, 2047, 1024, 1, 0, 2] {
+            while list.len() < len {
+                blocks.push(list.len());
+                list.push(list.len());
+            }
+            blocks.truncate(len);
+            list.truncate(len);
+            assert_eq!(blocks.len(), len);
+            assert!((0..len + 2).all(|i| blocks.get(i) == list.get(i)), "{len}");
+            let mut again = Blocks::default();
+            list.iter().for_each(|&i| again.push(i));
+            assert!(blocks == again, "{len}: how it came about does not count");
         }
     }
 }

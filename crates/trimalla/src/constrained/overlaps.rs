@@ -232,65 +232,82 @@ impl ConstrainedDelaunay {
     /// Makes a line of a segment to which alone half-edge `h` belongs, if its chain runs straight forward.
     fn line_of_alone<J: Journal>(&mut self, h: HalfEdgeId, segment: SegmentId, j: &mut J) {
         let ends = self.segments[segment as usize];
-        if !ends.into_iter().all(|v| self.may_end_span(v)) {
-            return;
-        }
-        let Some(chain) = self.chain_of_alone(h, ends) else { return };
-        let Some(stops) = self.stops_along(&chain, ends) else { return };
+        let mark = self.t.mark(h);
+        let first = self.first_of_chain(h, ends).filter(|&first| self.runs_straight(first, ends));
+        let Some(first) = first.filter(|_| ends.into_iter().all(|v| self.may_end_span(v))) else { return };
         let line = self.constraints.lines.add(self.in_order(ends), j);
+        self.constraints.lines.reserve(self.segments.capacity());
         self.constraints.lines.enroll(line, segment, j);
-        let mut edges = chain.into_iter();
-        for pair in stops.windows(2) {
-            let mark = self.mark_of_new_span(line, [pair[0], pair[1]], segment, j);
-            for h in edges.by_ref() {
-                self.t.mesh.set_mark(h, mark, j);
-                if self.t.dest(h) == pair[1] {
-                    break;
-                }
+        let (mut start, mut edges, mut next) = (self.t.origin(first), Vec::new(), Some(first));
+        while let Some(h) = next {
+            edges.push(h);
+            next = self.next_of_chain(h, mark, ends);
+            let v = self.t.dest(h);
+            if self.is_stop(v, ends) {
+                let span = self.mark_of_new_span([start, v], segment, j);
+                edges.drain(..).for_each(|h| self.t.mesh.set_mark(h, span, j));
+                start = v;
             }
         }
     }
 
-    fn mark_of_new_span<J: Journal>(&mut self, line: u32, ends: [VertexId; 2], first: SegmentId, j: &mut J) -> u32 {
+    /// The mark of a new span, which a member of its line covers.
+    fn mark_of_new_span<J: Journal>(&mut self, ends: [VertexId; 2], first: SegmentId, j: &mut J) -> u32 {
         let ends = self.in_order(ends);
         let before = self.constraints.count();
-        let mark = self.constraints.mark_of_span(line, ends, first);
+        let mark = self.constraints.mark_of_span(ends, first);
         self.note_classes(before, j);
         mark
     }
 
-    /// The edges with the mark of `h`, which is that of one segment, from the one of its ends to the other; `None` where they
-    /// are not one path.
-    fn chain_of_alone(&self, h: HalfEdgeId, ends: [VertexId; 2]) -> Option<Vec<HalfEdgeId>> {
-        let follow = |first: HalfEdgeId| {
-            let mut chain = vec![first];
-            let mut last = first;
-            while !ends.contains(&self.t.dest(last)) {
-                let is_next = |g: &HalfEdgeId| self.t.mark(*g) == self.t.mark(h) && *g != self.t.twin(last);
-                last = self.t.star_from(self.t.twin(last)).find(is_next)?;
-                chain.push(last);
-                if chain.len() > self.t.face_slots() {
-                    return None;
-                }
+    /// Of the edges with the mark of `h`, which is that of one segment, the one at an end of the segment from which they lead to
+    /// `h`; `None` where they are not one path.
+    fn first_of_chain(&self, h: HalfEdgeId, ends: [VertexId; 2]) -> Option<HalfEdgeId> {
+        let mut last = self.t.twin(h);
+        for _ in 0..self.t.face_slots() {
+            if ends.contains(&self.t.dest(last)) {
+                return Some(self.t.twin(last));
             }
-            Some(chain)
-        };
-        let (back, forth) = (follow(self.t.twin(h))?, follow(h)?);
-        let mut chain: Vec<HalfEdgeId> = back.into_iter().rev().map(|g| self.t.twin(g)).collect();
-        chain.extend_from_slice(&forth[1..]);
-        let (first, last) = (self.t.origin(chain[0]), self.t.dest(chain[chain.len() - 1]));
-        (first != last).then_some(chain)
+            last = self.next_of_chain(last, self.t.mark(h), ends)?;
+        }
+        None
     }
 
-    /// The input vertices of a chain that lie exactly on the line of its ends; `None` where they do not come one after the other
-    /// along it.
-    fn stops_along(&self, chain: &[HalfEdgeId], ends: [VertexId; 2]) -> Option<Vec<VertexId>> {
-        let mut stops = vec![self.t.origin(chain[0])];
-        let may_stop = |v: &VertexId| self.may_end_span(*v) && self.is_on_line(ends, *v);
-        stops.extend(chain.iter().map(|&h| self.t.dest(h)).filter(may_stop));
-        let forward = self.is_before(stops[0], stops[stops.len() - 1]);
-        let goes_on = |pair: &[VertexId]| self.is_before(pair[usize::from(!forward)], pair[usize::from(forward)]);
-        stops.windows(2).all(goes_on).then_some(stops)
+    /// The edge with a mark that follows another one; `None` where that one leads to an end of the segment.
+    fn next_of_chain(&self, last: HalfEdgeId, mark: u32, ends: [VertexId; 2]) -> Option<HalfEdgeId> {
+        if ends.contains(&self.t.dest(last)) {
+            return None;
+        }
+        let back = self.t.twin(last);
+        self.t.star_from(back).find(|&g| self.t.mark(g) == mark && g != back)
+    }
+
+    /// Whether a chain that begins with an edge at one end of its segment ends at the other, and the vertices at which spans end
+    /// come one after the other along the line of both.
+    fn runs_straight(&self, first: HalfEdgeId, ends: [VertexId; 2]) -> bool {
+        let mark = self.t.mark(first);
+        let is_forward = self.is_before(ends[0], ends[1]) == (self.t.origin(first) == ends[0]);
+        let (mut stop, mut last) = (self.t.origin(first), first);
+        for _ in 0..self.t.face_slots() {
+            let v = self.t.dest(last);
+            if self.is_stop(v, ends) {
+                let [low, high] = if is_forward { [stop, v] } else { [v, stop] };
+                if !self.is_before(low, high) {
+                    return false;
+                }
+                stop = v;
+            }
+            match self.next_of_chain(last, mark, ends) {
+                Some(next) => last = next,
+                None => return ends.contains(&v) && v != self.t.origin(first),
+            }
+        }
+        false
+    }
+
+    /// Whether spans end at a vertex of a chain: an input vertex exactly on the line of the chain's ends.
+    fn is_stop(&self, v: VertexId, ends: [VertexId; 2]) -> bool {
+        self.may_end_span(v) && self.is_on_line(ends, v)
     }
 
     /// Puts the pieces of a new member of a line in that no other member covers.
@@ -303,9 +320,8 @@ impl ConstrainedDelaunay {
         gaps: Vec<[VertexId; 2]>,
         j: &mut J,
     ) -> Result<(), ConstraintError> {
-        let Some(line) = self.constraints.lines.line_of_segment(segment) else { return Ok(()) };
         for ends @ [from, to] in gaps {
-            let mark = self.mark_of_new_span(line, ends, segment, j);
+            let mark = self.mark_of_new_span(ends, segment, j);
             self.work_off(Piece { from, to, mark }, segment, j)?;
         }
         Ok(())
