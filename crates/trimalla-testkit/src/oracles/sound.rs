@@ -412,9 +412,12 @@ impl<'a> Line<'a> {
             let (a, b) = (of_triangle[k], of_triangle[(k + 1) % 3]);
             orient(a, b, p) <= 0 && orient(a, b, q) <= 0
         };
+        // Exactly, too: the vertices between which the way leads may be off the segment.
+        let turns = of_triangle.map(|corner| orient(p, q, corner));
+        let is_parted = turns.iter().all(|&turn| turn >= 0) || turns.iter().all(|&turn| turn <= 0);
         let beside = t.map(|v| self.beside(v));
         let on_both_sides = beside.iter().any(|&d| d > self.tolerance) && beside.iter().any(|&d| d < -self.tolerance);
-        p != q && on_both_sides && !(0..3).any(is_outside)
+        p != q && on_both_sides && !is_parted && !(0..3).any(is_outside)
     }
 }
 
