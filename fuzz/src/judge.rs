@@ -105,6 +105,7 @@ fn segment_of(fault: &InputFault) -> Option<usize> {
         InputFault::SegmentNotCovered { segment, .. }
         | InputFault::VertexPassedBy { segment, .. }
         | InputFault::VertexBeside { segment, .. }
+        | InputFault::VertexOnWrongSide { segment, .. }
         | InputFault::SegmentCrossesBoundary { segment, .. } => Some(segment),
         _ => None,
     }

@@ -104,7 +104,9 @@ impl Renumber for InputFault {
                 ends.renumber(first);
                 stop.renumber(first);
             }
-            Self::VertexPassedBy { segment, ends, vertex } | Self::VertexBeside { segment, ends, vertex } => {
+            Self::VertexPassedBy { segment, ends, vertex }
+            | Self::VertexBeside { segment, ends, vertex }
+            | Self::VertexOnWrongSide { segment, ends, vertex } => {
                 segment.renumber(first);
                 ends.renumber(first);
                 vertex.renumber(first);

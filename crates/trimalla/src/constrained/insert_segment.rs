@@ -6,6 +6,7 @@ use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::constraints::ClassCount;
 use super::error::{ConstraintError, CrossingPair};
+use super::input_sides::Beside;
 use super::split_crossings::Piece;
 use crate::delaunay::BuildError;
 use crate::geometry::{Point, Segment};
@@ -93,7 +94,7 @@ impl ConstrainedDelaunay {
                 Some(gaps) => self.fill_gaps(segment, gaps, j)?,
                 None => {
                     let mark = self.mark_of_list(&[segment], [], j);
-                    self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
+                    self.work_off(Piece { from: a, to: b, mark }, segment, &mut Some(Beside::Allowed), j)?;
                 }
             }
             return Ok(segment);
@@ -103,7 +104,8 @@ impl ConstrainedDelaunay {
             let before = if self.as_given { Before::Any } else { Before::Delaunay };
             self.apply_plan(mark, before, j);
         } else {
-            self.work_off(Piece { from: a, to: b, mark }, segment, j)?;
+            // The first edges that are split here are straight: their segments cross.
+            self.work_off(Piece { from: a, to: b, mark }, segment, &mut Some(Beside::Allowed), j)?;
         }
         Ok(segment)
     }

@@ -17,6 +17,7 @@ use std::borrow::Cow;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::constraints::Class;
 use super::error::ConstraintError;
+use super::input_sides::Beside;
 use super::lines::Span;
 use super::plan::FirstStep;
 use super::split_crossings::Piece;
@@ -322,7 +323,7 @@ impl ConstrainedDelaunay {
     ) -> Result<(), ConstraintError> {
         for ends @ [from, to] in gaps {
             let mark = self.mark_of_new_span(ends, segment, j);
-            self.work_off(Piece { from, to, mark }, segment, j)?;
+            self.work_off(Piece { from, to, mark }, segment, &mut Some(Beside::Allowed), j)?;
         }
         Ok(())
     }

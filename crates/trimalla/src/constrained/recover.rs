@@ -17,9 +17,10 @@
 //! `[MeshSuite]` 2.6.1, recovery by unions.
 
 use super::constrained::ConstrainedDelaunay;
+use super::input_sides::Beside;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
-use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
+use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, UndoLog, VertexId};
 
@@ -48,6 +49,8 @@ pub(crate) struct Recovery {
     stage: Stage,
     /// Pieces for which there was no room: they are no edges.
     lost: Vec<Piece>,
+    /// Whether pieces may be led through input vertices beside them, once that was asked.
+    beside: Option<Beside>,
 }
 
 /// How many vertices went in, and how many out.
@@ -73,7 +76,7 @@ impl Recovery {
     /// The recovery of segments that were let go.
     pub(crate) fn of(released: Vec<Released>) -> Self {
         let waiting = released.into_iter().rev().collect();
-        Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new() }
+        Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new(), beside: None }
     }
 
     /// Whether nothing is left to do.
@@ -155,16 +158,18 @@ impl ConstrainedDelaunay {
             let room = (limits.vertices + changed.removed).saturating_sub(changed.inserted);
             let piece = recovery.waiting.pop();
             match (recovery.stage, piece) {
-                (Stage::Halving { .. }, Some(piece)) => match self.parted(piece, room > 0, limits, log) {
-                    Some((v, is_new)) => {
-                        changed.inserted += usize::from(is_new);
-                        if is_new {
-                            recovery.stage = Stage::Halving { has_grown: true };
+                (Stage::Halving { .. }, Some(piece)) => {
+                    match self.parted(piece, room > 0, (limits, &mut recovery.beside), log) {
+                        Some((v, is_new)) => {
+                            changed.inserted += usize::from(is_new);
+                            if is_new {
+                                recovery.stage = Stage::Halving { has_grown: true };
+                            }
+                            recovery.next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
                         }
-                        recovery.next.extend([Piece { to: v, ..piece }, Piece { from: v, ..piece }]);
+                        None => recovery.next.push(piece),
                     }
-                    None => recovery.next.push(piece),
-                },
+                }
                 // Each round but the last puts a vertex in.
                 (Stage::Halving { has_grown: true }, None) => {
                     recovery.waiting = recovery.next.drain(..).rev().collect();
@@ -176,7 +181,7 @@ impl ConstrainedDelaunay {
                     recovery.waiting = missing.into_iter().rev().collect();
                     recovery.stage = Stage::Whole;
                 }
-                (Stage::Whole, Some(piece)) => match self.made_whole(piece, room, log) {
+                (Stage::Whole, Some(piece)) => match self.made_whole(piece, room, &mut recovery.beside, log) {
                     Some(Changed { inserted, removed }) => {
                         changed.inserted += inserted;
                         changed.removed += removed;
@@ -194,14 +199,20 @@ impl ConstrainedDelaunay {
 
     /// Puts a piece in as a whole edge; `None`, and nothing changed, where that is not possible. Where it takes more vertices
     /// than there is room for, the newest free ones make room.
-    fn made_whole(&mut self, piece: Piece, room: usize, log: &mut UndoLog) -> Option<Changed> {
+    fn made_whole(
+        &mut self,
+        piece: Piece,
+        room: usize,
+        beside: &mut Option<Beside>,
+        log: &mut UndoLog,
+    ) -> Option<Changed> {
         let count = |t: &Self| t.t.points().len() - t.t.free_vertices().len();
         let start = log.checkpoint();
         let mut removed = 0;
         // Each round but the last removes a vertex.
         loop {
             let (here, before) = (log.checkpoint(), count(self));
-            let is_in = self.work_off(piece, 0, log).is_ok();
+            let is_in = self.work_off(piece, 0, beside, log).is_ok();
             let inserted = count(self).saturating_sub(before);
             if is_in && inserted <= room + removed {
                 return Some(Changed { inserted, removed });
@@ -228,7 +239,7 @@ impl ConstrainedDelaunay {
         &mut self,
         piece: Piece,
         room: bool,
-        limits: &SplitLimits<'_>,
+        (limits, beside): (&SplitLimits<'_>, &mut Option<Beside>),
         j: &mut J,
     ) -> Option<(VertexId, bool)> {
         if self.t.half_edge_between(piece.from, piece.to).is_some() {
@@ -237,7 +248,8 @@ impl ConstrainedDelaunay {
         // A vertex exactly on the way parts it for nothing.
         let plan = self.t.plan_towards(piece.from, piece.to).ok()?;
         if plan.to != piece.to {
-            return Some((plan.to, false));
+            let may_pass = self.may_pass_through(plan.to, piece.mark, || self.known_beside(beside));
+            return may_pass.then_some((plan.to, false));
         }
         let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, (limits.place)(self, piece, &plan));
         let [a, b] = [piece.from, piece.to].map(|v| self.t.point(v));
@@ -248,7 +260,7 @@ impl ConstrainedDelaunay {
         match self.t.locate_from(start, p) {
             // An input vertex that is not exactly on the way, or the plan had ended there, is not on the segment.
             Locus::Vertex(v) => {
-                let may_part = v != piece.from && v != piece.to && v.index() >= self.input_points;
+                let may_part = v != piece.from && v != piece.to && !self.is_of_input(v);
                 may_part.then_some((v, false))
             }
             Locus::Edge(h) if self.t.is_marked(h) => None,
@@ -259,25 +271,5 @@ impl ConstrainedDelaunay {
             }
             _ => None,
         }
-    }
-
-    /// Whether a planned piece that is split at a point would pass an input vertex on the other side, or through it.
-    ///
-    /// ```text
-    ///             . p .
-    ///         .     w     .       The rounded split point p is beside the piece a–b, and the input vertex w between the two.
-    ///       a ─ ─ ─ ─ ─ ─ ─ b     The segment passes w on the side where a–b does.
-    /// ```
-    fn changes_sides(&self, plan: &SegmentPlan, p: Point) -> bool {
-        let [a, b] = [plan.from, plan.to].map(|v| self.t.point(v));
-        let turn = orient2d(a, b, p);
-        if turn == Orientation::Collinear {
-            return false;
-        }
-        let is_inner = |v: &&VertexId| v.index() < self.input_points && **v != plan.from && **v != plan.to;
-        let beside = plan.left.iter().chain(&plan.right).filter(is_inner).map(|&v| self.t.point(v));
-        let away = turn.reversed();
-        let is_between = |w: Point| [(a, b), (b, p), (p, a)].into_iter().all(|(x, y)| orient2d(x, y, w) != away);
-        beside.filter(|&w| w != p).any(is_between)
     }
 }

@@ -28,6 +28,7 @@
 use super::apply::Before;
 use super::constrained::{ConstrainedDelaunay, SegmentId};
 use super::error::{ConstraintError, CrossingPair};
+use super::input_sides::Beside;
 use super::insert_segment::crossing_of;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
@@ -57,11 +58,13 @@ enum Meeting {
 }
 
 impl ConstrainedDelaunay {
-    /// Puts a piece of `segment` in, splitting whatever it crosses.
+    /// Puts a piece of `segment` in, splitting whatever it crosses; `beside` tells whether at input vertices, too, as soon as that
+    /// is known.
     pub(super) fn work_off<J: Journal>(
         &mut self,
         first: Piece,
         segment: SegmentId,
+        beside: &mut Option<Beside>,
         j: &mut J,
     ) -> Result<(), ConstraintError> {
         let bound = self.step_bound();
@@ -80,11 +83,17 @@ impl ConstrainedDelaunay {
             self.t.plan_into(&mut self.plan, piece.from, piece.to).map_err(|_| leaves)?;
             let first_stop = self.plan.to;
             work.push(Piece { from: first_stop, ..piece });
+            let may_stop =
+                first_stop == piece.to || self.may_pass_through(first_stop, piece.mark, || self.known_beside(beside));
+            if !may_stop {
+                let pair = CrossingPair { segments: [segment as usize; 2], at: self.t.point(first_stop) };
+                return Err(ConstraintError::CrossingsExhausted { pair, steps });
+            }
             let piece = Piece { to: first_stop, ..piece };
             match self.plan.constrained.first() {
                 None => self.apply_plan(piece.mark, Before::Any, j),
                 Some(&h) => {
-                    let meeting = self.meeting(h, piece).filter(|_| steps <= bound);
+                    let meeting = self.meeting(h, piece, self.known_beside(beside)).filter(|_| steps <= bound);
                     let pair = || ConstraintError::CrossingsExhausted { pair: self.pair_at(h, piece), steps };
                     let meeting = meeting.ok_or_else(pair)?;
                     self.split_at_meeting(h, piece, meeting, &mut work, j);
@@ -140,13 +149,23 @@ impl ConstrainedDelaunay {
 
     /// Where constraint `h` and the piece that crosses it are split: at the nearest of the four ends, if rounding reaches
     /// from it to the other edge, or where they cross. `None` where every such place would break the rule.
-    fn meeting(&self, h: HalfEdgeId, piece: Piece) -> Option<Meeting> {
+    ///
+    /// `beside` tells whether input vertices count, and whether edges may be bent over them.
+    fn meeting(&self, h: HalfEdgeId, piece: Piece, beside: Beside) -> Option<Meeting> {
         let [edge, line] = [[self.t.origin(h), self.t.dest(h)], [piece.from, piece.to]];
         let [of_edge, of_line] = [Stretch::new(self, edge, self.t.mark(h)), Stretch::new(self, line, piece.mark)];
+        let keeps_sides = |p: Point| {
+            beside == Beside::Allowed || !self.edge_changes_sides(h, p) && !self.changes_sides(&self.plan, p)
+        };
         let nearest = |ends: [VertexId; 2], other: &Stretch, reach: Option<f64>| {
-            let good = ends
-                .into_iter()
-                .filter(|&v| other.is_split_by(self.t.point(v)) && other.reaches(reach, self.t.point(v)));
+            let may_meet = |&v: &VertexId| {
+                let p = self.t.point(v);
+                (beside == Beside::Allowed || !self.is_of_input(v))
+                    && other.is_split_by(p)
+                    && other.reaches(reach, p)
+                    && keeps_sides(p)
+            };
+            let good = ends.into_iter().filter(may_meet);
             let measured = good.map(|v| (other.ends.distance(self.t.point(v)), v));
             measured.min_by(|(d, v), (e, w)| d.total_cmp(e).then(v.cmp(w)))
         };
@@ -156,7 +175,7 @@ impl ConstrainedDelaunay {
             (_, Some((_, w))) => Some(Meeting::EndOfPiece(w)),
             (None, None) => None,
         };
-        let splits_both = |p: &Point| of_edge.is_split_by(*p) && of_line.is_split_by(*p);
+        let splits_both = |p: &Point| of_edge.is_split_by(*p) && of_line.is_split_by(*p) && keeps_sides(*p);
         at_an_end(Some(REACH_PLACES))
             .or_else(|| self.crossing_of_segments(h, piece).filter(splits_both).map(Meeting::Point))
             .or_else(|| Some(self.crossing_of_edges(h, piece)).filter(splits_both).map(Meeting::Point))

@@ -21,9 +21,9 @@
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::course::{Adjacency, Beside, Course, Courses};
+use super::course::{Adjacency, Course, Courses};
 use super::pslg::Pslg;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{Beside, ConstrainedDelaunay};
 use crate::geometry::{Point, Segment, Strip, math, on_segment};
 use crate::mesh::{HalfEdgeId, VertexId};
 

@@ -10,7 +10,7 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use crate::constrained::crossing_pairs;
+use crate::constrained::Beside;
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, lexicographic, on_segment};
 
 /// Which vertices an edge joins to each vertex.
@@ -64,15 +64,6 @@ impl Adjacency {
     }
 }
 
-/// Whether input vertices beside a segment, within rounding, may be on its chain: see rule 4 of [`Strip`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Beside {
-    /// Only those exactly on it.
-    Refused,
-    /// Where edges that cross were led through them.
-    Allowed,
-}
-
 /// The vertices of a mesh and the drawing that it was made from.
 pub(crate) struct Courses<'a> {
     points: &'a [Point],
@@ -82,7 +73,7 @@ pub(crate) struct Courses<'a> {
     /// The drawing's vertices that the mesh uses, where they lie.
     used: Vec<u32>,
     places: BoxTree,
-    crosses: OnceCell<bool>,
+    beside: OnceCell<Beside>,
 }
 
 /// The course of one segment.
@@ -93,6 +84,8 @@ pub(crate) struct Course {
     parting: Strip,
     /// The ends and the input vertices exactly between them, from start to end.
     pub(crate) stops: Vec<u32>,
+    /// Whether input vertices lie in the strip beside the segment.
+    pub(crate) has_beside: bool,
 }
 
 impl<'a> Courses<'a> {
@@ -109,7 +102,7 @@ impl<'a> Courses<'a> {
         let used: Vec<u32> =
             (0..).zip(&points[..known]).filter(|&(v, p)| p.is_finite() && is_used(v)).map(|(v, _)| v).collect();
         let places = BoxTree::new(used.iter().map(|&v| BoundingBox::around(points[v as usize])).collect());
-        Self { points, known, segments, used, places, crosses: OnceCell::new() }
+        Self { points, known, segments, used, places, beside: OnceCell::new() }
     }
 
     /// The course of the segment between two used vertices of the drawing.
@@ -117,12 +110,13 @@ impl<'a> Courses<'a> {
         let [p, q] = [a, b].map(|v| self.points[v as usize]);
         let segment = Segment::new(p, q);
         let strip = Strip::new(segment, Strip::LAST_PLACES);
-        let found = self.places.near(segment, [0.0, 0.0]).into_iter().map(|i| self.used[i as usize]);
+        let found = self.places.near(segment, strip.reach()).into_iter().map(|i| self.used[i as usize]);
         let is_inner = |&v: &u32| {
             let m = self.points[v as usize];
             m != p && m != q && on_segment(p, q, m)
         };
-        let mut inner: Vec<(Point, u32)> = found.filter(is_inner).map(|v| (self.points[v as usize], v)).collect();
+        let (inner, others): (Vec<u32>, Vec<u32>) = found.partition(is_inner);
+        let mut inner: Vec<(Point, u32)> = inner.into_iter().map(|v| (self.points[v as usize], v)).collect();
         inner.sort_unstable_by(|v, w| lexicographic(v.0, w.0).then(v.1.cmp(&w.1)));
         if lexicographic(p, q).is_gt() {
             inner.reverse();
@@ -131,13 +125,14 @@ impl<'a> Courses<'a> {
         stops.push(a);
         stops.extend(inner.into_iter().map(|(_, v)| v));
         stops.push(b);
-        Course { segment, strip, parting: Strip::new(segment, Strip::PARTING_PLACES), stops }
+        let is_beside = |m: Point| strip.contains(m) && strip.is_between(p, m, q);
+        let has_beside = others.into_iter().any(|v| is_beside(self.points[v as usize]));
+        Course { segment, strip, parting: Strip::new(segment, Strip::PARTING_PLACES), stops, has_beside }
     }
 
     /// Whether input vertices beside segments may be on chains: if any two segments cross where there is no vertex.
     pub(crate) fn beside(&self) -> Beside {
-        let crosses = || !crossing_pairs(&self.points[..self.known], self.segments).is_empty();
-        if *self.crosses.get_or_init(crosses) { Beside::Allowed } else { Beside::Refused }
+        *self.beside.get_or_init(|| Beside::of(&self.points[..self.known], self.segments))
     }
 
     /// Whether a vertex may be on a course, between two others.
@@ -268,16 +263,6 @@ impl Leg {
     /// The vertices on the way with the fewest edges to the farthest vertex; of equal ones through the lowest vertices.
     pub(crate) fn path(&self) -> Vec<u32> {
         std::iter::successors(Some(self.farthest), |v| self.came_by.get(v).copied()).collect()
-    }
-
-    /// The vertices that are reached, the start too.
-    pub(crate) fn reached(&self) -> impl Iterator<Item = u32> + '_ {
-        std::iter::once(self.ends[0]).chain(self.came_by.keys().copied())
-    }
-
-    /// The edges that lead on from vertices that are reached, each away from the start.
-    pub(crate) fn arcs(&self) -> &[[u32; 2]] {
-        &self.arcs
     }
 
     /// The edges on all ways to a vertex that is reached.

@@ -37,7 +37,7 @@ mod tests;
 pub(crate) use build::build_conforming;
 pub use build::{DomainRule, build, build_exactly, triangulate};
 pub use contours::Contours;
-pub(crate) use course::{Adjacency, Beside, Course, Courses, Leg};
+pub(crate) use course::{Adjacency, Course, Courses, Leg};
 pub use error::{DomainError, OpenEnd, Warning};
 pub use from_mesh::{FromMesh, from_mesh};
 pub use given::Given;

@@ -73,6 +73,16 @@ pub enum InputFault {
         /// The vertex.
         vertex: MeshVertex,
     },
+    /// The chain of an input segment has an input vertex on another side than the segment, within rounding.
+    #[error("input segment {segment} from vertex {} to vertex {} passes vertex {vertex} on the wrong side", .ends[0], .ends[1])]
+    VertexOnWrongSide {
+        /// The segment.
+        segment: usize,
+        /// Its ends.
+        ends: [MeshVertex; 2],
+        /// The vertex.
+        vertex: MeshVertex,
+    },
     /// An input segment crosses the boundary of the mesh where no vertex is.
     #[error("input segment {segment} from vertex {} to vertex {} crosses the boundary edge from vertex {} to vertex {}", .ends[0], .ends[1], .edge[0], .edge[1])]
     SegmentCrossesBoundary {

@@ -1,39 +1,44 @@
 //! How the edges of a mesh cover an input segment, or where they do not.
 //!
 //! A segment is followed from stop to stop: from its start over the input vertices exactly on it to its end. A leg that no
-//! edges cover from end to end is a fault, unless the segment is outside the mesh there. It is, if
-//!
-//! 1. its chains from either end of the leg, and from every vertex of the boundary along it between these two, can leave the
-//!    mesh: they come to a vertex of the boundary before no triangle that the segment runs into, from which every edge
-//!    onwards in the strip is one of the boundary, too;
-//! 2. it crosses no boundary edge between where those of the two ends leave.
+//! chain of edges covers from stop to stop, by the rule of [`Strip`](crate::geometry::Strip), is a fault unless the segment
+//! may be outside the mesh there. That is decided by edges that *block* it:
 //!
 //! ```text
-//!                 p                 A segment runs into the triangle v p q beyond doubt if p lies right of it and q left,
-//!               / │                 both outside its strip. Vertices in the strip are along the way, or too near to it
-//!     a ══════ v ─┼─ ─ ─ ─> b       to tell on which side it passes.
-//!               \ │
+//!                 p                 The edge p–q blocks the segment a–b: p is left of every chain that the rule allows, q
+//!               / │ \               is right of each, and a–b crosses p–q. No edge crosses p–q, so no chain leads from
+//!     a ══════ v ─┼─ ─ ─ ─> b       a to b. The same holds for an edge of the boundary.
+//!               \ │ /
 //!                 q
 //! ```
 //!
-//! Rounding leaves three things in doubt, and what is in doubt is no fault:
+//! A vertex is left of every chain if it is on the left, outside the strip. By rule 4, so is an input vertex in the strip on
+//! the left of the segment in a drawing without crossings.
 //!
-//! * *which of two vertices comes first*, where they are no farther apart than the strip is wide. An edge that leads no
-//!   farther than that leads nowhere; a vertex of the boundary so near to an end that the mesh does not use is as good as
-//!   that end;
-//! * *on which side of the boundary an unused end lies*, where it lies along another input segment: split points bend the
-//!   chain of that segment to either side. The edges of that chain may be crossed, see `near_ends.rs`;
-//! * *on which chain the segment runs*, where another chain of the boundary is in its strip: an input vertex beside the
-//!   segment is no fault on a chain that has the mesh on its one side and the segment on the other.
+//! 1. A leg that some edge blocks is a fault.
+//! 2. A leg that nothing blocks is a fault, too, if edges join its stops over vertices in the strip and none of these is on the
+//!    boundary: the rule is broken some other way. So it is if no edges join the stops and the boundary does not come into
+//!    the strip between the vertices at which its chains from either stop end.
+//! 3. Else the segment is outside the mesh, or within rounding of the boundary, which the split points of other segments bend
+//!    to either side. That is no fault.
+//!
+//! Part 1 finds every segment that runs through triangles: those that the segment passes one after the other share an edge,
+//! which it crosses. Where none of these edges blocks it, each has an end in the strip, and these ends are joined by edges.
+//!
+//! An edge along an input segment at which an end lies that the mesh does not use blocks nothing, see `near_ends.rs`.
 
 use std::cell::OnceCell;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use super::against_input::InputFault;
 use super::near_ends::NearEnds;
-use crate::domain::{Adjacency, Beside, Course, Courses, Leg, Pslg};
-use crate::geometry::{BoundingBox, BoxTree, Orientation, Point, Segment, orient2d};
-use crate::triangulation::{IndexedMesh, Side, Sides, mesh_vertex};
+use crate::constrained::Beside;
+use crate::domain::{Adjacency, Course, Courses, Leg, Pslg};
+use crate::geometry::{
+    BoundingBox, BoxTree, Orientation, Point, SegmentContact, orient2d, segment_contact, segments_cross_properly,
+};
+use crate::triangulation::{IndexedMesh, Sides, mesh_vertex};
 
 /// The edges that cover the segments looked at so far, and what it takes to look at more.
 pub(super) struct Cover<'a> {
@@ -60,17 +65,15 @@ enum Breach {
     StopsAt(u32),
     PassesBy(u32),
     PassesBeside(u32),
+    WrongSide(u32),
     Crosses([u32; 2]),
 }
 
-/// How a chain goes on towards a stop.
-enum Leaving {
-    /// It leads there, or as near as makes no difference.
-    Never,
-    /// It leaves the mesh at that vertex.
-    At(u32),
-    /// It stops at that vertex, and the segment goes on into a triangle.
-    Stuck(u32),
+/// An edge that blocks a segment.
+struct Block {
+    edge: [u32; 2],
+    /// The vertex on the way of the segment from which it was found.
+    seen_from: u32,
 }
 
 impl<'a> Cover<'a> {
@@ -105,6 +108,7 @@ impl<'a> Cover<'a> {
             Breach::StopsAt(v) => InputFault::SegmentNotCovered { segment, ends, stop: vertex(v) },
             Breach::PassesBy(v) => InputFault::VertexPassedBy { segment, ends, vertex: vertex(v) },
             Breach::PassesBeside(v) => InputFault::VertexBeside { segment, ends, vertex: vertex(v) },
+            Breach::WrongSide(v) => InputFault::VertexOnWrongSide { segment, ends, vertex: vertex(v) },
             Breach::Crosses(edge) => InputFault::SegmentCrossesBoundary { segment, ends, edge: edge.map(vertex) },
         })
     }
@@ -112,19 +116,20 @@ impl<'a> Cover<'a> {
     /// What is wrong with the leg to a stop of a course from the one before.
     fn breach(&mut self, course: &Course, to: usize) -> Option<Breach> {
         let ends = [course.stops[to - 1], course.stops[to]];
-        if self.cover(ends) || self.leg(course, ends, Beside::Refused).is_whole() {
+        if self.cover(ends) {
             return None;
         }
-        let beside = self.leg(course, ends, Beside::Allowed);
-        if beside.is_whole() {
-            let inner = |v: &u32| self.courses.is_known(*v) && !ends.contains(v);
-            let path = beside.path();
-            let through = path.iter().copied().find(inner).filter(|_| self.courses.beside() == Beside::Refused);
-            return through.filter(|_| !self.is_beyond(course, &path)).map(Breach::PassesBeside);
+        if self.leg(course, ends, Beside::Refused).is_whole() {
+            return self.on_wrong_side(course, ends).map(Breach::WrongSide);
         }
-        // Where the segment is outside the mesh, edges that lead past a stop are those of another chain in its strip.
+        let beside = self.leg(course, ends, Beside::Allowed);
+        if beside.is_whole() && self.courses.beside() == Beside::Allowed {
+            return None;
+        }
         let breach = self.uncovered(course, ends)?;
-        self.passed_by(course, to).or(Some(breach))
+        let inner = |v: &u32| self.courses.is_known(*v) && !ends.contains(v);
+        let through = beside.path().into_iter().find(inner).filter(|_| beside.is_whole());
+        through.map(Breach::PassesBeside).or_else(|| self.passed_by(course, to)).or(Some(breach))
     }
 
     /// Follows a leg and notes its edges.
@@ -161,155 +166,143 @@ impl<'a> Cover<'a> {
         })
     }
 
-    /// Where a segment is inside the mesh between two stops without edges along it.
+    /// An input vertex in the strip on which an edge blocks a segment, though a chain leads from stop to stop.
+    fn on_wrong_side(&self, course: &Course, ends: [u32; 2]) -> Option<u32> {
+        if !course.has_beside || self.courses.beside() == Beside::Allowed {
+            return None;
+        }
+        let near = self.boundary_near(course);
+        let Block { edge, .. } = self.blocked(course, ends, self.starts(course, ends, &near))?;
+        edge.into_iter().find(|&v| self.courses.is_known(v) && course.is_in_strip(self.place(v)))
+    }
+
+    /// What is wrong where no edges cover a segment between two stops; nothing if it may be outside the mesh.
     fn uncovered(&mut self, course: &Course, ends: [u32; 2]) -> Option<Breach> {
-        let mut outermost = ends;
-        for (from, backwards) in [(0, false), (1, true)] {
-            match self.leaves(course, [ends[from], ends[1 - from]], backwards) {
-                Leaving::At(v) => outermost[from] = v,
-                Leaving::Never => return None,
-                Leaving::Stuck(v) => return Some(Breach::StopsAt(v)),
+        let near = self.boundary_near(course);
+        let starts = self.starts(course, ends, &near);
+        let stops = [self.farthest(course, ends), self.farthest(course, [ends[1], ends[0]])];
+        let passes_boundary = starts.iter().any(|v| !ends.contains(v));
+        // What is covered is noted.
+        for &v in &starts {
+            for end in ends.into_iter().filter(|&end| end != v) {
+                self.farthest(course, [v, end]);
             }
         }
-        if !self.courses.order(course, outermost[0], outermost[1]).is_lt() {
-            return None; // The chains from both ends meet, but for rounding.
+        if let Some(Block { edge, seen_from }) = self.blocked(course, ends, starts) {
+            return Some(match seen_from {
+                _ if self.is_boundary(edge) => Breach::Crosses(edge),
+                v if v == ends[1] => Breach::StopsAt(stops[1]),
+                v => Breach::StopsAt(self.farthest(course, [v, ends[1]])),
+            });
         }
-        for start in self.along_boundary(course, outermost) {
-            for (to, backwards) in [(ends[1], false), (ends[0], true)] {
-                if let Leaving::Stuck(v) = self.leaves(course, [start, to], backwards) {
-                    return Some(Breach::StopsAt(v));
+        if let Some(&edge) = near.iter().find(|&&edge| self.blocks(course, ends, edge)) {
+            return Some(Breach::Crosses(edge));
+        }
+        let may_leave =
+            if self.are_joined(course, ends) { passes_boundary } else { self.comes_between(course, stops, &near) };
+        (ends.into_iter().any(|v| self.sides.is_used(v)) && !may_leave).then_some(Breach::StopsAt(stops[0]))
+    }
+
+    /// How far edges lead from a vertex towards another; notes them.
+    fn farthest(&mut self, course: &Course, ends: [u32; 2]) -> u32 {
+        self.leg(course, ends, self.courses.beside()).farthest
+    }
+
+    /// The vertices at which a segment may enter the mesh, or begin there: used stops, and what lies between them of the
+    /// boundary in the strip, in order; `near` are the edges of the boundary near it.
+    fn starts(&self, course: &Course, [from, to]: [u32; 2], near: &[[u32; 2]]) -> Vec<u32> {
+        let mut starts: Vec<u32> = near.iter().flatten().copied().collect();
+        starts.retain(|&v| v != from && v != to && self.courses.is_along(course, [from, v, to]));
+        starts.extend([from, to].into_iter().filter(|&v| self.sides.is_used(v)));
+        starts.sort_unstable();
+        starts.dedup();
+        starts.sort_by(|&v, &w| self.courses.order(course, v, w));
+        starts
+    }
+
+    /// The first edge that blocks a segment among those that it crosses one after the other from where it may enter the mesh.
+    fn blocked(&self, course: &Course, ends: [u32; 2], starts: Vec<u32>) -> Option<Block> {
+        let [a, b] = ends.map(|v| self.place(v));
+        let mut seen: BTreeSet<[u32; 2]> = BTreeSet::new();
+        for seen_from in starts {
+            let mut open: Vec<[u32; 2]> = self.sides.from(seen_from).iter().map(|s| [s.dest, s.apex]).collect();
+            while let Some(edge @ [x, y]) = open.pop() {
+                let [p, q] = edge.map(|v| self.place(v));
+                let is_met = p.is_finite() && q.is_finite() && segment_contact(a, b, p, q) != SegmentContact::Apart;
+                if !is_met || !seen.insert([x.min(y), x.max(y)]) {
+                    continue;
+                }
+                if self.blocks(course, ends, edge) {
+                    return Some(Block { edge, seen_from });
+                }
+                let beyond = [self.sides.find(x, y), self.sides.find(y, x)].into_iter().flatten();
+                open.extend(beyond.flat_map(|s| [[s.dest, s.apex], [s.apex, s.origin]]));
+            }
+        }
+        None
+    }
+
+    /// Whether an edge blocks a segment between two stops.
+    fn blocks(&self, course: &Course, ends: [u32; 2], edge: [u32; 2]) -> bool {
+        let [a, b, p, q] = [ends[0], ends[1], edge[0], edge[1]].map(|v| self.place(v));
+        let [one, other] = edge.map(|v| self.side(course, v));
+        one.is_some_and(|side| other == Some(side.reversed()))
+            && segments_cross_properly(a, b, p, q)
+            && !ends.into_iter().any(|v| self.is_along_unused(v, [p, q]))
+    }
+
+    /// The side of every chain of a segment on which a vertex is; `None` where chains may pass it on either side.
+    fn side(&self, course: &Course, v: u32) -> Option<Orientation> {
+        let p = self.place(v);
+        if !p.is_finite() {
+            return None;
+        }
+        let keeps_side = self.courses.is_known(v) && self.courses.beside() == Beside::Refused;
+        let segment = course.segment();
+        let side = orient2d(segment.start, segment.end, p);
+        (side != Orientation::Collinear && (keeps_side || !course.is_in_strip(p))).then_some(side)
+    }
+
+    /// Whether any edges at all lead from stop to stop over vertices in the strip between the two.
+    fn are_joined(&self, course: &Course, [from, to]: [u32; 2]) -> bool {
+        let mut open = vec![from];
+        let mut seen = BTreeSet::from([from]);
+        while let Some(v) = open.pop() {
+            for w in self.edges.neighbours(v) {
+                if w == to {
+                    return true;
+                }
+                if self.courses.is_along(course, [from, w, to]) && seen.insert(w) {
+                    open.push(w);
                 }
             }
         }
-        self.crossed(course, outermost).map(Breach::Crosses)
+        false
     }
 
-    /// Where a segment leaves the mesh after a vertex, on its way to another.
-    ///
-    /// Edges may lead on into vertices beside the segment through which it is not led: so those are left out first.
-    fn leaves(&mut self, course: &Course, ends: [u32; 2], backwards: bool) -> Leaving {
-        let mut stuck = None;
-        for beside in [Beside::Refused, self.courses.beside()] {
-            let leg = self.courses.leg(course, ends, &self.edges, beside);
-            let is_covered = leg.is_whole() || self.comes_close(course, &leg, ends[1]);
-            let exit = if is_covered { None } else { self.exit(course, &leg, ends[1], backwards) };
-            self.note(&leg, exit.unwrap_or(leg.farthest));
-            match exit {
-                _ if is_covered => return Leaving::Never,
-                Some(exit) => return Leaving::At(exit),
-                None => stuck = stuck.or(Some(leg.farthest)),
-            }
-        }
-        stuck.map_or(Leaving::Never, Leaving::Stuck)
-    }
-
-    /// Whether edges lead to a vertex of the boundary in the place of an end that the mesh does not use.
-    fn comes_close(&self, course: &Course, leg: &Leg, end: u32) -> bool {
-        if self.sides.is_used(end) {
-            return false;
-        }
-        let goal = self.place(end);
-        let is_there = |v: u32| {
-            let p = self.place(v);
-            p.is_finite() && course.are_close(p, goal) && course.is_in_strip(p) && self.is_open(v)
+    /// Whether an edge of the boundary comes into the strip between two vertices, or as near to them as makes no difference.
+    fn comes_between(&self, course: &Course, [from, to]: [u32; 2], near: &[[u32; 2]]) -> bool {
+        let [from, to] =
+            if self.courses.order(course, from, to) == Ordering::Greater { [to, from] } else { [from, to] };
+        let is_before = |v: u32, w: u32| {
+            self.courses.order(course, v, w) == Ordering::Less && !course.are_close(self.place(v), self.place(w))
         };
-        leg.reached().any(|v| is_there(v) || self.edges.neighbours(v).any(is_there))
-    }
-
-    /// The farthest vertex of a leg towards an end at which the segment can leave the mesh.
-    fn exit(&self, course: &Course, leg: &Leg, end: u32, backwards: bool) -> Option<u32> {
-        let along = |v: u32, w: u32| {
-            let order = self.courses.order(course, v, w);
-            if backwards { order.reverse() } else { order }
-        };
-        // An arc leads away from the start: seen from the far end, what lies behind its end is known already.
-        let mut arcs = leg.arcs().to_vec();
-        arcs.retain(|&[v, w]| self.sides.find(v, w).is_some() && self.sides.find(w, v).is_some());
-        arcs.sort_by(|v, w| along(w[0], v[0]));
-        let mut leads_inside = BTreeSet::new();
-        for [v, w] in arcs {
-            if leads_inside.contains(&w) || !course.are_close(self.place(v), self.place(w)) {
-                leads_inside.insert(v);
-            }
-        }
-        let can_leave = |&v: &u32| {
-            !leads_inside.contains(&v)
-                && (!self.runs_into_triangle(course, v, backwards) || self.follows_boundary(v, end))
-        };
-        leg.reached().filter(can_leave).max_by(|&v, &w| along(v, w))
-    }
-
-    /// Whether an end that the mesh does not use lies along an input segment of which an edge at a vertex of the boundary is
-    /// part: what is between the two is along that segment, too.
-    fn follows_boundary(&self, v: u32, end: u32) -> bool {
-        let is_along = |w: u32| self.is_along_unused(end, [self.place(v), self.place(w)]);
-        let is_boundary = |w: &u32| self.sides.find(v, *w).is_none() || self.sides.find(*w, v).is_none();
-        !self.sides.is_used(end) && self.edges.neighbours(v).filter(is_boundary).any(is_along)
-    }
-
-    /// Whether the boundary leads along a path, from its end to its start, and the segment lies on the outer side.
-    fn is_beyond(&self, course: &Course, path: &[u32]) -> bool {
-        let Segment { start, end } = course.segment();
-        let lies = |v: u32| orient2d(start, end, self.place(v));
-        let inner = &path[1..path.len() - 1];
-        let all_lie = |side: Orientation| inner.iter().all(|&v| lies(v) == side);
-        let is_side = |a: u32, b: u32| self.sides.find(a, b).is_some();
-        let mut edges = path.windows(2).map(|pair| [pair[1], pair[0]]);
-        // The mesh lies left of a side: a segment on its right has the vertices on its left.
-        all_lie(Orientation::CounterClockwise) && edges.clone().all(|[a, b]| is_side(a, b) && !is_side(b, a))
-            || all_lie(Orientation::Clockwise) && edges.all(|[a, b]| is_side(b, a) && !is_side(a, b))
+        near.iter().any(|edge| {
+            let is_beside = edge.map(|v| self.side(course, v));
+            let passes = is_beside[0].is_none() || is_beside[0] != is_beside[1];
+            let ends_before = edge.iter().all(|&v| is_before(v, from));
+            let begins_after = edge.iter().all(|&v| is_before(to, v));
+            passes && !ends_before && !begins_after
+        })
     }
 
     fn place(&self, v: u32) -> Point {
         self.mesh.points[v as usize]
     }
 
-    /// Whether a vertex is on the boundary.
-    fn is_open(&self, v: u32) -> bool {
-        self.sides.from(v).iter().any(|s: &Side| self.sides.find(s.dest, v).is_none())
-    }
-
-    /// Whether a segment, or the segment backwards, goes on from a vertex into a triangle.
-    fn runs_into_triangle(&self, course: &Course, from: u32, backwards: bool) -> bool {
-        let Segment { start, end } = course.segment();
-        let [a, b] = if backwards { [end, start] } else { [start, end] };
-        let lies = |v: u32, side: Orientation| {
-            let p = self.mesh.points[v as usize];
-            p.is_finite() && !course.is_in_strip(p) && orient2d(a, b, p) == side
-        };
-        let star = self.sides.from(from);
-        if star.is_empty() {
-            return false; // An end outside the mesh.
-        }
-        let is_cut = |s: &Side| lies(s.dest, Orientation::Clockwise) && lies(s.apex, Orientation::CounterClockwise);
-        !self.is_open(from) || star.iter().any(is_cut)
-    }
-
-    /// The vertices of the boundary along a course between two stops, in order.
-    fn along_boundary(&self, course: &Course, [from, to]: [u32; 2]) -> Vec<u32> {
-        let near = self.boundary_near(course);
-        let mut vertices: Vec<u32> = near.into_iter().flatten().collect();
-        vertices.retain(|&v| v != from && v != to && self.courses.is_along(course, [from, v, to]));
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices.sort_by(|&v, &w| self.courses.order(course, v, w));
-        vertices
-    }
-
-    /// A boundary edge that a course crosses between two of its vertices.
-    fn crossed(&self, course: &Course, [from, to]: [u32; 2]) -> Option<[u32; 2]> {
-        let place = |v: u32| self.mesh.points[v as usize];
-        let [p, q] = [from, to].map(place);
-        let separates = |a: Point, b: Point, c: Point, d: Point| {
-            let side = orient2d(a, b, c);
-            side != Orientation::Collinear && orient2d(a, b, d) == side.reversed()
-        };
-        self.boundary_near(course).into_iter().find(|edge| {
-            let [x, y] = edge.map(place);
-            let clear = [x, y].into_iter().all(|v| !course.is_in_strip(v));
-            let crosses = clear && separates(p, q, x, y) && separates(x, y, p, q);
-            crosses && ![from, to].into_iter().any(|v| self.is_along_unused(v, [x, y]))
-        })
+    /// Whether only one triangle has an edge.
+    fn is_boundary(&self, [a, b]: [u32; 2]) -> bool {
+        self.sides.find(a, b).is_none() || self.sides.find(b, a).is_none()
     }
 
     /// Whether an input vertex that the mesh does not use lies along an input segment on which an edge lies.
