@@ -11,7 +11,7 @@ use crate::console;
 /// How the program ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
-    /// All is done; every triangle left below the bound is forced by the input's own angles.
+    /// All is done; every triangle left below the bound is forced by the input's own angles or gaps.
     Done = 0,
     /// A check failed, or limits left triangles below the bound.
     Unmet = 1,
@@ -34,7 +34,7 @@ impl From<Status> for ExitCode {
 /// What every `--help` says at its end.
 pub(crate) const STATUSES: &str = "\
 Exit status:
-  0    done; a triangle below the bound is forced by the input's own angles
+  0    done; a triangle below the bound is forced by the input's own angles or gaps
   1    a check failed, or the vertex budget, the length floor or protected segments
        left triangles below the bound (the mesh is written all the same)
   2    wrong use

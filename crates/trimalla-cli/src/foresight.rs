@@ -73,7 +73,7 @@ impl<'a> Foresight<'a> {
     /// A gap that takes most of the triangles, though the budget will do.
     fn describe_narrow_gap(&self, forecast: &Forecast, gap: &Gap) -> String {
         format!(
-            "most of about {} triangles are needed for {}: if the two are meant to touch, let them share a vertex",
+            "most of {} triangles are needed for {}: if the two are meant to touch, let them share a vertex",
             about(forecast.triangles),
             describe_gap(self.names, gap)
         )
@@ -149,7 +149,7 @@ impl Observer for Foresight<'_> {
 }
 
 /// A number in five digits, as short as they allow.
-fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
     let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
     if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }

@@ -3,12 +3,13 @@
 use std::cell::OnceCell;
 
 use trimalla::constrained::{ConstraintError, CrossingPair};
-use trimalla::domain::{DomainError, OpenEnd, Pslg, Warning};
+use trimalla::domain::{DomainError, NearFeature, OpenEnd, Pslg, Warning};
 use trimalla::geometry::Point;
 use trimalla::mesh::VertexId;
 
 use crate::console::count;
 use crate::exit::{Failure, Status};
+use crate::foresight::short;
 use crate::input::Input;
 use crate::records::{Record, Records};
 
@@ -72,9 +73,12 @@ impl<'a> Names<'a> {
 
     fn open_outline(&self, end: Option<OpenEnd>) -> String {
         let text = "the domain is empty: the outside comes in without crossing a segment";
-        let Some(OpenEnd { vertex, at }) = end else { return self.of_file(text) };
+        let Some(OpenEnd { vertex, at, nearest }) = end else { return self.of_file(text) };
         let number = self.drawing.number(vertex.index());
-        let text = format!("{text}; just one ends at vertex {number}, {at}");
+        let other = nearest.map(|(v, distance)| {
+            format!(", the next at vertex {}, {} away", self.drawing.number(v.index()), short(distance))
+        });
+        let text = format!("{text}; just one ends at vertex {number}, {at}{}", other.unwrap_or_default());
         self.at(self.records().vertices.get(vertex.index()), text)
     }
 
@@ -141,6 +145,19 @@ impl<'a> Names<'a> {
                 let verb = if *n == 1 { "lies outside the domain and is" } else { "lie outside the domain and are" };
                 let numbers = self.listed(*n, first, |s| self.segment_number(s));
                 self.of_file(format!("{} {verb} left out: {numbers}", count(*n, "segment")))
+            }
+            Warning::NearlyTouching { vertex, other, distance, at } => {
+                let other = match *other {
+                    NearFeature::Vertex(v) => self.vertex(VertexId(v)),
+                    NearFeature::Segment(s) if (s as usize) < self.drawing.value.segments.len() => {
+                        self.segment(s as usize)
+                    }
+                    NearFeature::Segment(_) => "the convex hull".to_owned(),
+                };
+                let (vertex, distance) = (self.vertex(VertexId(*vertex)), short(*distance));
+                self.of_file(format!(
+                    "{vertex} at {at} is {distance} from {other}, across what is outside the domain: if the two are meant to touch, let them share a vertex"
+                ))
             }
             Warning::MarkersHidden { count: n, first } => {
                 let [hidden, shown] = first.map(|s| self.segment_number(s as usize));

@@ -8,7 +8,7 @@ use trimalla::refine::{Reason, Report, StepTimes, StopReason};
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// Every triangle is good, but for those that the input's own angles force.
+    /// Every triangle is good, but for those that the input forces.
     Done,
     /// The vertex budget was used up.
     Budget,

@@ -121,10 +121,10 @@ fn what_spans_no_triangle_is_flat() {
 fn outlines_that_are_open_have_no_inside() {
     let mut open = square();
     open.segments.pop();
-    let end = |v, at| Some(OpenEnd { vertex: VertexId(v), at });
+    let end = |v, at, nearest| Some(OpenEnd { vertex: VertexId(v), at, nearest });
     assert_eq!(
         refused_domain(&open, DomainRule::Seeds).0,
-        DomainError::OpenOutline { end: end(0, Point::new(0.0, 0.0)) }
+        DomainError::OpenOutline { end: end(0, Point::new(0.0, 0.0), Some((VertexId(3), 4.0))) }
     );
     assert_eq!(refused_domain(&open, DomainRule::Nesting).0, DomainError::NothingNested);
     let mut gap = square();
@@ -134,7 +134,7 @@ fn outlines_that_are_open_have_no_inside() {
     gap.points[4] = Point::new(0.0, f64::from_bits(4.0_f64.to_bits() - 1));
     assert_eq!(
         refused_domain(&gap, DomainRule::Seeds).0,
-        DomainError::OpenOutline { end: end(3, Point::new(0.0, 4.0)) }
+        DomainError::OpenOutline { end: end(3, Point::new(0.0, 4.0), Some((VertexId(4), 4.0 * f64::EPSILON / 2.0))) }
     );
 }
 

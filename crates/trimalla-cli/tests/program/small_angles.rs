@@ -31,9 +31,45 @@ fn edges_that_nearly_coincide_are_told_before_the_work() {
 fn vertices_within_rounding_are_named_with_their_distance() {
     let scratch = Scratch::new("within-rounding");
     scratch.write("two.poly", AN_ULP_APART);
-    let run = scratch.run("mesh two.poly").expect(1);
+    let run = scratch.run("mesh two.poly").expect(0);
     let named = "warning: two.poly: the gap of 4.4409e-16 between vertex 4 and vertex 5 near (2, 2) is within rounding";
     assert!(run.stderr.contains(named), "{run:#?}");
+    assert!(!run.stderr.contains("does not force it"), "{run:#?}");
+    let run = scratch.run("mesh two.poly --json -q").expect(0).json();
+    assert_eq!(run["reasons"]["input gap"].as_u64(), Some(2), "{run:?}");
+}
+
+/// Two segments that leave vertex 4 for ends an ulp apart.
+const NEEDLE: &str = "\
+7 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 1 1\n5 3 2\n6 3 2.0000000000000004\n\
+6 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 4 6\n0\n";
+
+#[test]
+fn a_needle_within_rounding_is_an_input_angle_and_its_ends_are_named() {
+    let scratch = Scratch::new("needle");
+    scratch.write("needle.poly", NEEDLE);
+    let run = scratch.run("mesh needle.poly --min-angle 30").expect(0);
+    let named = "the gap of 4.4409e-16 between vertex 5 and vertex 6 near (3, 2) is within rounding";
+    assert!(run.stderr.contains(named) && !run.stderr.contains("does not force it"), "{run:#?}");
+    let run = scratch.run("mesh needle.poly --min-angle 30 --json -q").expect(0).json();
+    let reasons = run["reasons"].as_object().expect("reasons");
+    assert!(reasons.keys().all(|key| key.contains("input angle")), "{run:?}");
+}
+
+#[test]
+fn parts_that_nearly_touch_and_ends_of_an_open_outline_are_named() {
+    let scratch = Scratch::new("parts");
+    let squares = "8 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 1.0000000001 0\n5 2 0\n6 2 1\n7 1.0000000001 1\n\
+        8 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n5 5 6\n6 6 7\n7 7 4\n0\n";
+    scratch.write("parts.poly", squares);
+    for rule in ["seeds", "nesting"] {
+        let run = scratch.run(&format!("mesh parts.poly --domain {rule}")).expect(0);
+        assert!(run.stderr.contains("vertex 1 at (1, 0) is 1e-10 from vertex 4, across what is outside"), "{run:#?}");
+    }
+    scratch
+        .write("open.poly", "5 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n4 0 2.4e-16\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 4\n0\n");
+    let run = scratch.run("mesh open.poly").expect(3);
+    assert!(run.stderr.contains("just one ends at vertex 0, (0, 0), the next at vertex 4, 2.4e-16 away"), "{run:#?}");
 }
 
 #[test]

@@ -335,6 +335,20 @@ impl ConstrainedDelaunay {
         self.border_ends(h).is_none_or(|ends| self.faces_of_border().may_split(ends, p))
     }
 
+    /// Whether an edge is of the border, and that comes near itself somewhere.
+    pub(crate) fn is_on_thin_border(&self, h: HalfEdgeId) -> bool {
+        self.outside.is_thin && self.border_ends(h).is_some()
+    }
+
+    /// The vertex of the border opposite a border edge, across what is outside; `None` where there is none, or splits of that edge
+    /// need no proof.
+    pub(crate) fn apex_outside(&self, h: HalfEdgeId) -> Option<Point> {
+        let (ends, faces) = (self.border_ends(h)?, self.outside.faces.as_ref()?);
+        let border = faces.cdt.as_ref()?;
+        let apex = border.apex(border.twin(faces.edge(border, ends)?));
+        apex.is_finite().then(|| border.point(apex))
+    }
+
     /// Whether the edge between two vertices is split, and merged, with proof only.
     pub(super) fn needs_proof_outside(&self, ends: [Point; 2]) -> bool {
         self.t.closure() == Closure::Domain && self.outside.needs_proof(ends)

@@ -83,6 +83,13 @@ impl ConstrainedDelaunay {
         [on_whole, Point::lerp(p, q, t), bounds.clamp(on_whole)].into_iter().find(keeps_rule).unwrap_or(p)
     }
 
+    /// Whether a point between the ends of a subsegment keeps the rule of [`Strip`] for each of its segments.
+    pub(crate) fn keeps_course(&self, h: HalfEdgeId, point: Point) -> bool {
+        let [a, b] = self.t.edge_points(h);
+        let mut strips = self.strips(self.t.mark(h), Strip::LAST_PLACES);
+        strips.all(|strip| strip.is_between(a, point, b) && strip.contains(point))
+    }
+
     /// The strips of the input segments of a class.
     pub(super) fn strips(&self, mark: u32, last_places: f64) -> impl Iterator<Item = Strip> + '_ {
         let class = self.segments_of_class(mark);

@@ -4,11 +4,12 @@ use super::error::{DomainError, OpenEnd, Warning};
 use super::flat_hull;
 use super::flood::{depths, flood};
 use super::left_out::left_out;
+use super::near_misses::nearest_outside;
 use super::pslg::Pslg;
 use super::{regions, seeds};
 use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::delaunay::AlgorithmKey;
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
 use crate::locate::Locus;
 use crate::mesh::{FaceId, NoJournal, VertexId};
 
@@ -150,6 +151,7 @@ fn carved(
     let mut kept: Vec<bool> = removed.into_iter().map(|r| !r).collect();
     // Ghosts are outside by every rule, and nothing is in slots that are free.
     cdt.free_faces().iter().for_each(|f| kept[f.index()] = false);
+    warnings.extend(nearest_outside(&cdt, &kept));
     cdt.carve_real(&kept, &mut NoJournal);
     warnings.extend(left_out(&cdt, pslg));
     regions::assign(&mut cdt, &pslg.regions, &mut warnings)?;
@@ -231,8 +233,12 @@ fn remove_holes(
 fn open_end(cdt: &ConstrainedDelaunay, outside: &[bool]) -> Option<OpenEnd> {
     let ends = |v: VertexId| cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).count();
     let is_outside = |v: VertexId| cdt.star(v).any(|h| outside[h.face().index()] && cdt.is_real(h.face()));
-    let vertex = cdt.used_vertices().find(|&v| ends(v) == 1 && is_outside(v))?;
-    Some(OpenEnd { vertex, at: cdt.point(vertex) })
+    let mut open = cdt.used_vertices().filter(|&v| ends(v) == 1 && is_outside(v));
+    let vertex = open.next()?;
+    let at = cdt.point(vertex);
+    let distance = |v: VertexId| Segment::new(at, cdt.point(v)).length();
+    let nearest = open.map(|v| (v, distance(v))).min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    Some(OpenEnd { vertex, at, nearest })
 }
 
 /// Where a seed lies.

@@ -105,10 +105,23 @@ pub struct OpenEnd {
     pub vertex: VertexId,
     /// Where it lies.
     pub at: Point,
+    /// The nearest other such vertex, and how far away it is.
+    pub nearest: Option<(VertexId, f64)>,
 }
 
 fn at_open_end(end: Option<OpenEnd>) -> String {
-    end.map_or_else(String::new, |OpenEnd { vertex, at }| format!(": just one ends at vertex {vertex}, {at}"))
+    let Some(OpenEnd { vertex, at, nearest }) = end else { return String::new() };
+    let other = nearest.map(|(other, distance)| format!(", the next at vertex {other}, {distance:e} away"));
+    format!(": just one ends at vertex {vertex}, {at}{}", other.unwrap_or_default())
+}
+
+/// A vertex, or the inside of a segment, that another vertex is near to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NearFeature {
+    /// A vertex of the drawing; after those, where two segments cross.
+    Vertex(u32),
+    /// A segment; after those of the drawing, a side of the convex hull.
+    Segment(u32),
 }
 
 /// Something odd about a drawing that did not keep it from being meshed.
@@ -142,6 +155,18 @@ pub enum Warning {
         count: usize,
         /// The first of them, at most [`Warning::NAMED`].
         first: Vec<u32>,
+    },
+    /// Two features that nearly touch across what is outside the domain, nearer than a millionth of the drawing, and the nearest of
+    /// that kind: perhaps parts that were meant to share a vertex or a side.
+    NearlyTouching {
+        /// A vertex.
+        vertex: u32,
+        /// What it is near to.
+        other: NearFeature,
+        /// How far it is from that.
+        distance: f64,
+        /// The vertex.
+        at: Point,
     },
     /// Segments that overlap earlier ones with another marker, which counts there.
     MarkersHidden {
@@ -233,6 +258,16 @@ impl std::fmt::Display for Warning {
             }
             Self::SegmentsOutside { count, first } => {
                 write!(f, "{count} segments lie outside the domain and are in no mesh: {}", listed(*count, first))
+            }
+            Self::NearlyTouching { vertex, other, distance, at } => {
+                let (what, number) = match other {
+                    NearFeature::Vertex(v) => ("vertex", v),
+                    NearFeature::Segment(s) => ("segment", s),
+                };
+                write!(
+                    f,
+                    "vertex {vertex} at {at} is {distance:e} from {what} {number}, across what is outside the domain"
+                )
             }
             Self::MarkersHidden { count, first: [hidden, shown] } => {
                 write!(

@@ -50,7 +50,8 @@ fn leaks_and_empty_domains_are_errors() {
     let refused = |pslg: &Pslg, rule| build(pslg, rule, Crossings::Refuse, AlgorithmKey::Incremental).unwrap_err();
     let mut open = squares(&[4.0]);
     open.segments.remove(0);
-    let end = Some(OpenEnd { vertex: VertexId(0), at: Point::new(-4.0, -4.0) });
+    let nearest = Some((VertexId(1), 8.0));
+    let end = Some(OpenEnd { vertex: VertexId(0), at: Point::new(-4.0, -4.0), nearest });
     assert_eq!(refused(&open, DomainRule::Seeds), DomainError::OpenOutline { end });
     let mut holed = squares(&[4.0, 3.0]);
     holed.segments.remove(0);

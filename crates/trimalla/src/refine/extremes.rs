@@ -5,14 +5,17 @@
 
 use super::bad_triangles::SureBounds;
 use super::ruler::Ruler;
-use crate::geometry::Point;
 use crate::geometry::lanes::{Number, Two};
+use crate::geometry::math::power_of_two_scale;
+use crate::geometry::{BoundingBox, Point, Triangle};
 use crate::mesh::FaceId;
 
 /// More than any sum or quotient of products is off by rounding, relatively.
 const SLACK: f64 = 1e-12;
 /// Products of four lengths from here on have lost nothing to underflow.
 const ORDINARY: f64 = 1e-280;
+/// Differences of coordinates up to this are finite.
+const HUGE: f64 = 1e307;
 /// No square of a side above this is glanced at: products of four of them are finite.
 const LARGE: f64 = 1e70;
 
@@ -27,7 +30,11 @@ struct Sides<N> {
 impl<N: Number> Sides<N> {
     #[inline(always)] // In the loop over all triangles.
     fn of([[ax, ay], [bx, by], [cx, cy]]: [[N; 2]; 3]) -> Self {
-        let (ux, uy, vx, vy, wx, wy) = (bx - ax, by - ay, cx - bx, cy - by, ax - cx, ay - cy);
+        Self::of_vectors([[bx - ax, by - ay], [cx - bx, cy - by], [ax - cx, ay - cy]])
+    }
+
+    #[inline(always)] // In the loop over all triangles.
+    fn of_vectors([[ux, uy], [vx, vy], [wx, wy]]: [[N; 2]; 3]) -> Self {
         let (p, q, r) = (ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy);
         let (low, high) = (p.lesser(q), p.greater(q));
         Self {
@@ -45,21 +52,31 @@ impl<N: Number> Sides<N> {
 }
 
 impl Sides<f64> {
+    /// The sides of one triangle in units that fit it, whatever its size is: the longest square is at least one.
+    fn near_one([a, b, c]: [Point; 3]) -> Self {
+        // Differences of finite numbers may overflow; halves are exact where they do.
+        let half = if BoundingBox::around(a).including(b).including(c).largest_coordinate() > HUGE { 0.5 } else { 1.0 };
+        let side = |p: Point, q: Point| [q.x * half - p.x * half, q.y * half - p.y * half];
+        let sides = [side(a, b), side(b, c), side(c, a)];
+        let scale = power_of_two_scale(sides.as_flattened().iter().fold(0.0, |largest, x| x.abs().max(largest)));
+        Self::of_vectors(sides.map(|side| side.map(|x| x * scale)))
+    }
+
     /// The squared sine of the smallest angle, which lies between the two longer sides.
     fn sine_sq(&self) -> f64 {
         (self.doubled_area / self.long) * (self.doubled_area / self.middle)
     }
 
-    /// Four times the squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's sign.
-    fn cosine_sq(&self) -> f64 {
-        let excess = self.excess();
-        excess * excess.abs() / (self.short * self.middle)
+    /// Four times the squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's sign; `None`
+    /// where the shortest side is too short to be squared beside the others.
+    fn cosine_sq(&self) -> Option<f64> {
+        let (excess, product) = (self.excess(), self.short * self.middle);
+        (product >= f64::MIN_POSITIVE).then(|| excess * excess.abs() / product)
     }
 }
 
 /// The triangles of the smallest and of the largest angle among those seen so far.
 pub(super) struct Extremes {
-    scale: f64,
     pub(super) sharpest: Option<FaceId>,
     pub(super) bluntest: Option<FaceId>,
     /// The squared sine of the one, four times the squared cosine of the other.
@@ -88,7 +105,6 @@ impl Extremes {
         // Ordinary in the units of the ruler, too.
         let area_sq = ORDINARY.max(ORDINARY / unit);
         Self {
-            scale,
             sharpest: None,
             bluntest: None,
             least_sine: f64::INFINITY,
@@ -128,8 +144,8 @@ impl Extremes {
 
     /// Looks at a triangle with these corners, the newest first.
     pub(super) fn see(&mut self, f: FaceId, corners: [Point; 3]) {
-        let sides = Sides::of(corners.map(|p| [p.x * self.scale, p.y * self.scale]));
-        let (sine_sq, cosine_sq) = (sides.sine_sq(), sides.cosine_sq());
+        let sides = Sides::near_one(corners);
+        let (sine_sq, cosine_sq) = (sides.sine_sq(), sides.cosine_sq().unwrap_or_else(|| measured_cosine_sq(corners)));
         if sine_sq < self.least_sine {
             (self.least_sine, self.sharpest) = (sine_sq, Some(f));
             self.glance.sine_sq = Two::of(sine_sq.max(self.sure.sine_sq) * (1.0 + SLACK));
@@ -139,6 +155,13 @@ impl Extremes {
             self.glance.cosine_sq = Two::of(cosine_sq + SLACK);
         }
     }
+}
+
+/// What [`Sides::cosine_sq`] tells, by the largest angle.
+#[cold]
+fn measured_cosine_sq([a, b, c]: [Point; 3]) -> f64 {
+    let cosine = Triangle::new(a, b, c).max_angle().cos();
+    4.0 * cosine * cosine.abs()
 }
 
 #[cfg(test)]

@@ -106,9 +106,12 @@ impl Refinement {
         if let Some(reason) = self.hopeless_between_segments(f).filter(|_| is_of_shape) {
             return reason;
         }
+        if let Some((reason, _)) = self.across_gap(f).filter(|&(_, is_hopeless)| is_of_shape && is_hopeless) {
+            return reason;
+        }
         let name = sorted(self.cdt.face_vertices(f));
         match self.given_up.binary_search_by_key(&name, |&(v, _)| v) {
-            Ok(i) => self.given_up[i].1,
+            Ok(i) => self.reason_of_given_up(f, self.given_up[i].1),
             Err(_) => match self.report.stop {
                 StopReason::Cancelled => Reason::Cancelled,
                 StopReason::Budget => Reason::Budget,
@@ -184,7 +187,7 @@ impl Refinement {
         let mut found = marked.filter_map(|h| Some((h, self.place_within_rounding(h)?)));
         found.find_map(|(h, place)| match place {
             _ if self.lies_in_wedge(h) => Some(Reason::InputAngle),
-            Place::Beside => Some(Reason::PrecisionFloor),
+            Place::Beside => Some(Reason::InputGap),
             Place::Beyond => None,
         })
     }
@@ -192,6 +195,12 @@ impl Refinement {
     /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it.
     pub(super) fn is_apex_within_rounding(&self, h: HalfEdgeId) -> bool {
         self.place_within_rounding(h) == Some(Place::Beside)
+    }
+
+    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it or on a piece of a
+    /// segment that leaves the piece of `h` at less than 90 degrees.
+    pub(super) fn is_gap_beside(&self, h: HalfEdgeId) -> bool {
+        self.place_within_rounding(h).is_some_and(|place| place == Place::Beside || self.lies_in_wedge(h))
     }
 
     /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets vertices be.
@@ -220,13 +229,13 @@ impl Refinement {
     }
 
     /// The pieces of segments inside which a vertex lies, or that end at it.
-    fn pieces_at(&self, v: VertexId) -> impl Iterator<Item = Piece> + '_ {
+    pub(super) fn pieces_at(&self, v: VertexId) -> impl Iterator<Item = Piece> + '_ {
         let marked = self.cdt.edges_around(v).filter(|&h| self.is_input(h));
         marked.map(|h| self.joints.whole_of(&self.cdt, h))
     }
 
     /// The shortest edge of a face; of equal ones that with the lowest vertices.
-    fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
+    pub(super) fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
         let corners = self.cdt.face_vertices(f);
         let [a, b, c] = corners.map(|v| self.cdt.point(v));
         let lengths = [(a, b), (b, c), (c, a)].map(|(p, q)| self.ruler.length_sq(p, q));

@@ -37,6 +37,7 @@ mod event;
 mod extremes;
 mod fill;
 mod forecast;
+mod gaps;
 mod history;
 mod improvement;
 mod joints;

@@ -6,8 +6,8 @@ use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
 use super::refinement::precision_floor;
 use super::ruler::Ruler;
-use crate::constrained::ConstrainedDelaunay;
-use crate::geometry::{Angle, Point};
+use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::geometry::{Angle, Point, Segment};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
 use crate::triangulation::corners_of_two;
@@ -28,7 +28,7 @@ pub struct Outlook {
     /// The smallest angle between two segments.
     pub smallest_input_angle: Option<InputAngle>,
     /// The two features that lie nearest to each other, where that is within rounding: no vertex fits between them, and
-    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle instead.
+    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle, unless one has its end there.
     pub within_rounding: Option<Gap>,
 }
 
@@ -101,6 +101,9 @@ fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
         if cdt.is_marked(h) {
             let width = distance_beside(cdt, ruler, h).filter(|&width| width < precision);
             let is_free = |joints: &mut Option<Joints>| {
+                if cdt.provenance(cdt.apex(h)) == Provenance::Input {
+                    return true;
+                }
                 let joints = joints.get_or_insert_with(|| Joints::of(cdt));
                 !lies_in_a_wedge(cdt, joints, h)
             };
@@ -113,7 +116,7 @@ fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
     let is_vertex = [cdt.origin(h), cdt.dest(h)].contains(&one);
     let segment = || cdt.first_segment_of(h).map_or(Feature::Hull, Feature::Segment);
     let second = if is_vertex { Feature::Vertex(other) } else { segment() };
-    let width = width / ruler.scale();
+    let width = if is_vertex { Segment::new(cdt.point(one), cdt.point(other)).length() } else { width / ruler.scale() };
     let relative_width = width / extent_of(bounds);
     Some(Gap { width, relative_width, at: cdt.point(one), between: [Feature::Vertex(one), second] })
 }

@@ -66,6 +66,8 @@ pub struct Refinement {
     pub(super) floor_sq: f64,
     /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
     pub(super) precision_sq: f64,
+    /// That distance in coordinate units.
+    pub(super) precision: f64,
     /// What a distance below the floor is called.
     pub(super) floor_reason: Reason,
     /// Bisection stops at triangles with an edge shorter than this, squared.
@@ -213,6 +215,7 @@ impl Refinement {
             has_small_wedge: has_small_wedge(&cdt, ruler),
             floor_sq: floor * floor,
             precision_sq: precision * precision,
+            precision: precision / ruler.scale(),
             floor_reason,
             filling: FillStage::Done,
             queue: Queue::default(),
@@ -463,11 +466,14 @@ impl Refinement {
         StepOutcome::Triangle
     }
 
-    /// Lets triangles wait again that were given up for want of room, if anything has changed since; says whether any does.
+    /// Lets triangles wait again that were given up for want of room, and subsegments that could not be split, if anything has
+    /// changed since; says whether it did.
     ///
     /// So a mesh that is refined again finds nothing left to do.
     fn retry(&mut self) -> bool {
-        let is_worth_it = self.given_up.iter().any(|g| g.1 == Reason::PrecisionFloor) && self.retries < MOST_RETRIES;
+        let had_no_room = |reason: Reason| matches!(reason, Reason::PrecisionFloor | Reason::InputGap);
+        let is_refused = self.given_up.iter().any(|g| had_no_room(g.1)) || !self.unsplittable.is_empty();
+        let is_worth_it = is_refused && self.retries < MOST_RETRIES;
         let r = &self.report;
         let changes = r.points_inserted + r.segments_split + r.vertices_deleted;
         if !is_worth_it || changes == self.changes_at_retry {

@@ -16,8 +16,12 @@ pub enum Reason {
     /// Its small angle lies between two input segments that meet; or it lies between two that meet and are within rounding of
     /// each other there. Segments meet at common ends, where one has a vertex inside it, and where they cross.
     InputAngle,
-    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from one end as from the other.
+    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from their common end on one as on the
+    /// other. Where the edge joins vertices of the input, those are within rounding of each other.
     AcrossSmallInputAngle,
+    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other, and do not meet at
+    /// a small angle there: no vertex fits between them, and none on a segment where it would be that near to the other one.
+    InputGap,
     /// A segment that may not be split is in the way.
     ProtectedSegment,
     /// Rounding leaves no room for another vertex.
@@ -36,9 +40,10 @@ pub enum Reason {
 
 impl Reason {
     /// Every reason.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::InputAngle,
         Self::AcrossSmallInputAngle,
+        Self::InputGap,
         Self::ProtectedSegment,
         Self::PrecisionFloor,
         Self::SizeFloor,
@@ -54,6 +59,7 @@ impl Reason {
         match self {
             Self::InputAngle => "input angle",
             Self::AcrossSmallInputAngle => "across a small input angle",
+            Self::InputGap => "input gap",
             Self::ProtectedSegment => "protected segment",
             Self::PrecisionFloor => "precision floor",
             Self::SizeFloor => "size floor",
@@ -67,7 +73,7 @@ impl Reason {
     /// Whether the input itself forces it, so that no refinement could do better.
     #[must_use]
     pub const fn is_forced(self) -> bool {
-        matches!(self, Self::InputAngle | Self::AcrossSmallInputAngle)
+        matches!(self, Self::InputAngle | Self::AcrossSmallInputAngle | Self::InputGap)
     }
 }
 
@@ -147,7 +153,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether every leftover is forced by the input's own angles, and no segment was lost.
+    /// Whether every leftover is forced by the input, and no segment was lost.
     #[must_use]
     pub fn complete(&self) -> bool {
         self.leftovers.iter().all(|l| l.reason.is_forced()) && self.lost_segments.is_empty()

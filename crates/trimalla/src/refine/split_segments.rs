@@ -44,9 +44,9 @@ impl Refinement {
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
         let ends = [a.min(b), a.max(b)];
         if self.unsplittable.contains(&ends) {
-            return Err(self.floor_reason);
+            return Err(self.reason_of_refusal(h, self.floor_reason));
         }
-        let found = self.may_cut(self.in_order(h))?;
+        let found = self.may_cut(self.in_order(h)).map_err(|reason| self.reason_of_refusal(h, reason))?;
         self.encroached.push_back(Encroached { ends, forced, found });
         Ok(())
     }
@@ -162,6 +162,14 @@ impl Refinement {
     fn split_at_cut(&mut self, h: HalfEdgeId, acute: [bool; 2], cut: Option<Cut>) -> bool {
         // Whether there is room the split itself asks.
         let Ok(cut) = cut.map_or_else(|| self.cut_at(h, acute), Ok) else { return false };
+        if self.split_at_place(h, cut) {
+            return true;
+        }
+        let mut beside = self.places_beside_on_border(h, cut.point).into_iter();
+        beside.any(|point| self.split_at_place(h, Cut { point, shell: None }))
+    }
+
+    fn split_at_place(&mut self, h: HalfEdgeId, cut: Cut) -> bool {
         let provenance = self.provenance_of(h, cut);
         let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
         let split = if self.facts.by_cavity {
@@ -209,11 +217,12 @@ impl Refinement {
     /// How `h` can be split, or why not.
     fn may_cut(&self, h: HalfEdgeId) -> Result<Found, Reason> {
         let acute = self.acute_ends(h);
-        let cut = self.cut_at(h, acute)?;
-        match self.cdt.can_split(h, cut.point) {
-            Ok(()) => Ok(Found { half_edge: h, apexes: self.apexes(h), acute, cut }),
-            Err(SplitError::TooShort | SplitError::Crowded) => Err(Reason::PrecisionFloor),
+        let mut cut = self.cut_at(h, acute)?;
+        if let Err(SplitError::TooShort | SplitError::Crowded) = self.cdt.can_split(h, cut.point) {
+            let point = self.place_beside_gap(h, cut.point).ok_or(Reason::PrecisionFloor)?;
+            cut = Cut { point, shell: None };
         }
+        Ok(Found { half_edge: h, apexes: self.apexes(h), acute, cut })
     }
 
     /// The vertices opposite an edge, on its left and on its right.
@@ -232,16 +241,26 @@ impl Refinement {
         if protected {
             return Err(Reason::ProtectedSegment);
         }
-        let (t, shell) = self.place_of_cut(h, acute);
-        let point = match self.joints.piece_along(&self.cdt, h) {
-            Some(piece) => self.cdt.place_on_piece(h, piece, t),
-            None => self.cdt.place_on_subsegment(h, t),
-        };
+        let (t, mut shell) = self.place_of_cut(h, acute);
+        let mut point = self.point_at(h, t);
+        if self.is_crowded_beside(h, point) {
+            if let Some(staggered) = self.staggered_place(h) {
+                (point, shell) = (staggered, None);
+            }
+        }
         let [a, b] = self.cdt.edge_points(h);
         if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
             return Err(self.floor_reason);
         }
         Ok(Cut { point, shell })
+    }
+
+    /// The point at a parameter of `h`, computed from the ends of its piece.
+    pub(super) fn point_at(&self, h: HalfEdgeId, t: f64) -> Point {
+        match self.joints.piece_along(&self.cdt, h) {
+            Some(piece) => self.cdt.place_on_piece(h, piece, t),
+            None => self.cdt.place_on_subsegment(h, t),
+        }
     }
 
     /// The provenance of a vertex at a cut of `h`: its segment, and its circle if that is around an end of the segment.

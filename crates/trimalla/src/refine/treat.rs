@@ -38,8 +38,9 @@ impl Refinement {
             self.note_candidate(place, tried);
             tried.map_err(|reason| refused = reason).is_ok()
         });
+        let outcome = if taken { Ok(()) } else { Err(self.reason_of_refused_places(&places, refused)) };
         self.places = places;
-        if taken { Ok(()) } else { Err(refused) }
+        outcome
     }
 
     /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape is.
@@ -48,6 +49,8 @@ impl Refinement {
             return None;
         }
         let reason = if let Some(reason) = self.hopeless_between_segments(face) {
+            reason
+        } else if let Some((reason, _)) = self.across_gap(face).filter(|&(_, is_hopeless)| is_hopeless) {
             reason
         } else if self.is_beyond_help(face) {
             Reason::StrategyCannotImprove
@@ -224,7 +227,12 @@ impl Refinement {
             return Err(self.floor_reason);
         }
         let here = self.log.checkpoint();
-        let split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
+        let mut split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
+        if split.is_err() {
+            let mut beside = self.places_beside_on_edge(h, point).into_iter();
+            let mut try_beside = |p| self.insert.split(&mut self.cdt, h, p, Provenance::Free, &mut self.log).ok();
+            split = beside.find_map(&mut try_beside).map_or(split, Ok);
+        }
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
         self.insertions += 1;
         if !self.is_there(v) {

@@ -7,6 +7,7 @@
 mod cost;
 mod domains;
 mod earlier;
+mod gaps;
 mod judge;
 mod own_meshes;
 mod small_angles;

@@ -1,0 +1,72 @@
+//! Features of a drawing that nearly touch across what is outside the domain.
+//!
+//! ```text
+//!        inside  ║ outside ║  inside         Two parts were meant to share a side. The mesh keeps both sides as they are,
+//!                ║ <─────> ║                 and nothing refines what is outside, so that nobody would learn of the gap.
+//! ```
+//!
+//! Gaps inside the domain show in its mesh, and the forecast names those.
+
+use super::error::{NearFeature, Warning};
+use crate::constrained::ConstrainedDelaunay;
+use crate::geometry::{Point, Vector, math};
+use crate::mesh::{FaceId, HalfEdgeId};
+
+/// A gap narrower than this part of the drawing's extent is named.
+const NARROW: f64 = 1e-6;
+
+/// The nearest two features that nearly touch: a vertex, and another one or a segment, that no segment joins, with their distance;
+/// of equally near ones those of the lowest vertices.
+///
+/// They are the corners of one of the faces that are not kept, or a corner and the side opposite.
+///
+/// # Complexity
+/// Linear in the faces.
+pub(super) fn nearest_outside(cdt: &ConstrainedDelaunay, kept: &[bool]) -> Option<Warning> {
+    let bounds = cdt.bounding_box()?;
+    let scale = math::power_of_two_scale(bounds.largest_coordinate());
+    let extent = ((bounds.max.x - bounds.min.x) * scale).max((bounds.max.y - bounds.min.y) * scale);
+    let outside = (0..kept.len()).filter(|&f| !kept[f]).map(FaceId::from_index);
+    let found = outside.filter(|&f| cdt.is_alive(f) && cdt.is_real(f)).flat_map(FaceId::half_edges);
+    let found = found.filter_map(|h| near_miss(cdt, scale, h)).filter(|near| near.distance < NARROW * extent);
+    let less = |a: &NearMiss, b: &NearMiss| {
+        a.distance.total_cmp(&b.distance).then_with(|| (a.vertex, a.other).cmp(&(b.vertex, b.other)))
+    };
+    let NearMiss { distance, vertex, other } = found.min_by(less)?;
+    Some(Warning::NearlyTouching { vertex, other, distance: distance / scale, at: cdt.points()[vertex as usize] })
+}
+
+#[derive(Clone, Copy, Debug)]
+struct NearMiss {
+    /// In units of the scale.
+    distance: f64,
+    vertex: u32,
+    other: NearFeature,
+}
+
+/// The two ends of an edge that is no subsegment; or the vertex opposite a subsegment and its segment, if the vertex lies beside
+/// the subsegment and no segment joins it to an end of that.
+fn near_miss(cdt: &ConstrainedDelaunay, scale: f64, h: HalfEdgeId) -> Option<NearMiss> {
+    let [a, b] = cdt.edge_points(h);
+    let vector = |p: Point, q: Point| Vector::new(q.x * scale - p.x * scale, q.y * scale - p.y * scale);
+    let along = vector(a, b);
+    if !cdt.is_marked(h) {
+        let (v, w) = (cdt.origin(h).0, cdt.dest(h).0);
+        return Some(NearMiss {
+            distance: along.length_sq().sqrt(),
+            vertex: v.min(w),
+            other: NearFeature::Vertex(v.max(w)),
+        });
+    }
+    if cdt.is_marked(h.next()) || cdt.is_marked(h.prev()) {
+        return None;
+    }
+    let to_apex = vector(a, cdt.point(cdt.apex(h)));
+    let (length_sq, dot) = (along.length_sq(), along.dot(to_apex));
+    let segment = cdt.first_segment_of(h)?;
+    (0.0 < dot && dot < length_sq).then(|| NearMiss {
+        distance: along.cross(to_apex).abs() / length_sq.sqrt(),
+        vertex: cdt.apex(h).0,
+        other: NearFeature::Segment(segment),
+    })
+}
