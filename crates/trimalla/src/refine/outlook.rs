@@ -48,7 +48,7 @@ impl Outlook {
     }
 
     /// The angle below which no angle of the finished mesh need be, the [`shell_floor`], where its argument holds: for the preset `circumcenter`
-    /// at bounds of up to 26.45 degrees, without an area bound, length floor or protected segments.
+    /// at bounds of up to 26.45 degrees, without an area bound, length floor, protected segments, or features within rounding of each other.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
@@ -58,7 +58,8 @@ impl Outlook {
             && options.criteria.min_angle.degrees() <= PROVED_DEG
             && options.criteria.max_area.is_none()
             && options.limits.length_floor.is_none()
-            && options.protect == Protect::None;
+            && options.protect == Protect::None
+            && self.within_rounding.is_none();
         self.smallest_input_angle.filter(|_| is_proved).map(|input| shell_floor(input.angle))
     }
 }

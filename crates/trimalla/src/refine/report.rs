@@ -19,8 +19,8 @@ pub enum Reason {
     /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from their common end on one as on the
     /// other. Where the edge joins vertices of the input, those are within rounding of each other.
     AcrossSmallInputAngle,
-    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other, and do not meet at
-    /// a small angle there: no vertex fits between them, and none on a segment where it would be that near to the other one.
+    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other. It lies across that
+    /// gap, where no vertex fits; or the split or the vertex that it needs has no room beside the gap.
     InputGap,
     /// A segment that may not be split is in the way.
     ProtectedSegment,
