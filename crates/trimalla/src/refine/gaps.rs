@@ -100,7 +100,7 @@ impl Refinement {
     pub(super) fn places_beside_on_edge(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
         let faces = [h, self.cdt.twin(h)].map(HalfEdgeId::face);
         let is_beside_gap = faces.into_iter().any(|f| self.cdt.is_real(f) && self.across_gap(f).is_some());
-        if is_beside_gap { beside(place, self.cdt.edge_points(h))[1..].to_vec() } else { Vec::new() }
+        if is_beside_gap { beside(place, self.cdt.edge_points(h)).skip(1).collect() } else { Vec::new() }
     }
 
     /// Places at which a border edge can be split that are last places beside one, for borders that come near themselves
@@ -111,7 +111,7 @@ impl Refinement {
             return Vec::new();
         }
         let is_possible = |p: &Point| self.cdt.keeps_course(h, *p) && self.cdt.can_split(h, *p).is_ok();
-        beside(place, self.cdt.edge_points(h)).into_iter().skip(1).filter(is_possible).collect()
+        beside(place, self.cdt.edge_points(h)).skip(1).filter(is_possible).collect()
     }
 
     /// Where a subsegment is split instead of at a place that rounding does not allow: last places beside that, or else
@@ -156,7 +156,7 @@ impl Refinement {
     /// A place at which `h` can be split: a given one, or one that is last places beside it.
     fn possible_place(&self, h: HalfEdgeId, place: Point) -> Option<Point> {
         let is_possible = |&p: &Point| self.cdt.keeps_course(h, p) && self.cdt.can_split(h, p).is_ok();
-        beside(place, self.cdt.edge_points(h)).into_iter().find(is_possible)
+        beside(place, self.cdt.edge_points(h)).find(is_possible)
     }
 
     /// The parameter of the middle of the longest part of `h` between its ends and some vertices beside it.
@@ -186,12 +186,14 @@ impl Refinement {
 
 /// A place on an edge, and some that are last places beside it, on both sides: where a vertex is a last place beside the edge, the
 /// rounded place may lie beyond it.
-fn beside(place: Point, [a, b]: [Point; 2]) -> [Point; 9] {
+fn beside(place: Point, [a, b]: [Point; 2]) -> impl Iterator<Item = Point> {
     let along = b - a;
     let is_flat = along.x.abs() > along.y.abs();
     let unit = math::last_place(if is_flat { place.y } else { place.x });
-    [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0].map(|places| {
+    let places = [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0].into_iter().map(move |places| {
         let off = places * unit;
         if is_flat { Point::new(place.x, place.y + off) } else { Point::new(place.x + off, place.y) }
-    })
+    });
+    // At the end of the range of doubles there is none beyond.
+    places.filter(|p| p.is_finite())
 }

@@ -100,7 +100,10 @@ fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
             note(length_sq.sqrt(), ends(), h);
         }
         if cdt.is_marked(h) {
-            let width = distance_beside(cdt, ruler, h).filter(|&width| width < precision);
+            // An end of the edge that is as near is named instead.
+            let apex = || cdt.point(cdt.apex(h));
+            let is_at_end = || cdt.edge_points(h).into_iter().any(|end| ruler.length_sq(end, apex()) < precision_sq);
+            let width = distance_beside(cdt, ruler, h).filter(|&width| width < precision && !is_at_end());
             let is_free = |joints: &mut Option<Joints>| {
                 if cdt.provenance(cdt.apex(h)) == Provenance::Input {
                     return true;
