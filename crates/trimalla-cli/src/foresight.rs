@@ -1,7 +1,7 @@
 //! What is said before the work: angles that no mesh can reach, meshes that the budget will cut short.
 
 use indicatif::HumanCount;
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
 use trimalla::refine::{
@@ -143,7 +143,7 @@ impl Observer for Foresight<'_> {
         self.watch.wants_events()
     }
 
-    fn event(&mut self, event: &Event, cdt: &ConstrainedDelaunay) {
+    fn event(&mut self, event: &Event, cdt: &ConstrainedTriangulation) {
         self.watch.event(event, cdt);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::{BoundingBox, Point};
 use trimalla::mesh::VertexId;
 use trimalla::refine::{Event, Name};
@@ -17,12 +17,12 @@ const MARGIN: f64 = 40.0;
 /// What is drawn.
 pub(crate) struct Frame<'a> {
     event: &'a Event,
-    cdt: &'a ConstrainedDelaunay,
+    cdt: &'a ConstrainedTriangulation,
     bounds: BoundingBox,
 }
 
 impl<'a> Frame<'a> {
-    pub(crate) fn new(event: &'a Event, cdt: &'a ConstrainedDelaunay) -> Self {
+    pub(crate) fn new(event: &'a Event, cdt: &'a ConstrainedTriangulation) -> Self {
         let bounds = cdt.bounding_box().unwrap_or_else(|| BoundingBox::around(Point::default()));
         Self { event, cdt, bounds }
     }

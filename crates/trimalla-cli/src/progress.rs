@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::refine::{Clock, Event, Observer, Overview, Progress, Refinement};
 
 use crate::console;
@@ -149,7 +149,7 @@ impl Observer for Watch {
         self.trace.is_some()
     }
 
-    fn event(&mut self, event: &Event, cdt: &ConstrainedDelaunay) {
+    fn event(&mut self, event: &Event, cdt: &ConstrainedTriangulation) {
         if let Some(trace) = &self.trace {
             trace.record(event, cdt);
         }

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use clap::Args;
 use serde_json::{Value, json};
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
 use trimalla::mesh::VertexId;
 use trimalla::refine::{Candidate, Event, Name, StepOutcome};
@@ -60,7 +60,7 @@ impl TraceOptions {
 
 impl Trace {
     /// Records a step.
-    pub(crate) fn record(&self, event: &Event, cdt: &ConstrainedDelaunay) {
+    pub(crate) fn record(&self, event: &Event, cdt: &ConstrainedTriangulation) {
         let mut state = self.0.borrow_mut();
         if state.failure.is_none() {
             state.failure = state.record(event, cdt).err();
@@ -95,7 +95,7 @@ impl State {
         Ok(())
     }
 
-    fn record(&mut self, event: &Event, cdt: &ConstrainedDelaunay) -> Result<(), IoError> {
+    fn record(&mut self, event: &Event, cdt: &ConstrainedTriangulation) -> Result<(), IoError> {
         self.begin()?;
         if let (Some(lines), Some(path)) = (&mut self.lines, &self.options.trace) {
             let written = writeln!(lines, "{}", line(event)).map_err(|source| unwritable(path, source));

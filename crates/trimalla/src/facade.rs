@@ -1,11 +1,11 @@
 //! The one-call functions: a drawing in, a mesh out.
 
-use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Pslg, Warning};
 use crate::quality::{InputFault, against_input};
 use crate::refine::{
-    Limits, NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report, make_conforming,
+    Limits, NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report, Start, make_conforming,
 };
 use crate::triangulation::IndexedMesh;
 
@@ -107,15 +107,16 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
 
 /// Refines a triangulation under an observer; the outlook is shown to one that wants it.
 fn refined(
-    cdt: ConstrainedDelaunay,
+    start: impl Into<Start>,
     options: &RefineOptions,
     observer: &mut dyn Observer,
-) -> Result<(ConstrainedDelaunay, Report, Option<Outlook>), OptionError> {
-    let outlook = observer.wants_outlook().then(|| Outlook::of(&cdt, options));
+) -> Result<(ConstrainedTriangulation, Report, Option<Outlook>), OptionError> {
+    let start = start.into();
+    let outlook = observer.wants_outlook().then(|| Outlook::of(start.triangulation(), options));
     if let Some(outlook) = &outlook {
         observer.outlook(outlook);
     }
-    let mut refinement = Refinement::timed(cdt, *options, observer.clock())?;
+    let mut refinement = Refinement::timed(start, *options, observer.clock())?;
     if refinement.prepare(observer) {
         observer.begins(&mut refinement);
         refinement.run(observer);

@@ -1,8 +1,9 @@
 //! A constrained triangulation survives a hundred thousand random edits, and every edit can be taken back.
 //!
-//! *Edits*: insertion of points (on a constrained edge they part it), removal of vertices, moves (removal and
-//! insertion), segments in with crossings refused and split, segments out, subsegments merged, and carving of a
-//! random subset of the faces followed by edits inside the domain and a rollback.
+//! *Edits*: insertion of points (on a constrained edge they split it), removal of vertices, moves (removal and
+//! insertion, and as one edit with the segments at the vertex), segments in with crossings refused and split, segments out
+//! and back in, subsegments merged, and carving of a random subset of the faces, followed by edits inside the domain, one of
+//! which carves once more, and a rollback.
 //!
 //! *Claims*
 //! 1. The full check is silent after every edit while the triangulation is small, now and then while it is large.
@@ -31,7 +32,7 @@ use trimalla::mesh::{Checkpoint, UndoLog, VertexId};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 
 /// The sorts of edit, as they are counted.
-const SORTS: [&str; 13] = [
+const SORTS: [&str; 18] = [
     "insert free",
     "insert on a segment",
     "remove",
@@ -44,6 +45,11 @@ const SORTS: [&str; 13] = [
     "merge refused",
     "carve",
     "move",
+    "moved with its segments",
+    "move refused",
+    "removed with its segments",
+    "segment back in",
+    "carved once more",
     "crossings exhausted",
 ];
 
@@ -140,6 +146,51 @@ impl Edited {
         format!("{removed}\n{}", self.insert(random, log))
     }
 
+    /// Moves a vertex as an editor of drawings does, or removes it, with the segments at it.
+    fn drag(&mut self, v: VertexId, random: &mut SplitMix64, log: &mut UndoLog) -> String {
+        let before = self.cdt.clone();
+        let p = self.draw_point(random);
+        let is_removal = random.below(4) == 0;
+        let line = if is_removal {
+            format!("d.remove_with_segments(VertexId({v}), &mut log);")
+        } else {
+            format!("d.move_vertex_with(VertexId({v}), Point::new({:?}, {:?}), &mut log);", p.x, p.y)
+        };
+        let done = if is_removal {
+            self.cdt.remove_with_segments(v, log).map(|()| {
+                assert!(!self.cdt.is_used(v), "{line}: gone");
+                14
+            })
+        } else {
+            self.cdt.move_vertex_with(v, p, log).map(|moved| {
+                assert_eq!(self.cdt.point(moved.vertex()), p, "{line}: there");
+                assert!(matches!(moved, Inserted::New(_)) || self.cdt == before, "{line}: a place that is taken");
+                12
+            })
+        };
+        self.note(done.unwrap_or_else(|error| {
+            assert!(self.cdt == before, "{line}: refused with {error}, something changed");
+            13
+        }));
+        line
+    }
+
+    /// Puts a segment back in, if there is one that was removed.
+    fn segment_back(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
+        let n = self.cdt.segments().len();
+        let Some(s) = n.checked_sub(1).map(|last| (last - random.below(n.min(8))) as u32) else { return String::new() };
+        let before = self.cdt.clone();
+        match self.cdt.restore_segment(s, Crossings::Refuse, log) {
+            Ok(()) if self.cdt == before => {}
+            Ok(()) => {
+                assert!(!self.cdt.chain(s).is_empty(), "segment {s} is back");
+                self.note(15);
+            }
+            Err(error) => assert!(self.cdt == before, "segment {s} is refused with {error}, something changed"),
+        }
+        format!("d.restore_segment({s}, Crossings::Refuse, &mut log);")
+    }
+
     fn segment_in(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
         let [Some(a), Some(b)] = [self.draw_vertex(random), self.draw_vertex(random)] else { return String::new() };
         let crossings = if random.below(3) == 0 { Crossings::Split } else { Crossings::Refuse };
@@ -157,7 +208,7 @@ impl Edited {
             // Counted here, judged at the end: what comes after is worth driving too.
             Err(ConstraintError::CrossingsExhausted { .. }) => {
                 self.cdt.rollback(log, here);
-                self.note(12);
+                self.note(SORTS.len() - 1);
             }
             Err(e) => panic!("{line} said {e}"),
         }
@@ -234,7 +285,7 @@ impl Edited {
         self.note(10);
         assert_eq!(self.cdt.check(), [], "{line}: carved");
         for step in 0..own.below(6) {
-            match own.below(4) {
+            match own.below(6) {
                 0 | 1 => match self.cdt.insert_with(self.draw_point(&mut own), log) {
                     Ok(_) | Err(BuildError::OutsideDomain(_)) => {}
                     Err(e) => panic!("{line}: {e}"),
@@ -243,6 +294,18 @@ impl Edited {
                     if let Some(v) = self.draw_vertex(&mut own) {
                         // Refused where constraints end at it, as on the whole border.
                         let _ = self.cdt.remove_with(v, log);
+                    }
+                }
+                3 => {
+                    if let Some(v) = self.draw_vertex(&mut own) {
+                        // Refused on the whole boundary.
+                        let _ = self.cdt.move_vertex_with(v, self.draw_point(&mut own), log);
+                    }
+                }
+                4 => {
+                    let keep: Vec<bool> = (0..self.cdt.face_slots()).map(|_| own.below(5) > 0).collect();
+                    if self.cdt.carve(&keep, log) {
+                        self.note(16);
                     }
                 }
                 _ => {
@@ -275,7 +338,7 @@ impl Edited {
 impl Subject for Edited {
     fn edit(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
         let crowded = self.size() > self.crowded;
-        match (random.below(20), self.draw_vertex(random)) {
+        match (random.below(22), self.draw_vertex(random)) {
             (0..=2, Some(v)) => self.remove(v, log),
             (3..=7, Some(v)) if crowded => self.remove(v, log),
             (8, Some(v)) => self.shift(v, random, log),
@@ -284,6 +347,8 @@ impl Subject for Edited {
             (14, _) if crowded => self.segment_out(random, log),
             (15, _) => self.merge(random, log),
             (16, _) => self.carve(random, log),
+            (17, Some(v)) => self.drag(v, random, log),
+            (18, _) => self.segment_back(random, log),
             _ => self.insert(random, log),
         }
     }

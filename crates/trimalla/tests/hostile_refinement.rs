@@ -23,7 +23,7 @@ mod court;
 use std::cell::RefCell;
 
 use court::{Court, Verdict, equal, none};
-use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainError, DomainRule, Pslg, build};
 use trimalla::geometry::{Angle, Point};
@@ -44,7 +44,7 @@ const PROMISED_DEG: f64 = 26.45;
 
 /// What came of a run.
 struct Outcome {
-    cdt: ConstrainedDelaunay,
+    cdt: ConstrainedTriangulation,
     mesh: IndexedMesh,
     report: Report,
 }
@@ -81,10 +81,10 @@ fn judge(drawing: &Pslg, options: RefineOptions) -> Verdict {
 fn judged(drawing: &Pslg, options: RefineOptions) -> Result<Option<Report>, String> {
     let Some(Outcome { cdt, mesh, report }) = refined(drawing, options)? else { return Ok(None) };
     if matches!(options.recipe.insert, Insert::Partition | Insert::FlipOrCentroid) {
-        none("library checker", &cdt.triangulation_faults())?;
+        none("library checker", &cdt.check())?;
         none("testkit checker", &check_indexed_with(&mesh, Some(drawing), DelaunayRule::Ignore))?;
     } else {
-        none("library checker", &cdt.check())?;
+        none("library checker", &cdt.check_delaunay())?;
         none("testkit checker", &check_indexed(&mesh, Some(drawing)))?;
     }
     none("mesh checker", &check_mesh(&mesh))?;
@@ -165,7 +165,7 @@ fn area_bounds_are_met_or_explained() {
                 return Ok(());
             }
             let Some(out) = refined(d, options(Preset::OffCenter, 20.0).with_max_area(area))? else { return Ok(()) };
-            none("library checker", &out.cdt.check())?;
+            none("library checker", &out.cdt.check_delaunay())?;
             let large = |t: &[u32; 3]| {
                 let [a, b, c] = t.map(|v| out.mesh.points[v as usize]);
                 (b - a).cross(c - a) > 2.0 * area
@@ -199,7 +199,7 @@ fn protected_segments_stay_one_edge() {
 }
 
 /// Every constrained edge that is protected is still there.
-fn kept_whole(before: &ConstrainedDelaunay, after: &ConstrainedDelaunay, protect: Protect) -> Verdict {
+fn kept_whole(before: &ConstrainedTriangulation, after: &ConstrainedTriangulation, protect: Protect) -> Verdict {
     let border = |h| before.is_boundary(h) || before.is_boundary(before.twin(h));
     for h in before.edges().filter(|&h| before.is_marked(h) && (protect == Protect::All || border(h))) {
         let (a, b) = (before.origin(h), before.dest(h));
@@ -219,7 +219,7 @@ fn length_floors_are_kept() {
             let mut options = options(Preset::OffCenter, 30.0);
             options.limits.length_floor = Some(0.05);
             let (Some((before, _)), Some(after)) = (domain_of(d)?, refined(d, options)?) else { return Ok(()) };
-            none("library checker", &after.cdt.check())?;
+            none("library checker", &after.cdt.check_delaunay())?;
             let old = before.points().len();
             for h in after.cdt.edges() {
                 let [a, b] = after.cdt.edge_points(h);

@@ -62,7 +62,7 @@ fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool, bent: 
     let Some((mesh, report, drawing)) = meshed(drawing, options)? else { return Ok(()) };
     let input = with_drawing.then_some(&drawing);
     let taken = from_mesh(&mesh, &[], input).map_err(|e| e.to_string())?;
-    none("taken up: library checker", &taken.cdt.check())?;
+    none("taken up: library checker", &taken.cdt.check_delaunay())?;
     let again = refine_mesh(&mesh, input, &options).map_err(|e| e.to_string())?;
     let no_room = report.leftovers.iter().any(|l| l.reason == Reason::PrecisionFloor);
     if !with_drawing && (bent || no_room) {
@@ -94,7 +94,7 @@ fn only_adds(drawing: &Pslg, degrees: f64, with_drawing: bool) -> Verdict {
     let mut refinement = Refinement::new(taken.cdt, finer).map_err(|e| e.to_string())?;
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    none("library checker", &cdt.check())?;
+    none("library checker", &cdt.check_delaunay())?;
     let fine = taken.given.to_indexed(&cdt);
     let old = mesh.points.len();
     let bits = |points: &[Point]| points.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect::<Vec<_>>();
@@ -227,7 +227,7 @@ fn separate_pieces_and_touching_ones_are_meshes() {
     mesh.points.extend([[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [5.0, 5.0], [6.0, 5.0], [5.0, 6.0]].map(Point::from));
     mesh.triangles.extend([[2, 5, 6], [7, 8, 9]]); // One touches in vertex 2, one lies apart; vertex 4 is unused.
     let taken = from_mesh(&mesh, &[], None).unwrap();
-    assert_eq!(taken.cdt.triangulation_faults(), []);
+    assert_eq!(taken.cdt.check(), []);
     assert_eq!(taken.cdt.duplicates().len(), 1);
     assert!(taken.warnings.contains(&Warning::Pieces { pieces: 3 }));
     let options = RefineOptions::default().with_max_area(0.01);

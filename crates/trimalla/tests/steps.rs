@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, Pslg, Region, build};
 use trimalla::geometry::{Orientation, Point, Triangle};
@@ -41,7 +41,7 @@ fn flips_and_cavities_agree() {
                 let mut refinement = begun(&drawing, options);
                 refinement.run(&mut NoObserver);
                 let (cdt, report) = refinement.finish();
-                assert_eq!(cdt.check(), [], "{name}, {preset}, {insert}");
+                assert_eq!(cdt.check_delaunay(), [], "{name}, {preset}, {insert}");
                 (cdt.points().to_vec(), cdt.canonical(), report.leftovers.len())
             });
             assert!(meshes[0] == meshes[1], "{name}, {preset}");
@@ -63,7 +63,7 @@ fn recovered(drawing: &Pslg, recover: Recover, preset: Preset) -> (IndexedMesh, 
     let mut refinement = begun(drawing, options);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    assert_eq!(cdt.check(), [], "{recover}");
+    assert_eq!(cdt.check_delaunay(), [], "{recover}");
     let mesh = cdt.to_indexed(drawing);
     assert_eq!(check_mesh(&mesh), [], "{recover}");
     (mesh, report)
@@ -147,7 +147,7 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
     let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(test);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    assert_eq!((report.leftovers.len(), cdt.check()), (0, vec![]));
+    assert_eq!((report.leftovers.len(), cdt.check_delaunay()), (0, vec![]));
     assert!(cdt.real_faces().all(|f| !fine(&triangle(&cdt, f))));
     let coarse = cdt.real_faces().map(|f| triangle(&cdt, f).area()).fold(0.0, f64::max);
     assert!(coarse > 1.0, "below the axis triangles stay large");
@@ -169,7 +169,7 @@ fn a_test_of_the_caller_gets_triangles_of_the_domain() {
     assert!(refinement.finish().1.segments_split > 10);
 }
 
-fn triangle(cdt: &ConstrainedDelaunay, f: FaceId) -> Triangle {
+fn triangle(cdt: &ConstrainedTriangulation, f: FaceId) -> Triangle {
     let [a, b, c] = cdt.face_points(f);
     Triangle::new(a, b, c)
 }
@@ -235,7 +235,7 @@ fn every_combination_of_the_five_steps_is_sound() {
             refinement.run(&mut NoObserver);
             let (cdt, report) = refinement.finish();
             let delaunay = matches!(recipe.insert, Insert::Flip | Insert::Cavity);
-            let faults = if delaunay { cdt.check() } else { cdt.triangulation_faults() };
+            let faults = if delaunay { cdt.check_delaunay() } else { cdt.check() };
             assert_eq!(faults, [], "{name}: {recipe}");
             let mesh = cdt.to_indexed(&drawing);
             assert_eq!(check_mesh(&mesh), [], "{name}: {recipe}");
@@ -323,7 +323,7 @@ fn steps_tell_what_they_did_and_are_taken_back() {
     }
 }
 
-fn triangles_of(cdt: &ConstrainedDelaunay) -> BTreeSet<Name> {
+fn triangles_of(cdt: &ConstrainedTriangulation) -> BTreeSet<Name> {
     let sorted = |mut t: Name| {
         t.sort_unstable();
         t

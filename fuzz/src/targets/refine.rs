@@ -1,6 +1,6 @@
 //! Refinement of drawings by every recipe, with random bounds and limits, cancelled at random steps.
 
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::domain;
 use trimalla::mesh::FaceId;
 use trimalla::quality::below_bound;
@@ -44,7 +44,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     refinement.run(&mut cancel_at(case.cancel));
     let (cdt, report) = refinement.finish();
     let is_delaunay = keeps_delaunay(&options);
-    none("check", &if is_delaunay { cdt.check() } else { cdt.triangulation_faults() })?;
+    none("check", &if is_delaunay { cdt.check_delaunay() } else { cdt.check() })?;
     let mesh = cdt.into_indexed(&case.drawing);
     within_budget(&mesh, start, &options)?;
     told_truly(&mesh, &report, &options, case)?;
@@ -82,7 +82,7 @@ fn pick_some(refinement: &mut Refinement) {
 
 /// A few steps, taken back one by one: the triangulation is what it was.
 fn steps_back(refinement: &mut Refinement) -> Verdict {
-    let mut before: Vec<ConstrainedDelaunay> = Vec::new();
+    let mut before: Vec<ConstrainedTriangulation> = Vec::new();
     let mut left = 6;
     before.push(refinement.triangulation().clone());
     refinement.run_until(|r| {

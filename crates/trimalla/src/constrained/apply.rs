@@ -6,16 +6,7 @@ use crate::delaunay::Lawson;
 use crate::mesh::{FaceId, Half, HalfEdgeId, Journal};
 use crate::triangulation::Triangulation;
 
-/// What is known of the triangulation that a segment goes into.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Before {
-    /// It is constrained Delaunay. So is every face that the segment does not cross, then: it only hides vertices.
-    Delaunay,
-    /// Edges may fail the circle test.
-    Any,
-}
-
-/// The faces that a segment crosses, parted by it; kept from one segment to the next, so that none allocates.
+/// The faces that a segment crosses, split by it; kept from one segment to the next, so that none allocates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Corridor {
     faces: Vec<FaceId>,
@@ -25,7 +16,8 @@ pub(crate) struct Corridor {
 }
 
 impl Corridor {
-    /// Puts the planned edge into the triangulation, with that mark, and legalises around it.
+    /// Puts the planned edge into the triangulation, with that mark, and legalises what it has made. Where the triangulation was
+    /// constrained Delaunay it is so again: a segment only hides vertices, so it spoils no face that it does not cross.
     ///
     /// Returns whether it is there; where not, nothing has changed: the plan crosses constrained edges or is out of date.
     pub(super) fn apply<J: Journal>(
@@ -33,7 +25,7 @@ impl Corridor {
         t: &mut Triangulation,
         plan: &SegmentPlan,
         mark: u32,
-        (filling, before): (Filling, Before),
+        filling: Filling,
         lawson: &mut Lawson,
         j: &mut J,
     ) -> bool {
@@ -53,14 +45,7 @@ impl Corridor {
         } else {
             return false;
         }
-        if before == Before::Any {
-            self.faces.iter().flat_map(|f| f.half_edges()).for_each(|h| lawson.push(h));
-        }
         lawson.legalise_all(t, j);
-        debug_assert!(
-            before == Before::Any || self.faces.iter().flat_map(|f| f.half_edges()).all(|h| t.is_locally_delaunay(h)),
-            "a segment spoils the faces that it crosses, and no others"
-        );
         true
     }
 

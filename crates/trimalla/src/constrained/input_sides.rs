@@ -14,7 +14,7 @@
 
 use std::collections::BTreeSet;
 
-use super::constrained::ConstrainedDelaunay;
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::crossing_pairs::crossing_pairs;
 use super::plan::SegmentPlan;
 use crate::geometry::{Orientation, Point, Strip, orient2d};
@@ -39,12 +39,12 @@ impl Beside {
     }
 }
 
-impl ConstrainedDelaunay {
+impl ConstrainedTriangulation {
     /// What holds for the segments between input vertices.
     pub(super) fn beside_of_input(&self) -> Beside {
-        let segments: Vec<[u32; 2]> = self.segments.iter().map(|ends| ends.map(|v| v.0)).collect();
+        let segments: Vec<[u32; 2]> = self.segments().iter().map(|ends| ends.map(|v| v.0)).collect();
         // Segments of a mesh whose ends are no input vertices are out of range, and passed over.
-        Beside::of(&self.t.points()[..self.input_points], &segments)
+        Beside::of(&self.points()[..self.input_points()], &segments)
     }
 
     /// [`beside_of_input`](Self::beside_of_input), asked once.
@@ -54,7 +54,7 @@ impl ConstrainedDelaunay {
 
     /// Whether a vertex is one of the input.
     pub(super) fn is_of_input(&self, v: VertexId) -> bool {
-        v.index() < self.input_points
+        v.index() < self.input_points()
     }
 
     /// Whether the chains of a class may pass through a vertex that lies exactly on a piece of them. An input vertex may lie
@@ -63,7 +63,7 @@ impl ConstrainedDelaunay {
         if !self.is_of_input(v) {
             return true;
         }
-        let p = self.t.point(v);
+        let p = self.point(v);
         let is_on = |s: u32| {
             let segment = self.segment_points(s);
             orient2d(segment.start, segment.end, p) == Orientation::Collinear
@@ -80,20 +80,20 @@ impl ConstrainedDelaunay {
             Orientation::CounterClockwise => (&plan.left, &plan.left_rim),
             _ => (&plan.right, &plan.right_rim),
         };
-        beside.iter().any(|&w| swept.holds(w)) || swept.reaches_input(rim.iter().map(|&h| self.t.twin(h)))
+        beside.iter().any(|&w| swept.holds(w)) || swept.reaches_input(rim.iter().map(|&h| self.twin(h)))
     }
 
     /// Whether an edge that is split at a point would have an input vertex on another side, or on it.
     pub(super) fn edge_changes_sides(&self, h: HalfEdgeId, p: Point) -> bool {
-        let Some(swept) = Swept::new(self, [self.t.origin(h), self.t.dest(h)], p) else { return false };
-        let first = if swept.turn == Orientation::CounterClockwise { h } else { self.t.twin(h) };
+        let Some(swept) = Swept::new(self, [self.origin(h), self.dest(h)], p) else { return false };
+        let first = if swept.turn == Orientation::CounterClockwise { h } else { self.twin(h) };
         swept.reaches_input(std::iter::once(first))
     }
 }
 
 /// The closed triangle between a piece and its two parts.
 struct Swept<'a> {
-    cdt: &'a ConstrainedDelaunay,
+    cdt: &'a ConstrainedTriangulation,
     ends: [VertexId; 2],
     corners: [Point; 3],
     /// The side of the piece on which it lies.
@@ -102,8 +102,8 @@ struct Swept<'a> {
 
 impl<'a> Swept<'a> {
     /// That of a piece split at `p`; `None` where `p` is exactly on its line.
-    fn new(cdt: &'a ConstrainedDelaunay, ends: [VertexId; 2], p: Point) -> Option<Self> {
-        let [a, b] = ends.map(|v| cdt.t.point(v));
+    fn new(cdt: &'a ConstrainedTriangulation, ends: [VertexId; 2], p: Point) -> Option<Self> {
+        let [a, b] = ends.map(|v| cdt.point(v));
         let turn = orient2d(a, b, p);
         (turn != Orientation::Collinear).then_some(Self { cdt, ends, corners: [a, b, p], turn })
     }
@@ -115,7 +115,7 @@ impl<'a> Swept<'a> {
 
     /// Whether an input vertex lies in the triangle, not at a corner.
     fn holds(&self, v: VertexId) -> bool {
-        let w = self.cdt.t.point(v);
+        let w = self.cdt.point(v);
         let away = self.turn.reversed();
         self.cdt.is_of_input(v)
             && !self.ends.contains(&v)
@@ -125,7 +125,7 @@ impl<'a> Swept<'a> {
 
     /// Whether an edge meets the triangle: no side of the triangle and not the edge itself parts the two.
     fn meets(&self, h: HalfEdgeId) -> bool {
-        let [p, q] = self.cdt.t.edge_points(h);
+        let [p, q] = self.cdt.edge_points(h);
         let away = self.turn.reversed();
         let is_parted = self.sides().into_iter().any(|[x, y]| [p, q].into_iter().all(|w| orient2d(x, y, w) == away));
         let first = orient2d(p, q, self.corners[0]);
@@ -138,7 +138,7 @@ impl<'a> Swept<'a> {
     /// # Complexity
     /// The faces that the triangle meets.
     fn reaches_input(&self, first: impl Iterator<Item = HalfEdgeId>) -> bool {
-        let t = &self.cdt.t;
+        let t = self.cdt;
         let mut open: Vec<HalfEdgeId> = first.filter(|&h| self.meets(h)).collect();
         let mut seen: BTreeSet<HalfEdgeId> = BTreeSet::new();
         while let Some(h) = open.pop() {

@@ -1,16 +1,19 @@
-//! Inserting a segment: piece by piece between the vertices on it, crossings as told.
+//! Inserting a segment: piece by piece between the vertices on it, crossings are handled as [`Crossings`] says.
 //!
-//! Where crossings are split, `split_crossings` takes over.
+//! 1. Survey the whole way, from vertex to vertex on it, before anything changes: free, in pieces, or along others.
+//! 2. A free way is one plan, which is carried out. Otherwise pieces go in one after the other (`split_crossings.rs`), and only
+//!    where no segment on the same line is there already (`overlaps.rs`).
 
-use super::apply::Before;
-use super::constrained::{ConstrainedDelaunay, SegmentId};
-use super::constraints::ClassCount;
+use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::crossing_pairs::crossing_pairs;
+use super::edit::Edit;
 use super::error::{ConstraintError, CrossingPair};
 use super::input_sides::Beside;
+use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::delaunay::BuildError;
 use crate::geometry::{Point, Segment};
-use crate::mesh::{Column, Journal, NoJournal, UndoLog, VertexId};
+use crate::mesh::{Journal, VertexId};
 
 /// What to do where segments cross inside both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,186 +25,118 @@ pub enum Crossings {
     Split,
 }
 
-impl ConstrainedDelaunay {
-    /// Inserts the segment between two used vertices (or duplicates of such).
-    ///
-    /// A segment between a vertex and itself is nothing, and gets a name all the same.
+impl<J: Journal> Edit<'_, J> {
+    /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. Taking back what was
+    /// done before an error is the caller's.
     ///
     /// # Errors
-    /// [`ConstraintError::Crossing`] names the segments crossed; [`ConstraintError::UnusedVertex`],
-    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`], [`ConstraintError::TooManySegments`],
-    /// [`BuildError::TooManyPoints`]. Nothing has changed then.
+    /// See [`ConstraintError`].
+    pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
+        let points = self.points().len();
+        for (i, ends) in segments.iter().enumerate() {
+            if let Some(&v) = ends.iter().find(|&&v| v as usize >= points) {
+                return Err(ConstraintError::NoSuchVertex { segment: i, vertex: VertexId(v), points });
+            }
+        }
+        let first = self.segments().len();
+        if first == 0 {
+            // All at once, as a rule: no room is left over.
+            self.data.reserve_segments(segments.len());
+        }
+        for (i, &[a, b]) in segments.iter().enumerate() {
+            match self.insert_segment(VertexId(a), VertexId(b), crossings) {
+                Ok(_) => {}
+                Err(ConstraintError::Crossing(pairs)) if first == 0 => {
+                    let all = crossing_pairs(self.points(), segments);
+                    return Err(ConstraintError::Crossing(if all.is_empty() { pairs } else { all }));
+                }
+                Err(ConstraintError::UnusedVertex { vertex, .. }) => {
+                    return Err(ConstraintError::UnusedVertex { segment: i, vertex });
+                }
+                Err(e) => return Err(e),
+            }
+        }
+        Ok(())
+    }
+
+    /// Inserts the segment between two used vertices (or duplicates of such).
     ///
-    /// # Complexity
-    /// Expected linear in the edges crossed, and in the degree of either end or those of the vertices on the way, whichever
-    /// is less. Stretches that overlapping segments cover on the same line cost nothing.
+    /// # Errors
+    /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); where crossings are split, taking
+    /// back what was done before an error is the caller's.
     pub fn insert_segment(
         &mut self,
         a: VertexId,
         b: VertexId,
         crossings: Crossings,
     ) -> Result<SegmentId, ConstraintError> {
-        match crossings {
-            Crossings::Refuse => self.insert_segment_with(a, b, crossings, &mut NoJournal),
-            // Splitting may end in an error midway: what was done by then is taken back.
-            Crossings::Split => self.or_as_before(|cdt, log| cdt.insert_segment_with(a, b, crossings, log)),
-        }
-    }
-
-    /// Does something that is taken back if it ends in an error.
-    pub(super) fn or_as_before<T>(
-        &mut self,
-        act: impl FnOnce(&mut Self, &mut UndoLog) -> Result<T, ConstraintError>,
-    ) -> Result<T, ConstraintError> {
-        let mut log = UndoLog::new();
-        let here = log.checkpoint();
-        let result = act(self, &mut log);
-        if result.is_err() {
-            self.rollback(&mut log, here);
-        }
-        result
-    }
-
-    /// [`insert_segment`](Self::insert_segment), noting what is overwritten.
-    ///
-    /// # Errors
-    /// See [`insert_segment`](Self::insert_segment); but where crossings are split, taking back what was done is the
-    /// caller's.
-    pub fn insert_segment_with<J: Journal>(
-        &mut self,
-        a: VertexId,
-        b: VertexId,
-        crossings: Crossings,
-        j: &mut J,
-    ) -> Result<SegmentId, ConstraintError> {
-        let [a, b] = [a, b].map(|v| self.t.representative(v));
-        if self.segments.len() >= ConstraintError::MAX_SEGMENTS {
-            return Err(ConstraintError::TooManySegments(self.segments.len() + 1));
-        }
-        let segment = self.segments.len() as SegmentId;
-        if let Some(vertex) = [a, b].into_iter().find(|&v| v.index() >= self.t.points().len() || !self.t.is_used(v)) {
-            return Err(ConstraintError::UnusedVertex { segment: segment as usize, vertex });
-        }
+        let ends @ [a, b] = [a, b].map(|v| self.representative(v));
+        let segment = self.next_segment(ends)?;
         if a == b {
-            self.name_segment([a, b], j);
+            self.data.name_segment(ends, self.j);
             return Ok(segment);
         }
-        let way = self.survey(segment, [a, b], crossings)?;
-        if way == Way::Overlaps {
-            self.name_segment([a, b], j);
-            // What joins a line needs no class of its own.
-            match self.join_line(segment, j) {
-                Some(gaps) => self.fill_gaps(segment, gaps, j)?,
-                None => {
-                    let mark = self.mark_of_list(&[segment], [], j);
-                    self.work_off(Piece { from: a, to: b, mark }, segment, &mut Some(Beside::Allowed), j)?;
-                }
-            }
-            return Ok(segment);
-        }
-        let mark = self.begin_segment([a, b], j);
-        if way == Way::Free {
-            let before = if self.as_given { Before::Any } else { Before::Delaunay };
-            self.apply_plan(mark, before, j);
-        } else {
-            // The first edges that are split here are straight: their segments cross.
-            self.work_off(Piece { from: a, to: b, mark }, segment, &mut Some(Beside::Allowed), j)?;
-        }
-        Ok(segment)
+        let mut plan = std::mem::take(&mut self.work.plan);
+        let inserted = self.insert_along(segment, ends, crossings, &mut plan);
+        self.work.plan = plan;
+        inserted.map(|()| segment)
     }
 
-    /// Names a segment and makes its class; returns the mark.
-    pub(crate) fn begin_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> u32 {
-        let segment = self.name_segment(ends, j);
-        self.mark_of_list(&[segment], [], j)
-    }
-
-    /// Names a segment, which has no class so far.
-    fn name_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> SegmentId {
-        let segment = self.segments.len() as SegmentId;
-        if J::ACTIVE {
-            j.note(Column::Segment, segment, 0);
+    /// The number of a new segment between two vertices, if there may be one.
+    fn next_segment(&self, ends: [VertexId; 2]) -> Result<SegmentId, ConstraintError> {
+        let count = self.segments().len();
+        if count >= ConstraintError::MAX_SEGMENTS {
+            return Err(ConstraintError::TooManySegments(count + 1));
         }
-        self.segments.push(ends);
-        segment
-    }
-
-    /// Notes that classes were added since there were `before`.
-    pub(super) fn note_classes<J: Journal>(&self, before: ClassCount, j: &mut J) {
-        if J::ACTIVE && self.constraints.count() > before {
-            j.note(Column::Constraint, before.lists, u64::from(before.spans));
+        let is_unused = |v: &VertexId| v.index() >= self.points().len() || !self.is_used(*v);
+        match ends.into_iter().find(is_unused) {
+            Some(vertex) => Err(ConstraintError::UnusedVertex { segment: count, vertex }),
+            None => Ok(count as SegmentId),
         }
     }
 
-    /// Looks at the whole way of a segment before anything changes. Where it is free, the plan made last is that of the
-    /// segment.
-    fn survey(
+    /// Inserts a segment between two different vertices; `plan` is room for plans.
+    fn insert_along(
         &mut self,
         segment: SegmentId,
-        [a, b]: [VertexId; 2],
+        ends @ [from, to]: [VertexId; 2],
         crossings: Crossings,
-    ) -> Result<Way, ConstraintError> {
-        let (mut from, mut way, mut crossed) = (a, Way::Free, 0);
-        let mut pairs: Vec<CrossingPair> = Vec::new();
-        while from != b {
-            self.t.plan_into(&mut self.plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
-                segment: segment as usize,
-                from: self.t.point(a),
-                to: self.t.point(b),
-            })?;
-            let is_marked = self.plan.existing.is_some_and(|h| self.t.is_marked(h));
-            if is_marked || !self.plan.constrained.is_empty() {
-                way = way.max(Way::Pieces);
-                crossed += self.plan.constrained.len();
-                if self.overlap_at(from, [a, b]).is_some() {
-                    way = Way::Overlaps;
-                    if let Some((_, to)) = self.covered(from, [a, b]) {
-                        from = to;
-                        continue;
-                    }
-                }
-            }
-            if crossings == Crossings::Refuse {
-                self.add_pairs(segment, [a, b], &mut pairs);
-            }
-            from = self.plan.to;
-            if from != b {
-                way = way.max(Way::Pieces);
+        plan: &mut SegmentPlan,
+    ) -> Result<(), ConstraintError> {
+        let way = self.data.survey(segment, ends, crossings, plan)?;
+        self.data.name_segment(ends, self.j);
+        if way == Way::Overlaps {
+            // What joins a line needs no class of its own.
+            if let Some(gaps) = self.join_line(segment, plan) {
+                return self.fill_gaps(segment, gaps, plan);
             }
         }
-        if !pairs.is_empty() {
-            return Err(ConstraintError::Crossing(pairs));
+        let mark = self.mark_of_list(&[segment], []);
+        if way == Way::Free {
+            self.apply_plan(plan, mark);
+            return Ok(());
         }
-        BuildError::if_too_many(self.t.points.len(), crossed)?;
-        Ok(way)
+        // The first edges that are split here are straight: their segments cross.
+        self.insert_pieces(Piece { from, to, mark }, segment, (plan, &mut Some(Beside::Allowed)))
     }
 
-    /// Adds the input segments that the plan crosses.
-    fn add_pairs(&self, segment: SegmentId, ends: [VertexId; 2], pairs: &mut Vec<CrossingPair>) {
-        for &h in &self.plan.constrained {
-            let at = crossing_of(ends.map(|v| self.t.point(v)), self.t.edge_points(h));
-            let others = self.segments_of_class(self.t.mark(h));
-            pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o as usize, segment as usize], at }));
-        }
-    }
-
-    /// Carries the plan out, which crosses no constraint.
-    pub(super) fn apply_plan<J: Journal>(&mut self, mark: u32, before: Before, j: &mut J) {
-        let mark = match self.plan.existing {
-            Some(h) => self.joined(self.t.mark(h), mark, j),
+    /// Carries a plan out that crosses no constraint.
+    pub(super) fn apply_plan(&mut self, plan: &SegmentPlan, mark: u32) {
+        let mark = match plan.existing {
+            Some(h) => self.joined(self.mark(h), mark),
             None => mark,
         };
-        let how = (self.filling, before);
-        let applied = self.corridor.apply(&mut self.t, &self.plan, mark, how, &mut self.lawson, j);
+        let (work, t) = (&mut *self.work, self.data.triangulation_mut());
+        let applied = work.corridor.apply(t, plan, mark, work.filling, &mut work.lawson, self.j);
         debug_assert!(applied, "a plan that crosses no constraint can be carried out");
     }
 
     /// The mark of an edge of two marks: all segments of either.
-    pub(super) fn joined<J: Journal>(&mut self, a: u32, b: u32, j: &mut J) -> u32 {
+    pub(super) fn joined(&mut self, a: u32, b: u32) -> u32 {
         if a == 0 || a == b {
             return b;
         }
-        let classes = [a, b].map(|mark| (mark, self.constraints.line_of_mark(mark).is_some()));
+        let classes = [a, b].map(|mark| (mark, self.classes().line_of_mark(mark).is_some()));
         let [one, two] = [a, b].map(|mark| self.segments_of_class(mark));
         let mut list = [&one[..], &two[..]].concat();
         list.sort_unstable();
@@ -211,41 +146,87 @@ impl ConstrainedDelaunay {
             [(span, true), (_, false)] | [(_, false), (span, true)] if is_whole(span) => return span,
             [(_, false), (_, false)] => {}
             // Segments that join a line later would run along the span that the edge had, not along the edge.
-            _ => [a, b].into_iter().for_each(|mark| self.constraints.close_line_of(mark, j)),
+            _ => [a, b].into_iter().for_each(|mark| self.data.classes_mut().close_line_of(mark, self.j)),
         }
-        self.mark_of_list(&list, [], j)
+        self.mark_of_list(&list, [])
     }
 
     /// The mark of a list of segments, which edges of these marks get instead.
-    pub(super) fn mark_of_list<J: Journal>(
-        &mut self,
-        list: &[SegmentId],
-        instead: impl IntoIterator<Item = u32>,
-        j: &mut J,
-    ) -> u32 {
+    pub(super) fn mark_of_list(&mut self, list: &[SegmentId], instead: impl IntoIterator<Item = u32>) -> u32 {
         // The segments of a line would go on without these edges.
         for mark in instead {
-            self.constraints.close_line_of(mark, j);
+            self.data.classes_mut().close_line_of(mark, self.j);
         }
-        let before = self.constraints.count();
-        let mark = self.constraints.mark_of(list);
-        self.note_classes(before, j);
-        mark
+        self.data.classes_mut().mark_of(list, self.j)
     }
 
     /// Unmarks an edge and legalises it.
-    pub(super) fn release<J: Journal>(&mut self, x: VertexId, y: VertexId, j: &mut J) {
-        if let Some(h) = self.t.half_edge_between(x, y) {
-            self.t.mesh.set_mark(h, 0, j);
-            self.lawson.push(h);
-            self.lawson.legalise_all(&mut self.t, j);
+    pub(super) fn release(&mut self, x: VertexId, y: VertexId) {
+        if let Some(h) = self.half_edge_between(x, y) {
+            self.data.set_mark(h, 0, self.j);
+            self.push(h);
+            self.legalise();
+        }
+    }
+}
+
+impl ConstrainedTriangulation {
+    /// Looks at the whole way of a segment. Where it is free, `plan` is that of the segment.
+    pub(super) fn survey(
+        &self,
+        segment: SegmentId,
+        [a, b]: [VertexId; 2],
+        crossings: Crossings,
+        plan: &mut SegmentPlan,
+    ) -> Result<Way, ConstraintError> {
+        let (mut from, mut way, mut crossed) = (a, Way::Free, 0);
+        let mut pairs: Vec<CrossingPair> = Vec::new();
+        while from != b {
+            self.plan_into(plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
+                segment: segment as usize,
+                from: self.point(a),
+                to: self.point(b),
+            })?;
+            let is_marked = plan.existing.is_some_and(|h| self.is_marked(h));
+            if is_marked || !plan.constrained.is_empty() {
+                way = way.max(Way::Pieces);
+                crossed += plan.constrained.len();
+                if self.overlap_at(from, [a, b]).is_some() {
+                    way = Way::Overlaps;
+                    if let Some((_, to)) = self.covered(from, [a, b]) {
+                        from = to;
+                        continue;
+                    }
+                }
+            }
+            if crossings == Crossings::Refuse {
+                self.add_pairs(segment, plan, [a, b], &mut pairs);
+            }
+            from = plan.to;
+            if from != b {
+                way = way.max(Way::Pieces);
+            }
+        }
+        if !pairs.is_empty() {
+            return Err(ConstraintError::Crossing(pairs));
+        }
+        BuildError::if_too_many(self.points().len(), crossed)?;
+        Ok(way)
+    }
+
+    /// Adds the input segments that a plan of `segment` crosses.
+    fn add_pairs(&self, segment: SegmentId, plan: &SegmentPlan, ends: [VertexId; 2], pairs: &mut Vec<CrossingPair>) {
+        for &h in &plan.constrained {
+            let at = crossing_of(ends.map(|v| self.point(v)), self.edge_points(h));
+            let others = self.segments_of_class(self.mark(h));
+            pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o as usize, segment as usize], at }));
         }
     }
 }
 
 /// What lies on the way of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Way {
+pub(super) enum Way {
     /// A single piece that crosses no constraint and is none yet.
     Free,
     /// Several pieces, or constraints.

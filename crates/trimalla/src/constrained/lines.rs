@@ -24,7 +24,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::mesh::{Column, Entry, Journal, VertexId};
+use super::columns;
+use crate::mesh::{Entry, Journal, VertexId};
 
 /// The segments of one line that overlap.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -191,7 +192,7 @@ impl Lines {
     pub(super) fn add<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> u32 {
         let line = self.lines.len() as u32;
         if J::ACTIVE {
-            j.note(Column::LineAdded, line, 0);
+            j.note(columns::LINE_ADDED, line, 0);
         }
         self.lines.push(Line { parent: line, children: Vec::new(), members: Vec::new(), size: 0, ends, is_open: true });
         line
@@ -201,14 +202,14 @@ impl Lines {
     pub(super) fn set_ends<J: Journal>(&mut self, line: u32, ends: [VertexId; 2], j: &mut J) {
         let old = std::mem::replace(&mut self.lines[line as usize].ends, ends);
         if J::ACTIVE {
-            j.note(Column::LineEnds, line, u64::from(old[0].0) << 32 | u64::from(old[1].0));
+            j.note(columns::LINE_ENDS, line, u64::from(old[0].0) << 32 | u64::from(old[1].0));
         }
     }
 
     /// Adds a segment, which is a member of no line so far, to a line.
     pub(super) fn enroll<J: Journal>(&mut self, line: u32, segment: u32, j: &mut J) {
         if J::ACTIVE {
-            j.note(Column::LineMember, segment, 0);
+            j.note(columns::LINE_MEMBER, segment, 0);
         }
         if self.line_of.len() <= segment as usize {
             self.line_of.resize(segment as usize + 1, 0);
@@ -226,7 +227,7 @@ impl Lines {
         let size = |line: u32| self.lines[line as usize].size;
         let (upper, lower) = if size(a) < size(b) { (b, a) } else { (a, b) };
         if J::ACTIVE {
-            j.note(Column::LineConnected, lower, 0);
+            j.note(columns::LINE_CONNECTED, lower, 0);
         }
         self.lines[upper as usize].size += self.lines[lower as usize].size;
         self.lines[upper as usize].children.push(lower);
@@ -237,7 +238,7 @@ impl Lines {
     /// No segment joins a line from now on.
     pub(super) fn close<J: Journal>(&mut self, line: u32, j: &mut J) {
         if std::mem::replace(&mut self.lines[line as usize].is_open, false) && J::ACTIVE {
-            j.note(Column::LineClosed, line, 0);
+            j.note(columns::LINE_CLOSED, line, 0);
         }
     }
 
@@ -246,7 +247,7 @@ impl Lines {
         let Some(line) = self.line_of_segment(segment) else { return };
         self.close(line, j);
         if self.removed.insert(segment) && J::ACTIVE {
-            j.note(Column::LineMemberRemoved, segment, 0);
+            j.note(columns::LINE_MEMBER_REMOVED, segment, 0);
         }
     }
 
@@ -254,12 +255,12 @@ impl Lines {
     pub(super) fn undo(&mut self, entry: Entry) {
         let i = entry.index as usize;
         match entry.column {
-            Column::LineAdded => self.lines.truncate(i),
-            Column::LineEnds => {
+            columns::LINE_ADDED => self.lines.truncate(i),
+            columns::LINE_ENDS => {
                 let [a, b] = [entry.old >> 32, entry.old & u64::from(u32::MAX)];
                 self.lines[i].ends = [a, b].map(|v| VertexId(v as u32));
             }
-            Column::LineMember => {
+            columns::LINE_MEMBER => {
                 let line = &mut self.lines[self.line_of[i] as usize - 1];
                 line.members.pop();
                 line.size -= 1;
@@ -268,13 +269,13 @@ impl Lines {
                     self.line_of.pop();
                 }
             }
-            Column::LineConnected => {
+            columns::LINE_CONNECTED => {
                 let upper = std::mem::replace(&mut self.lines[i].parent, entry.index) as usize;
                 self.lines[upper].children.pop();
                 self.lines[upper].size -= self.lines[i].size;
             }
-            Column::LineClosed => self.lines[i].is_open = true,
-            Column::LineMemberRemoved => drop(self.removed.remove(&entry.index)),
+            columns::LINE_CLOSED => self.lines[i].is_open = true,
+            columns::LINE_MEMBER_REMOVED => drop(self.removed.remove(&entry.index)),
             _ => {}
         }
     }

@@ -1,10 +1,12 @@
 //! Merging two subsegments: the vertex between them taken out.
 
-use super::constrained::ConstrainedDelaunay;
+use super::constrained_triangulation::ConstrainedTriangulation;
+use super::edit::Edit;
+use super::provenance::Provenance;
 use crate::delaunay::{Hole, RemoveError, flip_spokes_away, legalise_hole};
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
+use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
-impl ConstrainedDelaunay {
+impl<J: Journal> Edit<'_, J> {
     /// Takes out Steiner vertex `v`, at which exactly two subsegments of one class meet; they become one edge.
     ///
     /// ```text
@@ -15,55 +17,57 @@ impl ConstrainedDelaunay {
     ///         d                      d
     /// ```
     ///
+    /// Taking back what was done before an error is the caller's.
+    ///
     /// # Errors
     /// [`RemoveError`] where other constraints end at `v`, where it is an input vertex, or where the neighbours
-    /// leave no room for the straight edge, or where the border of a domain is near itself; nothing has changed then.
-    pub fn merge_subsegments(&mut self, v: VertexId, log: &mut UndoLog) -> Result<HalfEdgeId, RemoveError> {
+    /// leave no room for the straight edge, or where the boundary of a domain is near itself.
+    pub fn merge_subsegments(&mut self, v: VertexId) -> Result<HalfEdgeId, RemoveError> {
         let refused =
-            RemoveError::Constrained { vertex: v, point: self.t.points().get(v.index()).copied().unwrap_or_default() };
-        let Some(&[h, g]) = self.subsegments_at(v).as_slice().first_chunk::<2>() else {
-            return Err(RemoveError::Unused(v));
+            RemoveError::Constrained { vertex: v, point: self.points().get(v.index()).copied().unwrap_or_default() };
+        let h = match self.subsegments_at(v)[..] {
+            [_, ..] if v.index() < self.input_points() => return Err(refused),
+            [h, g] if self.mark(h) == self.mark(g) => h,
+            [_, _, ..] => return Err(refused),
+            _ => return Err(RemoveError::Unused(v)),
         };
-        if v.index() < self.input_points || self.subsegments_at(v).len() != 2 || self.t.mark(h) != self.t.mark(g) {
+        if self.border_ends(h).is_some() && self.needs_proof_outside(self.edge_points(h)) {
             return Err(refused);
         }
-        let here = log.checkpoint();
-        let ends = self.t.edge_points(h);
-        if self.border_ends(h).is_some() && self.needs_proof_outside(ends) {
-            return Err(refused);
-        }
-        if let Some(e) = self.try_merge(v, log) {
-            self.set_provenance(v, super::Provenance::Free, log);
-            self.t.drop_vertex(v, log);
-            return Ok(e);
-        }
-        self.rollback(log, here);
-        Err(refused)
+        let merged = self.try_merge(v).ok_or(refused)?;
+        self.data.set_provenance(v, Provenance::Free, self.j);
+        let (t, j) = self.parts();
+        t.drop_vertex(v, j);
+        Ok(merged)
     }
 
-    fn subsegments_at(&self, v: VertexId) -> Vec<HalfEdgeId> {
-        self.t.edges_around(v).filter(|&h| self.t.is_marked(h)).collect()
-    }
-
-    fn try_merge(&mut self, v: VertexId, log: &mut UndoLog) -> Option<HalfEdgeId> {
+    fn try_merge(&mut self, v: VertexId) -> Option<HalfEdgeId> {
         let mut hole = Hole::default();
-        hole.begin(&self.t, v);
-        flip_spokes_away(&mut self.t, v, &mut hole, log);
-        let spokes: Vec<HalfEdgeId> = self.t.star(v).collect();
-        let h = spokes.iter().copied().find(|&h| self.t.is_marked(h))?;
-        let opposite = self.t.ccw(self.t.ccw(h));
-        if spokes.len() != 4 || !self.t.is_marked(opposite) || !self.merged_faces_are_ccw(h, opposite) {
+        hole.begin(self, v);
+        let (t, j) = self.parts();
+        flip_spokes_away(t, v, &mut hole, j);
+        let spokes: Vec<HalfEdgeId> = self.star(v).collect();
+        let h = spokes.iter().copied().find(|&h| self.is_marked(h))?;
+        let opposite = self.ccw(self.ccw(h));
+        if spokes.len() != 4 || !self.is_marked(opposite) || !self.merged_faces_are_ccw(h, opposite) {
             return None;
         }
-        let e = self.t.mesh.unsplit_edge(h, log);
-        legalise_hole(&mut self.t, &hole, &mut self.lawson, log);
+        let (t, j) = self.parts();
+        let e = t.mesh.unsplit_edge(h, j);
+        legalise_hole(self.data.triangulation_mut(), &hole, &mut self.work.lawson, self.j);
         Some(e)
+    }
+}
+
+impl ConstrainedTriangulation {
+    fn subsegments_at(&self, v: VertexId) -> Vec<HalfEdgeId> {
+        self.edges_around(v).filter(|&h| self.is_marked(h)).collect()
     }
 
     fn merged_faces_are_ccw(&self, h: HalfEdgeId, opposite: HalfEdgeId) -> bool {
-        let (y, x) = (self.t.dest(h), self.t.dest(opposite));
-        let (q, d) = (self.t.dest(self.t.ccw(h)), self.t.dest(self.t.cw(h)));
-        let fits = |a, b, c: VertexId| !c.is_finite() || self.t.is_ccw(a, b, c);
+        let (y, x) = (self.dest(h), self.dest(opposite));
+        let (q, d) = (self.dest(self.ccw(h)), self.dest(self.cw(h)));
+        let fits = |a, b, c: VertexId| !c.is_finite() || self.is_ccw(a, b, c);
         fits(x, y, q) && fits(y, x, d)
     }
 }

@@ -47,12 +47,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::apply::Before;
-use super::constrained::ConstrainedDelaunay;
+use super::columns;
+use super::constrained_delaunay::ConstrainedDelaunay;
+use super::constrained_triangulation::ConstrainedTriangulation;
+use super::edit::Edit;
 use super::insert_segment::Crossings;
+use super::plan::SegmentPlan;
 use crate::geometry::{BoundingBox, Point, math};
 use crate::locate::Locus;
-use crate::mesh::{Border, Checkpoint, Column, FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
+use crate::mesh::{Border, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Border edges shorter than this, in last places of the largest coordinate, are split with proof only.
@@ -62,7 +65,7 @@ const THIN: f64 = 2e-5;
 
 /// What is known of the outside of a domain.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Outside {
+pub(super) struct Outside {
     /// Whether the border comes near itself somewhere.
     is_thin: bool,
     /// Border edges shorter than this need a proof.
@@ -71,13 +74,20 @@ pub(crate) struct Outside {
     faces: Option<Box<Faces>>,
 }
 
+/// The triangles do not count: they follow from the boundary.
+impl PartialEq for Outside {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_thin == other.is_thin && self.short == other.short
+    }
+}
+
 impl Outside {
     /// What is outside of the faces kept of a triangulation that is about to be carved; `before` is what is known where that
     /// was carved once already.
     ///
     /// # Complexity
     /// Linear in the vertices, and in the edges of the border.
-    pub(crate) fn beside(t: &Triangulation, kept: &[bool], border: &Border, before: &Self) -> Self {
+    pub(super) fn beside(t: &Triangulation, kept: &[bool], border: &Border, before: &Self) -> Self {
         let outer = border.edges.iter().map(|&h| t.twin(h));
         let is_thin = before.is_thin || is_thin_outside(t, kept, outer);
         Self { is_thin, short: short_edge(t), faces: None }
@@ -87,7 +97,7 @@ impl Outside {
     ///
     /// # Complexity
     /// O(n log n) in the vertices of the border.
-    pub(crate) fn of_border(cdt: &ConstrainedDelaunay) -> Self {
+    fn of_border(cdt: &ConstrainedTriangulation) -> Self {
         let faces = Faces::around(cdt);
         let outside = Self { is_thin: faces.are_thin(&border_of(cdt)), short: short_edge(cdt), faces: None };
         let faces = outside.is_thin.then(|| Box::new(faces));
@@ -101,13 +111,56 @@ impl Outside {
         self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
     }
 
+    /// Replaces it, through the journal; the triangles are not noted, as they can be made again.
+    pub(super) fn set<J: Journal>(&mut self, new: Self, j: &mut J) {
+        if J::ACTIVE {
+            j.note(columns::OUTSIDE, u32::from(self.is_thin), self.short.to_bits());
+        }
+        *self = new;
+    }
+
+    /// Puts back one entry.
+    pub(super) fn undo(&mut self, entry: Entry) {
+        match entry.column {
+            columns::BOUNDARY_SPLIT => self.undo_split(VertexId(entry.index)),
+            _ => *self = Self { is_thin: entry.index == 1, short: f64::from_bits(entry.old), faces: None },
+        }
+    }
+
+    /// Takes back what was noted with vertex `v`.
+    fn undo_split(&mut self, v: VertexId) {
+        if self.faces.as_mut().is_some_and(|faces| !faces.take_back(v)) {
+            self.forget();
+        }
+    }
+
+    /// Vertex `v` is taken back: triangles outside that were made after it came know it still, and are made again.
+    pub(super) fn undo_vertex(&mut self, v: VertexId) {
+        if self.faces.as_ref().is_some_and(|faces| faces.names.contains_key(&v)) {
+            self.forget();
+        }
+    }
+
+    /// Notes that vertex `v` at `p` has split the boundary edge between two vertices.
+    fn note_split<J: Journal>(&mut self, ends: [VertexId; 2], v: VertexId, p: Point, j: &mut J) {
+        let Some(faces) = &mut self.faces else { return };
+        if !faces.split(ends, v, p) {
+            return self.forget();
+        }
+        if J::ACTIVE {
+            j.note(columns::BOUNDARY_SPLIT, v.0, 0);
+        } else {
+            self.forget_undo();
+        }
+    }
+
     /// Forgets the triangles: they are made again when they are needed.
     fn forget(&mut self) {
         self.faces = None;
     }
 
     /// Forgets how to take splits back; nobody will.
-    pub(crate) fn forget_undo(&mut self) {
+    fn forget_undo(&mut self) {
         if let Some(faces) = &mut self.faces {
             faces.changes.clear();
             faces.log.clear();
@@ -190,7 +243,7 @@ impl Faces {
     ///
     /// # Complexity
     /// O(n log n) in the vertices of the border.
-    fn around(cdt: &ConstrainedDelaunay) -> Self {
+    fn around(cdt: &ConstrainedTriangulation) -> Self {
         let border = border_of(cdt);
         let mut vertices: Vec<VertexId> = border.iter().flatten().copied().collect();
         vertices.sort_unstable();
@@ -219,7 +272,7 @@ impl Faces {
     }
 
     /// A border edge as it is here.
-    fn edge(&self, cdt: &ConstrainedDelaunay, [from, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
+    fn edge(&self, cdt: &ConstrainedTriangulation, [from, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
         let [from, to] = [*self.names.get(&from)?, *self.names.get(&to)?];
         cdt.half_edge_between(from, to).filter(|&h| cdt.is_marked(h))
     }
@@ -228,7 +281,7 @@ impl Faces {
     fn lead_through(&mut self, ends: [VertexId; 2], p: Point) -> Option<VertexId> {
         let mut cdt = self.cdt.take()?;
         let here = self.log.checkpoint();
-        let led = self.edge(&cdt, ends).and_then(|h| cdt.lead_through(h, p, &mut self.log));
+        let led = self.edge(&cdt, ends).and_then(|h| cdt.edit(&mut self.log).lead_through(h, p));
         if led.is_none() {
             cdt.rollback(&mut self.log, here);
         }
@@ -265,14 +318,14 @@ impl Faces {
 }
 
 /// The edges of the border of a domain, each in the direction that has the domain on its left, sorted.
-fn border_of(cdt: &ConstrainedDelaunay) -> Vec<[VertexId; 2]> {
+fn border_of(cdt: &ConstrainedTriangulation) -> Vec<[VertexId; 2]> {
     let border = cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|g| cdt.twin(g));
     let mut border: Vec<[VertexId; 2]> = border.map(|h| [cdt.origin(h), cdt.dest(h)]).collect();
     border.sort_unstable();
     border
 }
 
-impl ConstrainedDelaunay {
+impl Edit<'_, UndoLog> {
     /// Leads constrained edge `h` through a new vertex at `p`, if the new edges cross and touch nothing that is constrained, and
     /// the triangle between them and the old edge holds nothing. Otherwise `None`, and taking back what was done is the caller's.
     ///
@@ -281,52 +334,53 @@ impl ConstrainedDelaunay {
     ///                   ──>   ╱   ╲
     ///     a ═══ h ═══ b      a ─── b
     /// ```
-    fn lead_through(&mut self, h: HalfEdgeId, p: Point, log: &mut UndoLog) -> Option<VertexId> {
-        let (a, b, mark) = (self.t.origin(h), self.t.dest(h), self.t.mark(h));
-        let locus = self.t.locate_from(h.face(), p);
+    fn lead_through(&mut self, h: HalfEdgeId, p: Point) -> Option<VertexId> {
+        let (a, b, mark) = (self.origin(h), self.dest(h), self.mark(h));
+        let locus = self.locate_from(h.face(), p);
         match locus {
-            Locus::Edge(g) if self.t.is_marked(g) => {
-                let is_same = g == h || g == self.t.twin(h);
-                return is_same.then(|| self.insert_vertex_at(p, locus, log));
+            Locus::Edge(g) if self.is_marked(g) => {
+                let is_same = g == h || g == self.twin(h);
+                return is_same.then(|| self.insert_vertex_at(p, locus));
             }
             Locus::Face(_) | Locus::Edge(_) | Locus::Outside(_) => {}
             _ => return None,
         }
-        let v = self.insert_vertex_at(p, locus, log);
+        let v = self.insert_vertex_at(p, locus);
+        let mut plan = SegmentPlan::default();
         for end in [a, b] {
-            self.t.plan_into(&mut self.plan, v, end).ok()?;
-            if self.plan.to != end || !self.plan.constrained.is_empty() {
+            self.plan_into(&mut plan, v, end).ok()?;
+            if plan.to != end || !plan.constrained.is_empty() {
                 return None;
             }
-            self.apply_plan(mark, Before::Delaunay, log);
+            self.apply_plan(&plan, mark);
         }
-        let h = self.t.half_edge_between(a, b)?;
-        let is_empty = self.t.apex(h) == v || self.t.apex(self.t.twin(h)) == v;
+        let h = self.half_edge_between(a, b)?;
+        let is_empty = self.apex(h) == v || self.apex(self.twin(h)) == v;
         is_empty.then(|| {
-            self.release(a, b, log);
+            self.release(a, b);
             v
         })
     }
 }
 
-impl ConstrainedDelaunay {
+impl ConstrainedTriangulation {
     /// The ends of an edge of the border, in the direction that has the domain on its left; `None` for other edges.
     pub(super) fn border_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
-        let h = if self.t.is_real(h.face()) { h } else { self.t.twin(h) };
-        self.t.is_on_border(h).then(|| [self.t.origin(h), self.t.dest(h)])
+        let h = if self.is_real(h.face()) { h } else { self.twin(h) };
+        self.is_on_border(h).then(|| [self.origin(h), self.dest(h)])
     }
 
     /// [`border_ends`](Self::border_ends) for [`note_split`](Self::note_split), which asks for them only where the outside is
     /// kept in triangles.
     #[inline]
     pub(super) fn noted_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
-        if self.outside.faces.is_some() { self.border_ends(h) } else { None }
+        if self.outside().faces.is_some() { self.border_ends(h) } else { None }
     }
 
     /// Whether a vertex at `p` may split an edge as far as what is outside goes: always where that is inside.
     #[inline]
     pub(super) fn outside_allows(&mut self, h: HalfEdgeId, p: Point) -> bool {
-        let is_sure = self.t.closure() != Closure::Domain || !self.outside.needs_proof(self.t.edge_points(h));
+        let is_sure = self.closure() != Closure::Domain || !self.outside().needs_proof(self.edge_points(h));
         is_sure || self.is_split_proved_outside(h, p)
     }
 
@@ -337,13 +391,13 @@ impl ConstrainedDelaunay {
 
     /// Whether an edge is of the border, and that comes near itself somewhere.
     pub(crate) fn is_on_thin_border(&self, h: HalfEdgeId) -> bool {
-        self.outside.is_thin && self.border_ends(h).is_some()
+        self.outside().is_thin && self.border_ends(h).is_some()
     }
 
     /// The vertex of the border opposite a border edge, across what is outside; `None` where there is none, or splits of that edge
     /// need no proof.
     pub(crate) fn apex_outside(&self, h: HalfEdgeId) -> Option<Point> {
-        let (ends, faces) = (self.border_ends(h)?, self.outside.faces.as_ref()?);
+        let (ends, faces) = (self.border_ends(h)?, self.outside().faces.as_ref()?);
         let border = faces.cdt.as_ref()?;
         let apex = border.apex(border.twin(faces.edge(border, ends)?));
         apex.is_finite().then(|| border.point(apex))
@@ -351,40 +405,36 @@ impl ConstrainedDelaunay {
 
     /// Whether the edge between two vertices is split, and merged, with proof only.
     pub(super) fn needs_proof_outside(&self, ends: [Point; 2]) -> bool {
-        self.t.closure() == Closure::Domain && self.outside.needs_proof(ends)
+        self.closure() == Closure::Domain && self.outside().needs_proof(ends)
     }
 
     /// The border in triangles, which are made if there are none.
     fn faces_of_border(&mut self) -> &mut Faces {
-        let faces = self.outside.faces.take().unwrap_or_else(|| Box::new(Faces::around(self)));
-        self.outside.faces.get_or_insert(faces)
+        let faces = self.outside_mut().faces.take().unwrap_or_else(|| Box::new(Faces::around(self)));
+        self.outside_mut().faces.get_or_insert(faces)
     }
 
-    /// Notes that vertex `v` at `p` has split the border edge that had these ends, if it was one.
+    /// Forgets how to take splits of the boundary back; nobody will.
+    pub(crate) fn forget_undo_outside(&mut self) {
+        self.outside_mut().forget_undo();
+    }
+
+    /// Looks at what is outside of a domain that came without its outside.
+    ///
+    /// # Complexity
+    /// O(n log n) in the vertices of the boundary.
+    pub(crate) fn look_outside(&mut self) {
+        let outside = Outside::of_border(self);
+        self.outside_mut().set(outside, &mut NoJournal);
+    }
+}
+
+impl<J: Journal> Edit<'_, J> {
+    /// Notes that vertex `v` at `p` has split the boundary edge that had these ends, if it was one.
     #[inline]
-    pub(super) fn note_split<J: Journal>(&mut self, ends: Option<[VertexId; 2]>, v: VertexId, p: Point, j: &mut J) {
-        let Some((ends, faces)) = ends.zip(self.outside.faces.as_mut()) else { return };
-        if !faces.split(ends, v, p) {
-            return self.outside.forget();
-        }
-        if J::ACTIVE {
-            j.note(Column::Outside, v.0, 0);
-        } else {
-            self.outside.forget_undo();
-        }
-    }
-
-    /// Takes back what was noted of the outside with vertex `v`.
-    pub(super) fn undo_outside(&mut self, v: VertexId) {
-        if self.outside.faces.as_mut().is_some_and(|faces| !faces.take_back(v)) {
-            self.outside.forget();
-        }
-    }
-
-    /// Vertex `v` is taken back: triangles outside that were made after it came know it still, and are made again.
-    pub(super) fn undo_vertex_outside(&mut self, v: VertexId) {
-        if self.outside.faces.as_ref().is_some_and(|faces| faces.names.contains_key(&v)) {
-            self.outside.forget();
+    pub(super) fn note_split(&mut self, ends: Option<[VertexId; 2]>, v: VertexId, p: Point) {
+        if let Some(ends) = ends {
+            self.data.outside_mut().note_split(ends, v, p, self.j);
         }
     }
 }
@@ -393,7 +443,6 @@ impl ConstrainedDelaunay {
 mod tests {
     use super::super::provenance::Provenance;
     use super::*;
-    use crate::mesh::NoJournal;
 
     /// A square with a triangular hole as high as that.
     fn holed(height: f64) -> ConstrainedDelaunay {
@@ -407,7 +456,7 @@ mod tests {
     }
 
     fn is_thin_beside(cdt: &ConstrainedDelaunay) -> bool {
-        cdt.outside.is_thin
+        cdt.outside().is_thin
     }
 
     #[test]
@@ -444,14 +493,17 @@ mod tests {
     fn a_split_that_crosses_the_other_side_is_refused_and_one_taken_back_leaves_no_trace() {
         let mut cdt = holed(1e-6);
         let h = cdt.half_edge_between(VertexId(4), VertexId(5)).expect("a side of the hole");
-        assert!(!cdt.outside_allows(h, Point::new(2.0, 2.0 + 2e-6)), "beyond the other sides");
-        assert!(!cdt.outside_allows(h, Point::new(2.0, 2.0 + 1e-6)), "on a vertex");
-        assert!(cdt.outside_allows(h, Point::new(2.0, 2.0 + 5e-7)), "in the hole");
+        assert!(
+            !cdt.edit(&mut NoJournal).data.outside_allows(h, Point::new(2.0, 2.0 + 2e-6)),
+            "beyond the other sides"
+        );
+        assert!(!cdt.edit(&mut NoJournal).data.outside_allows(h, Point::new(2.0, 2.0 + 1e-6)), "on a vertex");
+        assert!(cdt.edit(&mut NoJournal).data.outside_allows(h, Point::new(2.0, 2.0 + 5e-7)), "in the hole");
         let (middle, _) = cdt.point_on_subsegment(h, 0.5);
         let (mut log, before) = (UndoLog::new(), cdt.clone());
         let here = log.checkpoint();
-        cdt.split_subsegment(h, middle, Provenance::Free, &mut log).expect("there is room");
-        let known = |cdt: &ConstrainedDelaunay| cdt.outside.faces.as_ref().map(|faces| faces.names.len());
+        cdt.edit(&mut log).split_subsegment(h, middle, Provenance::Free).expect("there is room");
+        let known = |cdt: &ConstrainedDelaunay| cdt.outside().faces.as_ref().map(|faces| faces.names.len());
         assert_eq!(known(&cdt), Some(8));
         cdt.rollback(&mut log, here);
         assert!(cdt == before);

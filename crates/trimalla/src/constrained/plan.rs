@@ -68,6 +68,12 @@ impl SegmentPlan {
     }
 }
 
+impl Default for SegmentPlan {
+    fn default() -> Self {
+        Self::new(VertexId(0), VertexId(0))
+    }
+}
+
 /// Why no plan can be made: the way leaves the triangulated domain across this boundary edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LeavesDomain;

@@ -1,6 +1,7 @@
 //! Where a vertex comes from.
 
-use crate::mesh::{Column, Entry, Journal};
+use super::columns;
+use crate::mesh::{Entry, Journal, VertexId};
 
 /// Where a vertex comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,9 +44,94 @@ impl Provenance {
     }
 }
 
+/// Which vertices were given, and where the others come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Origins {
+    /// Vertices below it are the caller's.
+    input_points: usize,
+    /// Vertices below it came with the input, or with the mesh that was taken up, and stay.
+    given_points: usize,
+    /// The first vertex with a provenance of its own.
+    first: usize,
+    /// Whether a mesh was taken up.
+    is_of_mesh: bool,
+    provenances: Provenances,
+}
+
+impl Origins {
+    /// All vertices are the input.
+    pub(super) fn of_input(points: usize) -> Self {
+        Self {
+            input_points: points,
+            given_points: points,
+            first: points,
+            is_of_mesh: false,
+            provenances: Provenances::default(),
+        }
+    }
+
+    /// All vertices came with a mesh; the first of them are those of its drawing, if that is known.
+    pub(super) fn of_mesh(points: usize, input_points: Option<usize>) -> Self {
+        Self {
+            input_points: input_points.unwrap_or(points),
+            first: input_points.unwrap_or(0),
+            is_of_mesh: true,
+            ..Self::of_input(points)
+        }
+    }
+
+    pub(super) fn input_points(&self) -> usize {
+        self.input_points
+    }
+
+    pub(super) fn given_points(&self) -> usize {
+        self.given_points
+    }
+
+    pub(super) fn first(&self) -> usize {
+        self.first
+    }
+
+    pub(super) fn is_of_mesh(&self) -> bool {
+        self.is_of_mesh
+    }
+
+    /// Where a vertex comes from.
+    pub(super) fn of(&self, v: VertexId) -> Provenance {
+        v.index().checked_sub(self.first).map_or(Provenance::Input, |i| self.provenances.get(i))
+    }
+
+    /// Says where a vertex comes from; those before the first with a provenance of their own are the input, always.
+    #[inline]
+    pub(super) fn set<J: Journal>(&mut self, v: VertexId, provenance: Provenance, j: &mut J) {
+        if let Some(i) = v.index().checked_sub(self.first) {
+            self.provenances.set(i, provenance, j);
+        }
+    }
+
+    /// The parameter of a vertex on a segment, if its provenance says that it lies there.
+    #[inline]
+    pub(super) fn parameter_on(&self, segment: u32, v: VertexId) -> Option<f64> {
+        v.index().checked_sub(self.first).and_then(|i| self.provenances.parameter_on(segment, i))
+    }
+
+    /// How many of three vertices are neither the input's nor free. Added up without branches: the answers are unpredictable.
+    #[inline]
+    pub(super) fn count_bound(&self, vertices: [VertexId; 3]) -> usize {
+        // Of the input, the number wraps around, and no vertex has such a one.
+        let is_bound = |v: VertexId| self.provenances.is_bound(v.index().wrapping_sub(self.first));
+        vertices.into_iter().map(|v| usize::from(is_bound(v))).sum()
+    }
+
+    /// Puts back one entry.
+    pub(super) fn undo(&mut self, entry: Entry) {
+        self.provenances.undo(entry);
+    }
+}
+
 /// Provenances of the vertices after the input: two words for each that is not free, or was not once. Most are free.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Provenances {
+struct Provenances {
     words: Vec<[u64; 2]>,
     /// Where the words of each vertex lie, counted from 1; 0 for none. Those after the last are free.
     places: Vec<u32>,
@@ -55,19 +141,19 @@ pub(crate) struct Provenances {
 
 impl Provenances {
     /// The provenance of the `i`-th vertex after the input.
-    pub(crate) fn get(&self, i: usize) -> Provenance {
+    fn get(&self, i: usize) -> Provenance {
         self.place(i).map_or(Provenance::Free, |place| Provenance::from_words(self.words[place]))
     }
 
     /// Whether the `i`-th vertex after the input is not free.
     #[inline]
-    pub(crate) fn is_bound(&self, i: usize) -> bool {
+    fn is_bound(&self, i: usize) -> bool {
         self.bound.get(i / 64).is_some_and(|bits| bits >> (i % 64) & 1 == 1)
     }
 
     /// The parameter of the `i`-th vertex after the input, if it is on this segment by its provenance.
     #[inline]
-    pub(crate) fn parameter_on(&self, segment: u32, i: usize) -> Option<f64> {
+    fn parameter_on(&self, segment: u32, i: usize) -> Option<f64> {
         let [kind, place] = self.words[self.place(i)?];
         let is_on = matches!(kind & 0xff, ON_SEGMENT | SHELL_AROUND_START | SHELL_AROUND_END);
         (is_on && (kind >> 8) as u32 == segment).then(|| f64::from_bits(place))
@@ -75,7 +161,7 @@ impl Provenances {
 
     /// Sets it, through the journal.
     #[inline(always)] // For each new vertex; nearly all are free, and were.
-    pub(crate) fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
+    fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
         let place = self.place(i);
         if place.is_some() || !new.is_free() {
             self.set_words(i, place, new.to_words(), j);
@@ -91,8 +177,8 @@ impl Provenances {
             return;
         }
         if J::ACTIVE {
-            j.note(Column::ProvenanceKind, i as u32, old[0]);
-            j.note(Column::ProvenancePlace, i as u32, old[1]);
+            j.note(columns::PROVENANCE_KIND, i as u32, old[0]);
+            j.note(columns::PROVENANCE_PLACE, i as u32, old[1]);
         }
         self.words[place] = new;
         self.note_bound(i, new[0]);
@@ -108,13 +194,13 @@ impl Provenances {
     fn make_room<J: Journal>(&mut self, i: usize, j: &mut J) -> usize {
         if i >= self.places.len() {
             if J::ACTIVE {
-                j.note(Column::ProvenanceAppended, self.places.len() as u32, 0);
+                j.note(columns::PROVENANCE_APPENDED, self.places.len() as u32, 0);
             }
             self.places.resize(i + 1, 0);
             self.bound.resize(self.places.len().div_ceil(64), 0);
         }
         if J::ACTIVE {
-            j.note(Column::ProvenanceStored, i as u32, 0);
+            j.note(columns::PROVENANCE_STORED, i as u32, 0);
         }
         self.words.push(FREE);
         self.places[i] = self.words.len() as u32;
@@ -122,15 +208,15 @@ impl Provenances {
     }
 
     /// Puts back one entry.
-    pub(crate) fn undo(&mut self, entry: Entry) {
+    fn undo(&mut self, entry: Entry) {
         let i = entry.index as usize;
         match (entry.column, self.place(i)) {
-            (Column::ProvenanceKind, Some(place)) => {
+            (columns::PROVENANCE_KIND, Some(place)) => {
                 self.words[place][0] = entry.old;
                 self.note_bound(i, entry.old);
             }
-            (Column::ProvenancePlace, Some(place)) => self.words[place][1] = entry.old,
-            (Column::ProvenanceStored, _) => {
+            (columns::PROVENANCE_PLACE, Some(place)) => self.words[place][1] = entry.old,
+            (columns::PROVENANCE_STORED, _) => {
                 self.words.pop();
                 self.places[i] = 0;
             }

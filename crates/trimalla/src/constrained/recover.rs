@@ -16,10 +16,12 @@
 //! # Source
 //! `[MeshSuite]` 2.6.1, recovery by unions.
 
-use super::constrained::ConstrainedDelaunay;
+use super::constrained_triangulation::ConstrainedTriangulation;
+use super::edit::Edit;
 use super::input_sides::Beside;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
+use crate::delaunay::Lawson;
 use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, Journal, UndoLog, VertexId};
@@ -36,7 +38,7 @@ pub(crate) struct SplitLimits<'a> {
     /// Whether two ends are far enough apart to be parted.
     pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
     /// The parameter, from its start to its end, at which a stretch that crosses edges is split.
-    pub(crate) place: &'a dyn Fn(&ConstrainedDelaunay, Released, &SegmentPlan) -> f64,
+    pub(crate) place: &'a dyn Fn(&ConstrainedTriangulation, Released, &SegmentPlan) -> f64,
 }
 
 /// Segments on their way back, so that the work can be done in slices.
@@ -90,52 +92,47 @@ impl Recovery {
     }
 }
 
-impl ConstrainedDelaunay {
-    /// Lets go of every segment inside the domain; those that part two regions stay.
+impl<J: Journal> Edit<'_, J> {
+    /// Lets go of every segment inside the domain; those between two regions stay.
     ///
-    /// Returns what was let go, in the order of its vertices. The edges wait for [`legalise_some`](Self::legalise_some), after
-    /// which the triangulation is Delaunay across them.
-    pub(crate) fn release_inner_segments<J: Journal>(&mut self, j: &mut J) -> Vec<Released> {
-        let inner: Vec<HalfEdgeId> = self.t.edges().filter(|&h| self.is_inner(h)).collect();
+    /// Returns what was let go, in the order of its vertices, and the edges that may fail the circle test now
+    /// ([`legalise_some`](Self::legalise_some)).
+    pub(crate) fn release_inner_segments(&mut self) -> (Vec<Released>, Lawson) {
+        let inner: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_inner(h)).collect();
         let mut released: Vec<Released> = Vec::with_capacity(inner.len());
+        let mut waiting = Lawson::default();
         for &h in &inner {
-            let (a, b) = (self.t.origin(h), self.t.dest(h));
-            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.t.mark(h) });
-            self.t.mesh.set_mark(h, 0, j);
-        }
-        for h in inner {
-            self.lawson.push(h);
+            let (a, b) = (self.origin(h), self.dest(h));
+            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.mark(h) });
+            self.data.set_mark(h, 0, self.j);
+            waiting.push(h);
         }
         released.sort_unstable_by_key(|piece| [piece.from, piece.to]);
-        released
+        (released, waiting)
     }
 
-    /// Whether an edge is part of a segment with one region on both sides.
-    fn is_inner(&self, h: HalfEdgeId) -> bool {
-        let (f, g) = (h.face(), self.t.twin(h).face());
-        self.t.is_marked(h) && self.t.is_real(f) && self.t.is_real(g) && self.t.region(f) == self.t.region(g)
+    /// Flips edges that fail the circle test until none does; how many flips it took.
+    ///
+    /// # Complexity
+    /// Linear, and the flips.
+    pub(crate) fn legalise_everywhere(&mut self) -> u64 {
+        let mut waiting = self.illegal_edges();
+        waiting.legalise_all(self.data.triangulation_mut(), self.j)
     }
 
-    /// How many pieces of segments inside are edges only because they are constrained.
-    pub(crate) fn pieces_held_by_marks(&self) -> usize {
-        self.t.edges().filter(|&h| self.is_inner(h) && self.is_held_by_its_mark(h)).count()
-    }
-
-    /// Whether an edge between two faces fails the circle test, marked or not.
-    fn is_held_by_its_mark(&self, h: HalfEdgeId) -> bool {
-        let corners = [self.t.origin(h), self.t.dest(h), self.t.apex(h), self.t.apex(self.t.twin(h))];
-        let [a, b, c, d] = corners.map(|v| self.t.point(v));
-        in_circle_perturbed(a, b, c, d) == CircleSide::Inside
+    /// Looks at so many of the edges that wait, and at those beside the flipped ones; how many flips it took.
+    pub(crate) fn legalise_some(&mut self, waiting: &mut Lawson, most: usize) -> u64 {
+        waiting.legalise_some(self.data.triangulation_mut(), most, self.j)
     }
 
     /// Marks what is there of the segments let go; returns the pieces that are no edges.
-    pub(crate) fn claim<J: Journal>(&mut self, released: &[Released], j: &mut J) -> Vec<Released> {
+    pub(crate) fn mark_present(&mut self, released: &[Released]) -> Vec<Released> {
         let mut missing = Vec::new();
         for &piece in released {
-            match self.t.half_edge_between(piece.from, piece.to) {
+            match self.half_edge_between(piece.from, piece.to) {
                 Some(h) => {
-                    let mark = self.joined(self.t.mark(h), piece.mark, j);
-                    self.t.mesh.set_mark(h, mark, j);
+                    let mark = self.joined(self.mark(h), piece.mark);
+                    self.data.set_mark(h, mark, self.j);
                 }
                 None => missing.push(piece),
             }
@@ -143,23 +140,58 @@ impl ConstrainedDelaunay {
         missing
     }
 
+    /// The vertex that splits a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.
+    fn split_piece(
+        &mut self,
+        piece: Piece,
+        room: bool,
+        (limits, beside): (&SplitLimits<'_>, &mut Option<Beside>),
+    ) -> Option<(VertexId, bool)> {
+        if self.half_edge_between(piece.from, piece.to).is_some() {
+            return None;
+        }
+        // A vertex exactly on the way parts it for nothing.
+        let plan = self.plan_towards(piece.from, piece.to).ok()?;
+        if plan.to != piece.to {
+            let may_pass = self.may_pass_through(plan.to, piece.mark, || self.known_beside(beside));
+            return may_pass.then_some((plan.to, false));
+        }
+        let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, (limits.place)(self, piece, &plan));
+        let [a, b] = [piece.from, piece.to].map(|v| self.point(v));
+        if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) || self.changes_sides(&plan, p) {
+            return None;
+        }
+        let start = self.outgoing(piece.from).map_or(self.work.hint, HalfEdgeId::face);
+        match self.locate_from(start, p) {
+            // An input vertex that is not exactly on the way, or the plan had ended there, is not on the segment.
+            Locus::Vertex(v) => {
+                let may_part = v != piece.from && v != piece.to && !self.is_of_input(v);
+                may_part.then_some((v, false))
+            }
+            Locus::Edge(h) if self.is_marked(h) => None,
+            locus @ (Locus::Face(_) | Locus::Edge(_)) => {
+                let v = self.insert_vertex_at(p, locus);
+                self.data.set_provenance(v, provenance, self.j);
+                Some((v, true))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Edit<'_, UndoLog> {
     /// Splits what was let go until it is edges, and marks those: one slice of that work.
     ///
     /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not cross before
     /// they were let go, that takes vertices too, and free vertices make room for them. A piece that cannot be put in is lost.
-    pub(crate) fn recover_some(
-        &mut self,
-        recovery: &mut Recovery,
-        limits: &SplitLimits<'_>,
-        log: &mut UndoLog,
-    ) -> Changed {
+    pub(crate) fn recover_some(&mut self, recovery: &mut Recovery, limits: &SplitLimits<'_>) -> Changed {
         let mut changed = Changed::default();
         for _ in 0..limits.pieces {
             let room = (limits.vertices + changed.removed).saturating_sub(changed.inserted);
             let piece = recovery.waiting.pop();
             match (recovery.stage, piece) {
                 (Stage::Halving { .. }, Some(piece)) => {
-                    match self.parted(piece, room > 0, (limits, &mut recovery.beside), log) {
+                    match self.split_piece(piece, room > 0, (limits, &mut recovery.beside)) {
                         Some((v, is_new)) => {
                             changed.inserted += usize::from(is_new);
                             if is_new {
@@ -176,12 +208,12 @@ impl ConstrainedDelaunay {
                     recovery.stage = Stage::Halving { has_grown: false };
                 }
                 (Stage::Halving { has_grown: false }, None) => {
-                    let missing = self.claim(&recovery.next, log);
+                    let missing = self.mark_present(&recovery.next);
                     recovery.next.clear();
                     recovery.waiting = missing.into_iter().rev().collect();
                     recovery.stage = Stage::Whole;
                 }
-                (Stage::Whole, Some(piece)) => match self.made_whole(piece, room, &mut recovery.beside, log) {
+                (Stage::Whole, Some(piece)) => match self.made_whole(piece, room, &mut recovery.beside) {
                     Some(Changed { inserted, removed }) => {
                         changed.inserted += inserted;
                         changed.removed += removed;
@@ -199,27 +231,21 @@ impl ConstrainedDelaunay {
 
     /// Puts a piece in as a whole edge; `None`, and nothing changed, where that is not possible. Where it takes more vertices
     /// than there is room for, the newest free ones make room.
-    fn made_whole(
-        &mut self,
-        piece: Piece,
-        room: usize,
-        beside: &mut Option<Beside>,
-        log: &mut UndoLog,
-    ) -> Option<Changed> {
-        let count = |t: &Self| t.t.points().len() - t.t.free_vertices().len();
-        let start = log.checkpoint();
+    fn made_whole(&mut self, piece: Piece, room: usize, beside: &mut Option<Beside>) -> Option<Changed> {
+        let count = |t: &Self| t.points().len() - t.free_vertices().len();
+        let start = self.j.checkpoint();
         let mut removed = 0;
         // Each round but the last removes a vertex.
         loop {
-            let (here, before) = (log.checkpoint(), count(self));
-            let is_in = self.work_off(piece, 0, beside, log).is_ok();
+            let (here, before) = (self.j.checkpoint(), count(self));
+            let is_in = self.insert_pieces(piece, 0, (&mut SegmentPlan::default(), beside)).is_ok();
             let inserted = count(self).saturating_sub(before);
             if is_in && inserted <= room + removed {
                 return Some(Changed { inserted, removed });
             }
-            self.rollback(log, here);
-            if !(is_in && self.remove_newest_free(log)) {
-                self.rollback(log, start);
+            self.data.rollback(self.j, here);
+            if !(is_in && self.remove_newest_free()) {
+                self.data.rollback(self.j, start);
                 return None;
             }
             removed += 1;
@@ -227,49 +253,38 @@ impl ConstrainedDelaunay {
     }
 
     /// Removes the newest vertex that was inserted freely; says whether there was one.
-    fn remove_newest_free(&mut self, log: &mut UndoLog) -> bool {
-        let newest = (self.given_points..self.t.points().len()).rev().map(VertexId::from_index);
-        let mut free = newest.filter(|&v| self.t.is_used(v) && self.is_deletable(v));
+    fn remove_newest_free(&mut self) -> bool {
+        let newest = (self.given_points()..self.points().len()).rev().map(VertexId::from_index);
+        let mut free = newest.filter(|&v| self.is_used(v) && self.is_deletable(v));
         let newest = free.next();
-        newest.is_some_and(|v| self.remove_with(v, log).is_ok())
+        newest.is_some_and(|v| self.remove(v).is_ok())
+    }
+}
+
+impl ConstrainedTriangulation {
+    /// Whether an edge is part of a segment with one region on both sides.
+    fn is_inner(&self, h: HalfEdgeId) -> bool {
+        let (f, g) = (h.face(), self.twin(h).face());
+        self.is_marked(h) && self.is_real(f) && self.is_real(g) && self.region(f) == self.region(g)
     }
 
-    /// The vertex that parts a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.
-    fn parted<J: Journal>(
-        &mut self,
-        piece: Piece,
-        room: bool,
-        (limits, beside): (&SplitLimits<'_>, &mut Option<Beside>),
-        j: &mut J,
-    ) -> Option<(VertexId, bool)> {
-        if self.t.half_edge_between(piece.from, piece.to).is_some() {
-            return None;
-        }
-        // A vertex exactly on the way parts it for nothing.
-        let plan = self.t.plan_towards(piece.from, piece.to).ok()?;
-        if plan.to != piece.to {
-            let may_pass = self.may_pass_through(plan.to, piece.mark, || self.known_beside(beside));
-            return may_pass.then_some((plan.to, false));
-        }
-        let (p, provenance) = self.point_between(piece.from, piece.to, piece.mark, (limits.place)(self, piece, &plan));
-        let [a, b] = [piece.from, piece.to].map(|v| self.t.point(v));
-        if !room || !(limits.may_part)(a, p) || !(limits.may_part)(p, b) || self.changes_sides(&plan, p) {
-            return None;
-        }
-        let start = self.t.outgoing(piece.from).map_or(self.last, HalfEdgeId::face);
-        match self.t.locate_from(start, p) {
-            // An input vertex that is not exactly on the way, or the plan had ended there, is not on the segment.
-            Locus::Vertex(v) => {
-                let may_part = v != piece.from && v != piece.to && !self.is_of_input(v);
-                may_part.then_some((v, false))
-            }
-            Locus::Edge(h) if self.t.is_marked(h) => None,
-            locus @ (Locus::Face(_) | Locus::Edge(_)) => {
-                let v = self.insert_vertex_at(p, locus, j);
-                self.set_provenance(v, provenance, j);
-                Some((v, true))
-            }
-            _ => None,
-        }
+    /// The edges that fail the circle test, to be flipped.
+    pub(crate) fn illegal_edges(&self) -> Lawson {
+        let illegal: Vec<HalfEdgeId> = self.edges().filter(|&h| !self.is_locally_delaunay(h)).collect();
+        let mut waiting = Lawson::default();
+        illegal.into_iter().rev().for_each(|h| waiting.push(h));
+        waiting
+    }
+
+    /// How many pieces of segments inside are edges only because they are constrained.
+    pub(crate) fn pieces_held_by_marks(&self) -> usize {
+        self.edges().filter(|&h| self.is_inner(h) && self.is_held_by_its_mark(h)).count()
+    }
+
+    /// Whether an edge between two faces fails the circle test, marked or not.
+    fn is_held_by_its_mark(&self, h: HalfEdgeId) -> bool {
+        let corners = [self.origin(h), self.dest(h), self.apex(h), self.apex(self.twin(h))];
+        let [a, b, c, d] = corners.map(|v| self.point(v));
+        in_circle_perturbed(a, b, c, d) == CircleSide::Inside
     }
 }

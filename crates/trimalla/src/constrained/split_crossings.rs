@@ -25,11 +25,12 @@
 //! Leading an edge through a vertex within rounding of it is the hot-pixel rule of snap rounding `[Hobby99]`, used here
 //! for edges that cross, and never moving a vertex.
 
-use super::apply::Before;
-use super::constrained::{ConstrainedDelaunay, SegmentId};
+use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::edit::Edit;
 use super::error::{ConstraintError, CrossingPair};
 use super::input_sides::Beside;
 use super::insert_segment::crossing_of;
+use super::plan::SegmentPlan;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::locate::Locus;
@@ -57,15 +58,14 @@ enum Meeting {
     Point(Point),
 }
 
-impl ConstrainedDelaunay {
-    /// Puts a piece of `segment` in, splitting whatever it crosses; `beside` tells whether at input vertices, too, as soon as that
-    /// is known.
-    pub(super) fn work_off<J: Journal>(
+impl<J: Journal> Edit<'_, J> {
+    /// Puts a piece of `segment` in, splitting whatever it crosses; `plan` is room for plans, and `beside` tells whether at input
+    /// vertices, too, as soon as that is known.
+    pub(super) fn insert_pieces(
         &mut self,
         first: Piece,
         segment: SegmentId,
-        beside: &mut Option<Beside>,
-        j: &mut J,
+        (plan, beside): (&mut SegmentPlan, &mut Option<Beside>),
     ) -> Result<(), ConstraintError> {
         let bound = self.step_bound();
         let mut work = vec![first];
@@ -77,42 +77,30 @@ impl ConstrainedDelaunay {
             }
             let leaves = ConstraintError::LeavesDomain {
                 segment: segment as usize,
-                from: self.t.point(piece.from),
-                to: self.t.point(piece.to),
+                from: self.point(piece.from),
+                to: self.point(piece.to),
             };
-            self.t.plan_into(&mut self.plan, piece.from, piece.to).map_err(|_| leaves)?;
-            let first_stop = self.plan.to;
+            self.plan_into(plan, piece.from, piece.to).map_err(|_| leaves)?;
+            let first_stop = plan.to;
             work.push(Piece { from: first_stop, ..piece });
             let may_stop =
                 first_stop == piece.to || self.may_pass_through(first_stop, piece.mark, || self.known_beside(beside));
             if !may_stop {
-                let pair = CrossingPair { segments: [segment as usize; 2], at: self.t.point(first_stop) };
+                let pair = CrossingPair { segments: [segment as usize; 2], at: self.point(first_stop) };
                 return Err(ConstraintError::CrossingsExhausted { pair, steps });
             }
             let piece = Piece { to: first_stop, ..piece };
-            match self.plan.constrained.first() {
-                None => self.apply_plan(piece.mark, Before::Any, j),
+            match plan.constrained.first() {
+                None => self.apply_plan(plan, piece.mark),
                 Some(&h) => {
-                    let meeting = self.meeting(h, piece, self.known_beside(beside)).filter(|_| steps <= bound);
+                    let meeting = self.meeting(h, piece, plan, self.known_beside(beside)).filter(|_| steps <= bound);
                     let pair = || ConstraintError::CrossingsExhausted { pair: self.pair_at(h, piece), steps };
                     let meeting = meeting.ok_or_else(pair)?;
-                    self.split_at_meeting(h, piece, meeting, &mut work, j);
+                    self.split_at_meeting(h, piece, meeting, &mut work);
                 }
             }
         }
         Ok(())
-    }
-
-    /// A segment crosses every piece of constraint once, and each vertex lies on few of them; the rest is for rounding.
-    fn step_bound(&self) -> u64 {
-        1024 + 64 * (self.segments.len() + self.t.points().len()) as u64
-    }
-
-    fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
-        let name = |mark| self.first_segment(mark).unwrap_or(0) as usize;
-        let at = self.crossing_of_edges(h, piece);
-        let (a, b) = (name(self.t.mark(h)), name(piece.mark));
-        CrossingPair { segments: [a.min(b), a.max(b)], at }
     }
 
     /// Splits constraint `h` and the piece that crosses it at one vertex; what is split goes back on the list.
@@ -124,49 +112,72 @@ impl ConstrainedDelaunay {
     ///            | h                     |                 is as good as on the other edge
     ///            x                       x
     /// ```
-    fn split_at_meeting<J: Journal>(
-        &mut self,
-        h: HalfEdgeId,
-        piece: Piece,
-        meeting: Meeting,
-        work: &mut Vec<Piece>,
-        j: &mut J,
-    ) {
-        let [x, y] = [self.t.origin(h), self.t.dest(h)];
-        let mark = self.t.mark(h);
+    fn split_at_meeting(&mut self, h: HalfEdgeId, piece: Piece, meeting: Meeting, work: &mut Vec<Piece>) {
+        let [x, y] = [self.origin(h), self.dest(h)];
+        let mark = self.mark(h);
         let v = match meeting {
             Meeting::EndOfConstraint(v) => v,
             Meeting::EndOfPiece(v) => {
-                self.release(x, y, j);
+                self.release(x, y);
                 v
             }
-            Meeting::Point(at) => self.vertex_at_crossing(h, piece, at, j),
+            Meeting::Point(at) => self.vertex_at_crossing(h, piece, at),
         };
         let pieces = [(x, v, mark), (v, y, mark), (v, piece.to, piece.mark), (piece.from, v, piece.mark)];
         let whole = |&(from, to, _): &(VertexId, VertexId, u32)| [from, to] == [x, y];
         work.extend(pieces.into_iter().filter(|p| !whole(p)).map(|(from, to, mark)| Piece { from, to, mark }));
     }
 
+    /// The vertex at a crossing point: the one that is there, or a new one. Constraint `h` is released.
+    fn vertex_at_crossing(&mut self, h: HalfEdgeId, piece: Piece, at: Point) -> VertexId {
+        let x = self.origin(h);
+        let pair = self.pair_at(h, piece);
+        let there = self.locate_from(h.face(), at);
+        self.release(x, self.dest(h));
+        if let Locus::Vertex(v) = there {
+            return v;
+        }
+        let start = self.outgoing(x).map_or(h.face(), HalfEdgeId::face);
+        let locus = self.locate_from(start, at);
+        let v = self.insert_vertex_at(at, locus);
+        let segments = pair.segments.map(|s| s as u32);
+        self.data.set_provenance(v, Provenance::Crossing { segments }, self.j);
+        v
+    }
+}
+
+impl ConstrainedTriangulation {
+    /// A segment crosses every piece of constraint once, and each vertex lies on few of them; the rest is for rounding.
+    fn step_bound(&self) -> u64 {
+        1024 + 64 * (self.segments().len() + self.points().len()) as u64
+    }
+
+    fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
+        let name = |mark| self.first_segment(mark).unwrap_or(0) as usize;
+        let at = self.crossing_of_edges(h, piece);
+        let (a, b) = (name(self.mark(h)), name(piece.mark));
+        CrossingPair { segments: [a.min(b), a.max(b)], at }
+    }
+
     /// Where constraint `h` and the piece that crosses it are split: at the nearest of the four ends, if rounding reaches
     /// from it to the other edge, or where they cross. `None` where every such place would break the rule.
     ///
     /// `beside` tells whether input vertices count, and whether edges may be bent over them.
-    fn meeting(&self, h: HalfEdgeId, piece: Piece, beside: Beside) -> Option<Meeting> {
-        let [edge, line] = [[self.t.origin(h), self.t.dest(h)], [piece.from, piece.to]];
-        let [of_edge, of_line] = [Stretch::new(self, edge, self.t.mark(h)), Stretch::new(self, line, piece.mark)];
-        let keeps_sides = |p: Point| {
-            beside == Beside::Allowed || !self.edge_changes_sides(h, p) && !self.changes_sides(&self.plan, p)
-        };
+    fn meeting(&self, h: HalfEdgeId, piece: Piece, plan: &SegmentPlan, beside: Beside) -> Option<Meeting> {
+        let [edge, line] = [[self.origin(h), self.dest(h)], [piece.from, piece.to]];
+        let [of_edge, of_line] = [Stretch::new(self, edge, self.mark(h)), Stretch::new(self, line, piece.mark)];
+        let keeps_sides =
+            |p: Point| beside == Beside::Allowed || !self.edge_changes_sides(h, p) && !self.changes_sides(plan, p);
         let nearest = |ends: [VertexId; 2], other: &Stretch, reach: Option<f64>| {
             let may_meet = |&v: &VertexId| {
-                let p = self.t.point(v);
+                let p = self.point(v);
                 (beside == Beside::Allowed || !self.is_of_input(v))
                     && other.is_split_by(p)
                     && other.reaches(reach, p)
                     && keeps_sides(p)
             };
             let good = ends.into_iter().filter(may_meet);
-            let measured = good.map(|v| (other.ends.distance(self.t.point(v)), v));
+            let measured = good.map(|v| (other.ends.distance(self.point(v)), v));
             measured.min_by(|(d, v), (e, w)| d.total_cmp(e).then(v.cmp(w)))
         };
         let at_an_end = |reach| match (nearest(edge, &of_line, reach), nearest(line, &of_edge, reach)) {
@@ -189,30 +200,14 @@ impl ConstrainedDelaunay {
     fn crossing_of_segments(&self, h: HalfEdgeId, piece: Piece) -> Option<Point> {
         let whole = |mark| self.finest_segment(mark).map(|s| self.segment_points(s));
         let within = |[a, b]: [Point; 2], p| BoundingBox::around(a).including(b).contains(p);
-        let crossing = whole(piece.mark)?.crossing_point(whole(self.t.mark(h))?)?;
-        let ends = [piece.from, piece.to].map(|v| self.t.point(v));
-        (within(ends, crossing) && within(self.t.edge_points(h), crossing)).then_some(crossing)
+        let crossing = whole(piece.mark)?.crossing_point(whole(self.mark(h))?)?;
+        let ends = [piece.from, piece.to].map(|v| self.point(v));
+        (within(ends, crossing) && within(self.edge_points(h), crossing)).then_some(crossing)
     }
 
     /// Where a piece and constraint `h` cross themselves, rounded.
     fn crossing_of_edges(&self, h: HalfEdgeId, piece: Piece) -> Point {
-        crossing_of([piece.from, piece.to].map(|v| self.t.point(v)), self.t.edge_points(h))
-    }
-
-    /// The vertex at a crossing point: the one that is there, or a new one. Constraint `h` is released.
-    fn vertex_at_crossing<J: Journal>(&mut self, h: HalfEdgeId, piece: Piece, at: Point, j: &mut J) -> VertexId {
-        let x = self.t.origin(h);
-        let pair = self.pair_at(h, piece);
-        let there = self.t.locate_from(h.face(), at);
-        self.release(x, self.t.dest(h), j);
-        if let Locus::Vertex(v) = there {
-            return v;
-        }
-        let start = self.t.outgoing(x).map_or(h.face(), HalfEdgeId::face);
-        let locus = self.t.locate_from(start, at);
-        let v = self.insert_vertex_at(at, locus, j);
-        self.set_provenance(v, Provenance::Crossing { segments: pair.segments.map(|s| s as u32) }, j);
-        v
+        crossing_of([piece.from, piece.to].map(|v| self.point(v)), self.edge_points(h))
     }
 }
 
@@ -223,8 +218,8 @@ struct Stretch {
 }
 
 impl Stretch {
-    fn new(cdt: &ConstrainedDelaunay, ends: [VertexId; 2], mark: u32) -> Self {
-        let [a, b] = ends.map(|v| cdt.t.point(v));
+    fn new(cdt: &ConstrainedTriangulation, ends: [VertexId; 2], mark: u32) -> Self {
+        let [a, b] = ends.map(|v| cdt.point(v));
         Self { ends: Segment::new(a, b), strips: cdt.strips(mark, Strip::PARTING_PLACES).collect() }
     }
 

@@ -1,7 +1,8 @@
 //! Splitting a subsegment.
 
-use super::constrained::ConstrainedDelaunay;
-use super::constraints::Class;
+use super::classes::Class;
+use super::constrained_triangulation::ConstrainedTriangulation;
+use super::edit::Edit;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, Strip};
 use crate::mesh::{HalfEdgeId, Journal, VertexId};
@@ -17,7 +18,7 @@ pub enum SplitError {
     Crowded,
 }
 
-impl ConstrainedDelaunay {
+impl ConstrainedTriangulation {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
     /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of the
@@ -27,27 +28,27 @@ impl ConstrainedDelaunay {
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
-        self.point_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
+        self.point_between(self.origin(h), self.dest(h), self.mark(h), t)
     }
 
     /// [`point_on_subsegment`](Self::point_on_subsegment) without the provenance, which
     /// [`provenance_on`](Self::provenance_on) tells later.
     pub(crate) fn place_on_subsegment(&self, h: HalfEdgeId, t: f64) -> Point {
-        self.place_between(self.t.origin(h), self.t.dest(h), self.t.mark(h), t)
+        self.place_between(self.origin(h), self.dest(h), self.mark(h), t)
     }
 
     /// The point that stands for parameter `t` of a subsegment, computed from the ends of the piece of a segment that it is
     /// part of.
     pub(crate) fn place_on_piece(&self, h: HalfEdgeId, piece: [VertexId; 2], t: f64) -> Point {
-        let [start, end] = piece.map(|v| self.t.point(v));
+        let [start, end] = piece.map(|v| self.point(v));
         let whole = Segment::new(start, end);
         let parameter = |v: VertexId| match v {
             v if v == piece[0] => 0.0,
             v if v == piece[1] => 1.0,
-            v => whole.parameter_of(self.t.point(v)),
+            v => whole.parameter_of(self.point(v)),
         };
-        let ends = [self.t.origin(h), self.t.dest(h)];
-        self.place_along(self.t.mark(h), whole, ends.map(|v| (self.t.point(v), parameter(v))), t)
+        let ends = [self.origin(h), self.dest(h)];
+        self.place_along(self.mark(h), whole, ends.map(|v| (self.point(v), parameter(v))), t)
     }
 
     /// The point at parameter `t` between two vertices on segments of class `mark`, whether there is an edge between them
@@ -59,8 +60,8 @@ impl ConstrainedDelaunay {
 
     /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the rule.
     fn place_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> Point {
-        let [p, q] = [a, b].map(|v| self.t.point(v));
-        let class = self.constraints.class(mark);
+        let [p, q] = [a, b].map(|v| self.point(v));
+        let class = self.class(mark);
         let only = if let Class::List(&[only]) = class { Some(only) } else { None };
         let Some(segment) = only.or_else(|| self.finest_segment(mark)) else { return Point::lerp(p, q, t) };
         let ends = [(p, self.parameter(segment, a)), (q, self.parameter(segment, b))];
@@ -85,8 +86,8 @@ impl ConstrainedDelaunay {
 
     /// Whether a point between the ends of a subsegment keeps the rule of [`Strip`] for each of its segments.
     pub(crate) fn keeps_course(&self, h: HalfEdgeId, point: Point) -> bool {
-        let [a, b] = self.t.edge_points(h);
-        let mut strips = self.strips(self.t.mark(h), Strip::LAST_PLACES);
+        let [a, b] = self.edge_points(h);
+        let mut strips = self.strips(self.mark(h), Strip::LAST_PLACES);
         strips.all(|strip| strip.is_between(a, point, b) && strip.contains(point))
     }
 
@@ -96,18 +97,12 @@ impl ConstrainedDelaunay {
         (0..class.len()).map(move |i| Strip::new(self.segment_points(class[i]), last_places))
     }
 
-    /// The ends of an input segment.
-    pub(super) fn segment_points(&self, segment: u32) -> Segment {
-        let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
-        Segment::new(a, b)
-    }
-
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
     ///
     /// Where segments overlap their common points are as good as those of the finest.
     pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
         let extent = |s: &u32| self.segment_points(*s).largest_coordinate();
-        match self.constraints.class(mark) {
+        match self.class(mark) {
             Class::List(&[only]) => Some(only),
             Class::List(list) => list.iter().copied().min_by(|s, r| extent(s).total_cmp(&extent(r))),
             Class::Span(span) => self.covering(span).min_by(|s, r| extent(s).total_cmp(&extent(r)).then(s.cmp(r))),
@@ -117,30 +112,45 @@ impl ConstrainedDelaunay {
     /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
     #[inline]
     pub(crate) fn parameter(&self, segment: u32, v: VertexId) -> f64 {
-        let [a, b] = self.segments[segment as usize];
+        let [a, b] = self.segments()[segment as usize];
         if v == a {
             return 0.0;
         }
         if v == b {
             return 1.0;
         }
-        let known = v.index().checked_sub(self.first_provenance).and_then(|i| self.provenance.parameter_on(segment, i));
-        known.unwrap_or_else(|| Segment::new(self.t.point(a), self.t.point(b)).parameter_of(self.t.point(v)))
+        let known = self.parameter_on(segment, v);
+        known.unwrap_or_else(|| Segment::new(self.point(a), self.point(b)).parameter_of(self.point(v)))
     }
 
     /// The provenance of a point on a constrained edge.
     pub(crate) fn provenance_on(&self, h: HalfEdgeId, p: Point) -> Provenance {
-        self.provenance_along(self.finest_segment(self.t.mark(h)), p)
+        self.provenance_along(self.finest_segment(self.mark(h)), p)
     }
 
     /// The provenance of a point on a segment, if it is on one.
     fn provenance_along(&self, segment: Option<u32>, p: Point) -> Provenance {
         segment.map_or(Provenance::Free, |segment| {
-            let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
+            let [a, b] = self.segments()[segment as usize].map(|v| self.point(v));
             Provenance::OnSegment { segment, t: Segment::new(a, b).parameter_of(p) }
         })
     }
 
+    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is asked when it
+    /// is split.
+    pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
+        let [x, y] = self.edge_points(h);
+        if p == x || p == y {
+            return Err(SplitError::TooShort);
+        }
+        // A convex hull stays exactly convex.
+        let on_hull = self.closure() == Closure::Hull && self.is_on_border(h);
+        let is_proved = self.may_split_edge(h, p) && (!on_hull || self.side_of(h, p) == Orientation::Collinear);
+        if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
+    }
+}
+
+impl<J: Journal> Edit<'_, J> {
     /// Splits edge `h`, a subsegment as a rule, by a vertex at `p`, and legalises around it.
     ///
     /// ```text
@@ -153,58 +163,44 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// [`SplitError`]; nothing has changed then.
-    pub(crate) fn split_subsegment<J: Journal>(
+    pub(crate) fn split_subsegment(
         &mut self,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        j: &mut J,
     ) -> Result<VertexId, SplitError> {
-        let v = self.cut_subsegment(h, p, provenance, j)?;
-        self.legalise_star(v, j);
-        self.last = self.t.outgoing(v).map_or(self.last, |out| out.face());
+        let v = self.cut_subsegment(h, p, provenance)?;
+        self.legalise_star(v);
+        self.search_from(v);
         Ok(v)
     }
 
-    /// Legalises the spokes and the rim of a vertex that parted an edge: off the edge by its rounding, it may spoil also the
+    /// Legalises the spokes and the rim of a vertex that split an edge: off the edge by its rounding, it may spoil also the
     /// spokes to the apexes, which were legal beside the straight edge.
-    fn legalise_star<J: Journal>(&mut self, v: VertexId, j: &mut J) {
-        for e in self.t.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
-            self.lawson.push(e);
+    fn legalise_star(&mut self, v: VertexId) {
+        for e in self.data.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
+            self.work.lawson.push(e);
         }
-        self.lawson.legalise_all(&mut self.t, j);
+        self.legalise();
     }
 
     /// [`split_subsegment`](Self::split_subsegment) without the flips: the circle test may fail afterwards.
-    pub(crate) fn cut_subsegment<J: Journal>(
+    pub(crate) fn cut_subsegment(
         &mut self,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        j: &mut J,
     ) -> Result<VertexId, SplitError> {
         self.can_split(h, p)?;
-        if !self.outside_allows(h, p) {
+        if !self.data.outside_allows(h, p) {
             return Err(SplitError::Crowded);
         }
-        let border = self.noted_ends(h);
-        let v = self.add_vertex(p, provenance, j);
-        self.t.mesh.split_edge(h, v, j);
-        self.note_split(border, v, p, j);
+        let boundary = self.noted_ends(h);
+        let v = self.add_vertex(p, provenance);
+        let (t, j) = self.parts();
+        t.mesh.split_edge(h, v, j);
+        self.note_split(boundary, v, p);
         Ok(v)
-    }
-
-    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is asked when it
-    /// is split.
-    pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
-        let [x, y] = self.t.edge_points(h);
-        if p == x || p == y {
-            return Err(SplitError::TooShort);
-        }
-        // A convex hull stays exactly convex.
-        let on_hull = self.t.closure() == Closure::Hull && self.t.is_on_border(h);
-        let is_proved = self.t.may_split_edge(h, p) && (!on_hull || self.t.side_of(h, p) == Orientation::Collinear);
-        if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
     }
 }
 

@@ -131,13 +131,6 @@ impl Cavity {
         lowest.map_or(FaceId(0), |i| self.faces[i])
     }
 
-    /// Whether the cavity found last has been filled by a fan from `v`, and nothing has happened to it.
-    pub(crate) fn is_fan_of(&self, t: &Triangulation, v: VertexId) -> bool {
-        let mut fan = self.faces.iter().zip(self.rim.windows(2));
-        self.faces.len() + 1 == self.rim.len()
-            && fan.all(|(&f, edge)| t.is_alive(f) && t.face_vertices(f) == [edge[0].from, edge[1].from, v])
-    }
-
     fn clear(&mut self) {
         self.faces.clear();
         self.rim.clear();

@@ -5,14 +5,14 @@
 //! value leaves the range of those around it.
 
 use super::pslg::Pslg;
-use crate::constrained::{ConstrainedDelaunay, Crossings, Provenance};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Provenance};
 use crate::geometry::{Point, Segment, Triangle};
 use crate::locate::Locus;
 use crate::mesh::{FaceId, VertexId};
 
 /// Where attributes are looked up.
 pub(super) struct Attributes<'a> {
-    mesh: &'a ConstrainedDelaunay,
+    mesh: &'a ConstrainedTriangulation,
     pslg: &'a Pslg,
     /// The input's own triangulation, where there are free vertices.
     base: Option<ConstrainedDelaunay>,
@@ -21,7 +21,7 @@ pub(super) struct Attributes<'a> {
 impl<'a> Attributes<'a> {
     /// # Complexity
     /// That of triangulating the input, where it has attributes.
-    pub(super) fn new(mesh: &'a ConstrainedDelaunay, pslg: &'a Pslg) -> Self {
+    pub(super) fn new(mesh: &'a ConstrainedTriangulation, pslg: &'a Pslg) -> Self {
         let wanted = pslg.attribute_width() > 0 && mesh.steiner_vertices() > 0;
         let base = wanted.then(|| ConstrainedDelaunay::new(&pslg.points, &pslg.segments, Crossings::Split).ok());
         Self { mesh, pslg, base: base.flatten() }
@@ -62,7 +62,7 @@ impl<'a> Attributes<'a> {
     }
 
     /// Weights of input vertices for a vertex of the input or on one of its segments.
-    fn along_segment(&self, cdt: &ConstrainedDelaunay, v: VertexId) -> Option<Vec<(VertexId, f64)>> {
+    fn along_segment(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Vec<(VertexId, f64)>> {
         let between = |segment: u32, t: f64| {
             let [a, b] = cdt.segments()[segment as usize];
             vec![(a, 1.0 - t), (b, t)]
@@ -78,7 +78,7 @@ impl<'a> Attributes<'a> {
     }
 
     /// Weights of input vertices for a point among them.
-    fn inside(&self, base: &ConstrainedDelaunay, near: &mut FaceId, p: Point) -> Vec<(VertexId, f64)> {
+    fn inside(&self, base: &ConstrainedTriangulation, near: &mut FaceId, p: Point) -> Vec<(VertexId, f64)> {
         let corners: Vec<(VertexId, f64)> = match base.locate_from(*near, p) {
             Locus::Vertex(v) => vec![(v, 1.0)],
             Locus::Edge(h) => {

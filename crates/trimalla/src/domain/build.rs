@@ -7,7 +7,7 @@ use super::left_out::left_out;
 use super::near_misses::nearest_outside;
 use super::pslg::Pslg;
 use super::{regions, seeds};
-use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::geometry::{Point, Segment};
 use crate::locate::Locus;
@@ -137,7 +137,7 @@ fn carved(
     mut warnings: Vec<Warning>,
     pslg: &Pslg,
     rule: DomainRule,
-    trim: impl FnOnce(&ConstrainedDelaunay, &mut [bool]),
+    trim: impl FnOnce(&ConstrainedTriangulation, &mut [bool]),
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     if cdt.dimension() < 2 {
         return Err(DomainError::Flat { points: pslg.points.len() });
@@ -152,9 +152,9 @@ fn carved(
     // Ghosts are outside by every rule, and nothing is in slots that are free.
     cdt.free_faces().iter().for_each(|f| kept[f.index()] = false);
     warnings.extend(nearest_outside(&cdt, &kept));
-    cdt.carve_real(&kept, &mut NoJournal);
+    cdt.edit(&mut NoJournal).carve_real(&kept);
     warnings.extend(left_out(&cdt, pslg));
-    regions::assign(&mut cdt, &pslg.regions, &mut warnings)?;
+    regions::assign(&mut cdt.edit(&mut NoJournal), &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))
 }
 
@@ -172,7 +172,7 @@ impl Outside {
     }
 }
 
-fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Outside, DomainError> {
+fn outside(cdt: &ConstrainedTriangulation, rule: DomainRule) -> Result<Outside, DomainError> {
     let mut outside = vec![false; cdt.face_slots()];
     let mut counted = None;
     let ghosts = cdt.ghost_faces();
@@ -198,7 +198,7 @@ fn outside(cdt: &ConstrainedDelaunay, rule: DomainRule) -> Result<Outside, Domai
 
 /// Adds what hole seeds reach to what is outside.
 fn remove_holes(
-    cdt: &ConstrainedDelaunay,
+    cdt: &ConstrainedTriangulation,
     holes: &[Point],
     outside: Outside,
     warnings: &mut Vec<Warning>,
@@ -230,7 +230,7 @@ fn remove_holes(
 }
 
 /// The lowest vertex on the outside at which just one segment ends.
-fn open_end(cdt: &ConstrainedDelaunay, outside: &[bool]) -> Option<OpenEnd> {
+fn open_end(cdt: &ConstrainedTriangulation, outside: &[bool]) -> Option<OpenEnd> {
     let ends = |v: VertexId| cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).count();
     let is_outside = |v: VertexId| cdt.star(v).any(|h| outside[h.face().index()] && cdt.is_real(h.face()));
     let mut open = cdt.used_vertices().filter(|&v| ends(v) == 1 && is_outside(v));
@@ -251,7 +251,7 @@ pub(super) enum SeedPlace {
     Outside,
 }
 
-pub(super) fn seed_face(cdt: &ConstrainedDelaunay, at: Point) -> SeedPlace {
+pub(super) fn seed_face(cdt: &ConstrainedTriangulation, at: Point) -> SeedPlace {
     match cdt.locate(at) {
         Locus::Face(f) => seeds::in_face(cdt, at, f),
         Locus::Edge(h) if cdt.is_marked(h) => seeds::on_edge(cdt, at, h),
@@ -264,7 +264,7 @@ pub(super) fn seed_face(cdt: &ConstrainedDelaunay, at: Point) -> SeedPlace {
 }
 
 /// What is odd about the points and segments.
-fn warnings_of(cdt: &ConstrainedDelaunay) -> Vec<Warning> {
+fn warnings_of(cdt: &ConstrainedTriangulation) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if let Some(&(d, r)) = cdt.duplicates().first() {
         warnings.push(Warning::Duplicates { count: cdt.duplicates().len(), first: [d.0, r.0] });

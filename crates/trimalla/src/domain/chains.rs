@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::course::{Adjacency, Course, Courses};
 use super::pslg::Pslg;
-use crate::constrained::{Beside, ConstrainedDelaunay};
+use crate::constrained::{Beside, ConstrainedTriangulation};
 use crate::geometry::{Point, Segment, Strip, math, on_segment};
 use crate::mesh::{HalfEdgeId, VertexId};
 
@@ -31,7 +31,7 @@ use crate::mesh::{HalfEdgeId, VertexId};
 const JOINT_ULPS: f64 = 4.0;
 
 /// An edge, whichever side it is named by.
-pub(super) fn edge_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> HalfEdgeId {
+pub(super) fn edge_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> HalfEdgeId {
     h.min(cdt.twin(h))
 }
 
@@ -67,7 +67,12 @@ fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
 /// # Complexity
 /// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges that are
 /// left without a name.
-pub(super) fn follow(cdt: &ConstrainedDelaunay, drawing: &Pslg, segments: &[[VertexId; 2]], locked: &Locked) -> Names {
+pub(super) fn follow(
+    cdt: &ConstrainedTriangulation,
+    drawing: &Pslg,
+    segments: &[[VertexId; 2]],
+    locked: &Locked,
+) -> Names {
     let courses = Courses::new(cdt.points(), drawing.points.len(), &drawing.segments, |v| cdt.is_used(VertexId(v)));
     let edges = EdgeLists::new(cdt, locked);
     let mut names = Names::default();
@@ -93,7 +98,7 @@ pub(super) fn follow(cdt: &ConstrainedDelaunay, drawing: &Pslg, segments: &[[Ver
 }
 
 /// Whether an edge runs along a course, strictly inside it.
-fn runs_along(cdt: &ConstrainedDelaunay, courses: &Courses<'_>, course: &Course, edge: HalfEdgeId) -> bool {
+fn runs_along(cdt: &ConstrainedTriangulation, courses: &Courses<'_>, course: &Course, edge: HalfEdgeId) -> bool {
     let (first, last) = (course.stops[0], course.stops[course.stops.len() - 1]);
     let ends = [cdt.origin(edge).0, cdt.dest(edge).0];
     ends.into_iter().all(|v| courses.is_along(course, [first, v, last]))
@@ -107,7 +112,7 @@ struct EdgeList {
 }
 
 impl EdgeList {
-    fn new(cdt: &ConstrainedDelaunay, edges: Vec<HalfEdgeId>) -> Self {
+    fn new(cdt: &ConstrainedTriangulation, edges: Vec<HalfEdgeId>) -> Self {
         let ends: Vec<[u32; 2]> = edges.iter().map(|&h| [cdt.origin(h).0, cdt.dest(h).0]).collect();
         Self { ends: Adjacency::new(cdt.points().len(), &ends), edges }
     }
@@ -121,13 +126,13 @@ impl EdgeList {
 
 /// The locked edges of a mesh, and all, which are listed when they are first asked for.
 struct EdgeLists<'a> {
-    cdt: &'a ConstrainedDelaunay,
+    cdt: &'a ConstrainedTriangulation,
     locked: EdgeList,
     all: OnceCell<EdgeList>,
 }
 
 impl<'a> EdgeLists<'a> {
-    fn new(cdt: &'a ConstrainedDelaunay, locked: &Locked) -> Self {
+    fn new(cdt: &'a ConstrainedTriangulation, locked: &Locked) -> Self {
         Self { cdt, locked: EdgeList::new(cdt, locked.keys().copied().collect()), all: OnceCell::new() }
     }
 
@@ -213,7 +218,7 @@ pub(super) struct Chain {
 /// # Complexity
 /// n log n for straight runs; runs that bend everywhere by rounding only cost more, n² at worst.
 pub(super) fn rejoin(
-    cdt: &ConstrainedDelaunay,
+    cdt: &ConstrainedTriangulation,
     locked: &Locked,
     names: &Names,
     may_join: impl Fn(VertexId) -> bool,
@@ -263,7 +268,7 @@ fn is_joint(u: Point, p: Point, w: Point) -> bool {
 }
 
 /// Cuts a run of vertices into pieces that lie along the segments between their ends; each from its lower end on.
-fn straight_pieces(cdt: &ConstrainedDelaunay, run: &[VertexId], mut take: impl FnMut(Vec<VertexId>)) {
+fn straight_pieces(cdt: &ConstrainedTriangulation, run: &[VertexId], mut take: impl FnMut(Vec<VertexId>)) {
     let mut stack = vec![(0, run.len() - 1)];
     while let Some((i, j)) = stack.pop() {
         let segment = Segment::new(cdt.point(run[i]), cdt.point(run[j]));

@@ -2,7 +2,7 @@
 
 use super::error::DomainError;
 use super::flood::flood;
-use crate::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, ConstraintError, Crossings};
 use crate::delaunay::{AlgorithmKey, along_curve};
 use crate::geometry::{Orientation, Point, Ring, lexicographic};
 use crate::mesh::{FaceId, NoJournal, VertexId};
@@ -56,7 +56,7 @@ impl Contours {
     }
 
     /// The first hole without an edge that has a kept face on its left: it lies outside or in another hole.
-    fn idle_hole(&self, cdt: &ConstrainedDelaunay, keep: &[bool]) -> Option<usize> {
+    fn idle_hole(&self, cdt: &ConstrainedTriangulation, keep: &[bool]) -> Option<usize> {
         let mut segment = 0;
         let first_hole = usize::from(self.outer.is_some());
         for (contour, ring) in self.rings().enumerate() {
@@ -118,19 +118,20 @@ impl Contours {
         let segments: Vec<[u32; 2]> =
             self.segments().into_iter().map(|s| s.map(|v| lowest.name(points[v as usize], VertexId(v)).0)).collect();
         let t = AlgorithmKey::Incremental.triangulate(points, Some(&on_contour)).map_err(ConstraintError::from)?;
-        let mut cdt = ConstrainedDelaunay::from_triangulation(t);
+        let mut cdt = ConstrainedDelaunay::from_delaunay_triangulation(t);
         cdt.insert_segments(&segments, Crossings::Refuse)?;
+        let mut journal = NoJournal;
+        let mut edit = cdt.edit(&mut journal);
         for v in along_curve(points) {
             if on_contour.binary_search(&v).is_err() {
-                cdt.use_vertex(v);
+                edit.use_vertex(v);
             }
         }
-        cdt.sort_duplicates();
         Ok(cdt)
     }
 
     /// The faces right of a contour, and what they reach without crossing one.
-    fn right_of_contours(&self, cdt: &ConstrainedDelaunay) -> Vec<bool> {
+    fn right_of_contours(&self, cdt: &ConstrainedTriangulation) -> Vec<bool> {
         let mut right = vec![false; cdt.face_slots()];
         let along = (0..cdt.segments().len() as u32).flat_map(|s| cdt.chain(s));
         let beyond: Vec<FaceId> = along.map(|h| cdt.twin(h).face()).filter(|&f| cdt.is_real(f)).collect();

@@ -16,7 +16,7 @@ use super::given::{Given, take_over};
 use super::mesh_error::MeshError;
 use super::pslg::Pslg;
 use super::shells;
-use crate::constrained::{ConstrainedDelaunay, ConstraintError, Outside, Provenance};
+use crate::constrained::{ConstrainedTriangulation, ConstraintError, Provenance};
 use crate::geometry::Point;
 use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
 use crate::triangulation::{IndexedMesh, Triangulation};
@@ -26,7 +26,7 @@ use crate::triangulation::{IndexedMesh, Triangulation};
 pub struct FromMesh {
     /// Its triangles, closed by their border. Constrained Delaunay only if the mesh is:
     /// [`legalise`](ConstrainedDelaunay::legalise) makes it so.
-    pub cdt: ConstrainedDelaunay,
+    pub cdt: ConstrainedTriangulation,
     /// What plain arrays hold and the triangulation does not, to be handed to the result.
     pub given: Given,
     /// What was odd, and what was assumed.
@@ -70,20 +70,13 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     }
     let t = Triangulation::from_indexed(mesh).map_err(MeshError::Faults)?;
     let bare = (!areas.is_empty()).then(|| t.clone());
-    let mut cdt = ConstrainedDelaunay::from_triangulation(t);
-    cdt.as_given = true;
-    if let Some(pslg) = input {
-        (cdt.input_points, cdt.first_provenance) = (pslg.points.len(), pslg.points.len());
-    } else {
-        cdt.first_provenance = 0;
-    }
+    let mut cdt = ConstrainedTriangulation::of_mesh(t, input.map(|pslg| pslg.points.len()));
     let mut warnings = Vec::new();
     let locked = locked_edges(&cdt, mesh, &mut warnings);
     let markers = name_segments(&mut cdt, &locked, input, &mut warnings);
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
-    let first = cdt.first_provenance;
-    shells::recover(&mut cdt, first, unknown);
-    cdt.outside = Outside::of_border(&cdt);
+    shells::recover(&mut cdt, unknown);
+    cdt.look_outside();
     let given = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
     if input.is_none() {
         warnings.extend(pieces(&cdt));
@@ -133,7 +126,7 @@ fn check_drawing(mesh: &IndexedMesh, pslg: &Pslg) -> Result<(), MeshError> {
 }
 
 /// Step 2.
-fn locked_edges(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, warnings: &mut Vec<Warning>) -> Locked {
+fn locked_edges(cdt: &ConstrainedTriangulation, mesh: &IndexedMesh, warnings: &mut Vec<Warning>) -> Locked {
     let mut locked = Locked::new();
     for (i, &[a, b]) in mesh.segments.iter().enumerate() {
         let between = |a, b| cdt.half_edge_between(VertexId(a), VertexId(b));
@@ -170,7 +163,7 @@ fn same_bits(a: Option<&[f64]>, b: Option<&[f64]>) -> bool {
 
 /// Step 3; returns the markers of all segments.
 fn name_segments(
-    cdt: &mut ConstrainedDelaunay,
+    cdt: &mut ConstrainedTriangulation,
     locked: &Locked,
     input: Option<&Pslg>,
     warnings: &mut Vec<Warning>,
@@ -178,7 +171,7 @@ fn name_segments(
     let of_drawing = input.map_or(&[][..], |pslg| &pslg.segments);
     let ends: Vec<[VertexId; 2]> = of_drawing.iter().map(|s| s.map(|v| cdt.representative(VertexId(v)))).collect();
     let names = input.map(|pslg| follow(cdt, pslg, &ends, locked)).unwrap_or_default();
-    let known = if input.is_some() { cdt.input_points } else { 0 };
+    let known = if input.is_some() { cdt.input_points() } else { 0 };
     let chains = rejoin(cdt, locked, &names, |v| v.index() >= known);
     note_chains(cdt, &chains, input.is_some(), warnings);
     let mut markers: Vec<i32> =
@@ -187,8 +180,7 @@ fn name_segments(
         cdt.begin_segment(ends, &mut NoJournal);
     }
     for (&edge, list) in &names.0 {
-        let mark = cdt.constraints.mark_of(list);
-        cdt.t.mesh.set_mark(edge, mark, &mut NoJournal);
+        cdt.mark_as_part_of(edge, list, &mut NoJournal);
     }
     for Chain { vertices, marker } in chains {
         let ends = [vertices[0], vertices[vertices.len() - 1]];
@@ -196,7 +188,7 @@ fn name_segments(
         markers.push(marker);
         for pair in vertices.windows(2) {
             if let Some(h) = cdt.half_edge_between(pair[0], pair[1]) {
-                cdt.t.mesh.set_mark(h, mark, &mut NoJournal);
+                cdt.set_mark(h, mark, &mut NoJournal);
             }
         }
     }
@@ -208,7 +200,7 @@ fn marker_of(pslg: &Pslg, segment: usize) -> i32 {
 }
 
 /// Says what was joined, and what the drawing does not know.
-fn note_chains(cdt: &ConstrainedDelaunay, chains: &[Chain], has_drawing: bool, warnings: &mut Vec<Warning>) {
+fn note_chains(cdt: &ConstrainedTriangulation, chains: &[Chain], has_drawing: bool, warnings: &mut Vec<Warning>) {
     if has_drawing {
         let borders = |v: &[VertexId]| {
             let h = cdt.half_edge_between(v[0], v[1]);
@@ -228,7 +220,7 @@ fn note_chains(cdt: &ConstrainedDelaunay, chains: &[Chain], has_drawing: bool, w
 }
 
 /// A word where the triangles hang together in several pieces only.
-fn pieces(cdt: &ConstrainedDelaunay) -> Option<Warning> {
+fn pieces(cdt: &ConstrainedTriangulation) -> Option<Warning> {
     let mut seen = vec![false; cdt.face_slots()];
     let mut pieces = 0;
     for first in cdt.real_faces() {

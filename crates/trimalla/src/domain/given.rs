@@ -6,12 +6,11 @@
 //! are the same, and its bound is looked up by its place (`constrained/area_map.rs`).
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use super::error::{DomainError, Warning};
 use super::pslg::Pslg;
 use super::regions;
-use crate::constrained::{AreaMap, ConstrainedDelaunay, RegionRule};
+use crate::constrained::{ConstrainedTriangulation, RegionRule, Workspace};
 use crate::mesh::{FaceId, NoJournal};
 use crate::triangulation::{IndexedMesh, Triangulation};
 
@@ -39,7 +38,7 @@ impl Given {
     /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle has
     /// the attributes of the given one that it came out of.
     #[must_use]
-    pub fn to_indexed(&self, cdt: &ConstrainedDelaunay) -> IndexedMesh {
+    pub fn to_indexed(&self, cdt: &ConstrainedTriangulation) -> IndexedMesh {
         let mut mesh = cdt.to_indexed(&self.drawing);
         for (slot, &marker) in mesh.point_markers.iter_mut().zip(&self.point_markers) {
             *slot = if marker == 0 { *slot } else { marker };
@@ -98,7 +97,7 @@ fn end_of(run: &[([u32; 2], i32)]) -> u32 {
 
 /// Makes regions of attributes, seeds and bounds, and keeps the rest for the result.
 pub(super) fn take_over(
-    cdt: &mut ConstrainedDelaunay,
+    cdt: &mut ConstrainedTriangulation,
     mesh: &IndexedMesh,
     areas: &[Option<f64>],
     bare: Option<Triangulation>,
@@ -115,7 +114,8 @@ pub(super) fn take_over(
     }
     let seeds = input.map_or(&[][..], |pslg| &pslg.regions);
     if !seeds.is_empty() {
-        regions::assign(cdt, seeds, warnings)?;
+        let mut work = Workspace::default();
+        regions::assign(&mut cdt.edit(&mut work, &mut NoJournal), seeds, warnings)?;
     }
     if seeds.is_empty() && mesh.triangle_attributes.is_empty() && areas.is_empty() {
         given.attributes_per_triangle = 0;
@@ -129,8 +129,7 @@ pub(super) fn take_over(
     };
     number_regions(cdt, faces, areas.is_empty(), &mut given);
     if let Some(bare) = bare {
-        let bounds = cdt.regions.iter().map(|r| r.max_area).collect();
-        cdt.area_map = Some(Arc::new(AreaMap::new(bare, bounds)));
+        cdt.bound_areas_as_given(bare);
     }
     Ok(given)
 }
@@ -143,7 +142,7 @@ struct FaceRule {
     max_area: Option<f64>,
 }
 
-fn face_rules(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, areas: &[Option<f64>]) -> Vec<FaceRule> {
+fn face_rules(cdt: &ConstrainedTriangulation, mesh: &IndexedMesh, areas: &[Option<f64>]) -> Vec<FaceRule> {
     let n = mesh.attributes_per_triangle;
     let rule = |t: usize| {
         let f = FaceId::from_index(t);
@@ -161,19 +160,20 @@ fn face_rules(cdt: &ConstrainedDelaunay, mesh: &IndexedMesh, areas: &[Option<f64
 }
 
 /// Numbers the regions in the order of their first faces; each face is one of its own unless they are `shared`.
-fn number_regions(cdt: &mut ConstrainedDelaunay, faces: Vec<FaceRule>, shared: bool, given: &mut Given) {
-    cdt.regions.clear();
+fn number_regions(cdt: &mut ConstrainedTriangulation, faces: Vec<FaceRule>, shared: bool, given: &mut Given) {
+    let mut rules: Vec<RegionRule> = Vec::new();
     let mut known: BTreeMap<(Vec<u64>, u32), u32> = BTreeMap::new();
     for (t, FaceRule { row, seed, max_area }) in faces.into_iter().enumerate() {
         let bits = || row.iter().map(|x| x.to_bits()).collect();
-        let next = cdt.regions.len() as u32;
+        let next = rules.len() as u32;
         let region = if shared { *known.entry((bits(), seed)).or_insert(next) } else { next };
         if region == next {
-            cdt.regions.push(RegionRule { attribute: row.first().copied().unwrap_or(0.0), max_area });
+            rules.push(RegionRule { attribute: row.first().copied().unwrap_or(0.0), max_area });
             given.rows.extend(row.iter().take(given.attributes_per_triangle));
         }
-        cdt.t.mesh.set_region(FaceId::from_index(t), region + 1, &mut NoJournal);
+        cdt.set_region(FaceId::from_index(t), region + 1, &mut NoJournal);
     }
+    cdt.set_regions(rules, &mut NoJournal);
 }
 
 /// The drawing that the result is written by: points that count as input, segments, markers, holes.

@@ -2,14 +2,14 @@
 
 use super::attributes::Attributes;
 use super::pslg::Pslg;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::IndexedMesh;
 
 /// Marker of edges and vertices that bound the domain where the input has no marker.
 const BOUNDARY_MARKER: i32 = 1;
 
-impl ConstrainedDelaunay {
+impl ConstrainedTriangulation {
     /// The mesh as plain arrays: vertices with markers and attributes, triangles, subsegments with markers.
     ///
     /// Input vertices come first, in order, bit for bit, also those that are unused; Steiner vertices follow in the
@@ -30,13 +30,14 @@ impl ConstrainedDelaunay {
 
     /// [`to_indexed`](Self::to_indexed), which takes the memory over where all vertices are kept.
     #[must_use]
-    pub fn into_indexed(mut self, pslg: &Pslg) -> IndexedMesh {
+    pub fn into_indexed(self, pslg: &Pslg) -> IndexedMesh {
         let kept = Kept::of(&self);
         if matches!(kept, Kept::Some { .. }) {
             return self.to_indexed(pslg);
         }
         let mesh = self.indexed_around(pslg, &kept);
-        IndexedMesh { points: std::mem::take(&mut self.t.points), triangles: self.t.mesh.into_triangles(), ..mesh }
+        let (points, triangles) = self.into_triangulation().into_points_and_triangles();
+        IndexedMesh { points, triangles, ..mesh }
     }
 
     /// All but points and triangles.
@@ -47,12 +48,12 @@ impl ConstrainedDelaunay {
             segment_markers: subsegments.iter().map(|s| s.marker).collect(),
             attributes_per_point: pslg.attribute_width(),
             holes: pslg.holes.clone(),
-            input_points: self.input_points,
+            input_points: self.input_points(),
             ..IndexedMesh::default()
         };
         mesh.point_markers = self.point_markers(kept, &subsegments, pslg);
         mesh.point_attributes = Attributes::new(self, pslg).of(kept.vertices());
-        if !self.regions.is_empty() {
+        if !self.regions().is_empty() {
             let attribute = |f: FaceId| self.region_rule(f).map_or(0.0, |rule| rule.attribute);
             mesh.attributes_per_triangle = 1;
             mesh.triangle_attributes = self.real_faces().map(attribute).collect();
@@ -149,6 +150,14 @@ impl ConstrainedDelaunay {
     }
 }
 
+impl ConstrainedDelaunay {
+    /// [`to_indexed`](ConstrainedTriangulation::to_indexed), which takes the memory over where all vertices are kept.
+    #[must_use]
+    pub fn into_indexed(self, pslg: &Pslg) -> IndexedMesh {
+        ConstrainedTriangulation::from(self).into_indexed(pslg)
+    }
+}
+
 /// A subsegment as plain arrays have it.
 #[derive(Clone, Copy, Debug)]
 struct Subsegment {
@@ -173,9 +182,9 @@ enum Kept {
 }
 
 impl Kept {
-    fn of(cdt: &ConstrainedDelaunay) -> Self {
+    fn of(cdt: &ConstrainedTriangulation) -> Self {
         let count = cdt.points().len();
-        let is_kept = |v: &VertexId| v.index() < cdt.given_points || cdt.is_used(*v);
+        let is_kept = |v: &VertexId| v.index() < cdt.given_points() || cdt.is_used(*v);
         let slots = || (0..count).map(VertexId::from_index);
         if slots().all(|v| is_kept(&v)) {
             return Self::All { count };

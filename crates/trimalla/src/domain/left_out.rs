@@ -2,14 +2,14 @@
 
 use super::error::Warning;
 use super::pslg::Pslg;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::mesh::VertexId;
 
 /// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
 ///
 /// # Complexity
 /// Linear in vertices and edges, a sort of the spans where segments overlap, and the segments of each.
-pub(super) fn left_out(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Vec<Warning> {
+pub(super) fn left_out(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let is_unused = |v: &VertexId| !cdt.is_used(*v) && cdt.representative(*v) == *v;
     let vertices = (0..pslg.points.len()).map(VertexId::from_index).filter(is_unused).map(|v| v.0);
@@ -52,7 +52,7 @@ struct Found {
 }
 
 impl Found {
-    fn of(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> Self {
+    fn of(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Self {
         let n = pslg.segments.len();
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
         // Edges of one span are parts of the same segments, which are computed: each span is looked at once.

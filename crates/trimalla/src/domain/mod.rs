@@ -15,7 +15,6 @@
 
 mod attributes;
 mod build;
-mod carve;
 mod chains;
 mod contours;
 mod course;

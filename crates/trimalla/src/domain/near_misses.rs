@@ -8,7 +8,7 @@
 //! Gaps inside the domain show in its mesh, and the forecast names those.
 
 use super::error::{NearFeature, Warning};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Vector, math};
 use crate::mesh::{FaceId, HalfEdgeId};
 
@@ -22,7 +22,7 @@ const NARROW: f64 = 1e-6;
 ///
 /// # Complexity
 /// Linear in the faces.
-pub(super) fn nearest_outside(cdt: &ConstrainedDelaunay, kept: &[bool]) -> Option<Warning> {
+pub(super) fn nearest_outside(cdt: &ConstrainedTriangulation, kept: &[bool]) -> Option<Warning> {
     let bounds = cdt.bounding_box()?;
     let scale = math::power_of_two_scale(bounds.largest_coordinate());
     let extent = ((bounds.max.x - bounds.min.x) * scale).max((bounds.max.y - bounds.min.y) * scale);
@@ -46,7 +46,7 @@ struct NearMiss {
 
 /// The two ends of an edge that is no subsegment; or the vertex opposite a subsegment and its segment, if the vertex lies beside
 /// the subsegment and no segment joins it to an end of that.
-fn near_miss(cdt: &ConstrainedDelaunay, scale: f64, h: HalfEdgeId) -> Option<NearMiss> {
+fn near_miss(cdt: &ConstrainedTriangulation, scale: f64, h: HalfEdgeId) -> Option<NearMiss> {
     let [a, b] = cdt.edge_points(h);
     let vector = |p: Point, q: Point| Vector::new(q.x * scale - p.x * scale, q.y * scale - p.y * scale);
     let along = vector(a, b);

@@ -10,7 +10,7 @@
 //! ```
 
 use super::build::SeedPlace;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Orientation, Point, Segment, Strip, orient2d};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
@@ -27,7 +27,7 @@ enum Side {
 }
 
 /// The place of a seed that lies in a face, where no segment has it on its other side.
-pub(super) fn in_face(cdt: &ConstrainedDelaunay, at: Point, face: FaceId) -> SeedPlace {
+pub(super) fn in_face(cdt: &ConstrainedTriangulation, at: Point, face: FaceId) -> SeedPlace {
     let mut face = face;
     for _ in 0..MOST_STEPS {
         let across = face.half_edges().into_iter().find(|&h| side_of(cdt, h, at) == Some(Side::Outside));
@@ -41,7 +41,7 @@ pub(super) fn in_face(cdt: &ConstrainedDelaunay, at: Point, face: FaceId) -> See
 }
 
 /// The place of a seed on a constrained edge.
-pub(super) fn on_edge(cdt: &ConstrainedDelaunay, at: Point, h: HalfEdgeId) -> SeedPlace {
+pub(super) fn on_edge(cdt: &ConstrainedTriangulation, at: Point, h: HalfEdgeId) -> SeedPlace {
     let face = match side_of(cdt, h, at) {
         Some(Side::Inside) => h.face(),
         Some(Side::Outside) => cdt.twin(h).face(),
@@ -51,7 +51,7 @@ pub(super) fn on_edge(cdt: &ConstrainedDelaunay, at: Point, h: HalfEdgeId) -> Se
 }
 
 /// The place of a seed on a vertex of segments: the face that has it on its side of all segments there.
-pub(super) fn on_vertex(cdt: &ConstrainedDelaunay, at: Point, v: VertexId) -> SeedPlace {
+pub(super) fn on_vertex(cdt: &ConstrainedTriangulation, at: Point, v: VertexId) -> SeedPlace {
     let spokes: Vec<HalfEdgeId> = cdt.star(v).collect();
     if spokes.iter().any(|&h| cdt.is_marked(h) && side_of(cdt, h, at).is_none_or(|side| side == Side::On)) {
         return SeedPlace::OnSegment;
@@ -65,7 +65,7 @@ pub(super) fn on_vertex(cdt: &ConstrainedDelaunay, at: Point, v: VertexId) -> Se
 }
 
 /// The constrained half-edges that bound the sector at its origin in which the face of `h` lies, with the sector inside.
-fn sector(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Vec<HalfEdgeId> {
+fn sector(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Vec<HalfEdgeId> {
     let bound = cdt.face_slots();
     let clockwise = std::iter::successors(Some(h), |&g| Some(cdt.cw(g))).take(bound).find(|&g| cdt.is_marked(g));
     let counter =
@@ -74,7 +74,7 @@ fn sector(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Vec<HalfEdgeId> {
 }
 
 /// On which side of the segment of a half-edge a point lies; `None` for edges of no segment.
-fn side_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId, at: Point) -> Option<Side> {
+fn side_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId, at: Point) -> Option<Side> {
     let &segment = cdt.segments_of(h).first()?;
     let [a, b] = cdt.segments()[segment as usize].map(|v| cdt.point(v));
     let [p, q] = cdt.edge_points(h);

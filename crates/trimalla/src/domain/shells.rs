@@ -4,19 +4,20 @@
 //! different ways is their crossing; any other is free. A split was made on a shell, a circle around an end where
 //! another segment joins, if its distance from there is a power of two in the ruler's units.
 
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{BoundingBox, Segment, math};
 use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
 
 /// Distances this close to a power of two, relatively, are on its shell.
 const ON_SHELL: f64 = 1e-3;
 
-/// Gives each vertex from `first` on the provenance that its place shows; `free` is that of vertices on no segment or at
+/// Gives each vertex that has a provenance of its own the one that its place shows; `free` is that of vertices on no segment or at
 /// the end of one.
 ///
 /// # Complexity
 /// The degrees of the vertices.
-pub(super) fn recover(cdt: &mut ConstrainedDelaunay, first: usize, free: Provenance) {
+pub(super) fn recover(cdt: &mut ConstrainedTriangulation, free: Provenance) {
+    let first = cdt.first_provenance().index();
     let scale = scale_of(cdt.bounding_box());
     let found: Vec<Provenance> = (first..cdt.points().len())
         .map(|v| provenance_of(cdt, VertexId::from_index(v), scale).unwrap_or(free))
@@ -31,7 +32,7 @@ fn scale_of(bounds: Option<BoundingBox>) -> f64 {
     math::power_of_two_scale(bounds.map_or(1.0, BoundingBox::largest_coordinate))
 }
 
-fn provenance_of(cdt: &ConstrainedDelaunay, v: VertexId, scale: f64) -> Option<Provenance> {
+fn provenance_of(cdt: &ConstrainedTriangulation, v: VertexId, scale: f64) -> Option<Provenance> {
     let edges: Vec<HalfEdgeId> = cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).collect();
     let passes = |&s: &u32| !cdt.segments()[s as usize].contains(&v);
     if let &[h, g] = edges.as_slice() {
@@ -51,7 +52,7 @@ fn provenance_of(cdt: &ConstrainedDelaunay, v: VertexId, scale: f64) -> Option<P
 }
 
 /// The place of a vertex inside a segment: on the shell nearest to it, or on none.
-fn on_segment(cdt: &ConstrainedDelaunay, v: VertexId, segment: u32, scale: f64) -> Provenance {
+fn on_segment(cdt: &ConstrainedTriangulation, v: VertexId, segment: u32, scale: f64) -> Provenance {
     let ends = cdt.segments()[segment as usize];
     let p = cdt.point(v);
     let t = Segment::new(cdt.point(ends[0]), cdt.point(ends[1])).parameter_of(p);

@@ -2,7 +2,7 @@
 
 use super::circulators::Star;
 use super::ids::{FaceId, HalfEdgeId, VertexId};
-use super::journal::{Column, Entry, Journal};
+use super::journal::{Entry, Journal, columns};
 
 /// Spokes of one vertex that are looked at before those of the other are looked at too.
 const FIRST_SPOKES: usize = 16;
@@ -330,7 +330,7 @@ impl HalfEdgeMesh {
     pub(super) fn set_origin<J: Journal>(&mut self, h: HalfEdgeId, v: VertexId, j: &mut J) {
         let slot = &mut self.half_edges[h.index()].origin;
         if J::ACTIVE {
-            j.note(Column::Origin, h.0, u64::from(slot.0));
+            j.note(columns::ORIGIN, h.0, u64::from(slot.0));
         }
         *slot = v;
     }
@@ -339,7 +339,7 @@ impl HalfEdgeMesh {
     pub(super) fn set_twin<J: Journal>(&mut self, h: HalfEdgeId, t: HalfEdgeId, j: &mut J) {
         let slot = &mut self.half_edges[h.index()].twin;
         if J::ACTIVE {
-            j.note(Column::Twin, h.0, u64::from(slot.0));
+            j.note(columns::TWIN, h.0, u64::from(slot.0));
         }
         *slot = t;
     }
@@ -349,8 +349,8 @@ impl HalfEdgeMesh {
     pub(super) fn set_half_edge<J: Journal>(&mut self, h: HalfEdgeId, new: HalfEdge, j: &mut J) {
         let slot = &mut self.half_edges[h.index()];
         if J::ACTIVE {
-            j.note(Column::Origin, h.0, u64::from(slot.origin.0));
-            j.note(Column::Twin, h.0, u64::from(slot.twin.0));
+            j.note(columns::ORIGIN, h.0, u64::from(slot.origin.0));
+            j.note(columns::TWIN, h.0, u64::from(slot.twin.0));
         }
         *slot = new;
     }
@@ -368,8 +368,8 @@ impl HalfEdgeMesh {
         let stored = &mut self.half_edges[k..k + 3];
         for (i, slot) in stored.iter_mut().enumerate() {
             if J::ACTIVE {
-                j.note(Column::Origin, f.half_edges()[i].0, u64::from(slot.origin.0));
-                j.note(Column::Twin, f.half_edges()[i].0, u64::from(slot.twin.0));
+                j.note(columns::ORIGIN, f.half_edges()[i].0, u64::from(slot.origin.0));
+                j.note(columns::TWIN, f.half_edges()[i].0, u64::from(slot.twin.0));
             }
             *slot = HalfEdge { origin: v[i], twin: twin[i] };
         }
@@ -388,7 +388,7 @@ impl HalfEdgeMesh {
         let slot = &mut self.mark.as_flattened_mut()[h.index()];
         if *slot != m {
             if J::ACTIVE {
-                j.note(Column::Mark, h.0, u64::from(*slot));
+                j.note(columns::MARK, h.0, u64::from(*slot));
             }
             *slot = m;
         }
@@ -400,7 +400,7 @@ impl HalfEdgeMesh {
         let Some(stored) = self.mark.get_mut(f.index()) else { return };
         for (h, (slot, new)) in f.half_edges().into_iter().zip(stored.iter_mut().zip(marks)) {
             if J::ACTIVE && *slot != new {
-                j.note(Column::Mark, h.0, u64::from(*slot));
+                j.note(columns::MARK, h.0, u64::from(*slot));
             }
             *slot = new;
         }
@@ -414,7 +414,7 @@ impl HalfEdgeMesh {
             }
             self.mark = vec![[0; 3]; self.face_slots()];
             if J::ACTIVE {
-                j.note(Column::MarksAdded, 0, 0);
+                j.note(columns::MARKS_ADDED, 0, 0);
             }
         }
         self.set_mark_one_side(h, m, j);
@@ -433,7 +433,7 @@ impl HalfEdgeMesh {
         let slot = &mut self.region[f.index()];
         if *slot != region {
             if J::ACTIVE {
-                j.note(Column::Region, f.0, u64::from(*slot));
+                j.note(columns::REGION, f.0, u64::from(*slot));
             }
             *slot = region;
         }
@@ -445,7 +445,7 @@ impl HalfEdgeMesh {
     fn begin_regions<J: Journal>(&mut self, j: &mut J) {
         self.region = vec![0; self.face_slots()];
         if J::ACTIVE {
-            j.note(Column::RegionsAdded, 0, 0);
+            j.note(columns::REGIONS_ADDED, 0, 0);
         }
     }
 
@@ -453,7 +453,7 @@ impl HalfEdgeMesh {
     pub(crate) fn set_outgoing<J: Journal>(&mut self, v: VertexId, h: HalfEdgeId, j: &mut J) {
         if let Some(slot) = self.outgoing.get_mut(v.index()) {
             if J::ACTIVE {
-                j.note(Column::Outgoing, v.0, u64::from(slot.0));
+                j.note(columns::OUTGOING, v.0, u64::from(slot.0));
             }
             *slot = h;
         }
@@ -489,23 +489,23 @@ impl HalfEdgeMesh {
         #[allow(clippy::cast_possible_truncation, reason = "these columns were widened from u32")]
         let old = entry.old as u32;
         match entry.column {
-            Column::Origin => self.half_edges[i].origin = VertexId(old),
-            Column::Twin => self.half_edges[i].twin = HalfEdgeId(old),
-            Column::Mark => self.mark.as_flattened_mut()[i] = old,
-            Column::MarksAdded => self.mark.clear(),
-            Column::Region => self.region[i] = old,
-            Column::RegionsAdded => self.region.clear(),
-            Column::Outgoing => self.outgoing[i] = HalfEdgeId(old),
-            Column::FaceAppended => {
+            columns::ORIGIN => self.half_edges[i].origin = VertexId(old),
+            columns::TWIN => self.half_edges[i].twin = HalfEdgeId(old),
+            columns::MARK => self.mark.as_flattened_mut()[i] = old,
+            columns::MARKS_ADDED => self.mark.clear(),
+            columns::REGION => self.region[i] = old,
+            columns::REGIONS_ADDED => self.region.clear(),
+            columns::OUTGOING => self.outgoing[i] = HalfEdgeId(old),
+            columns::FACE_APPENDED => {
                 self.half_edges.truncate(3 * i);
                 self.mark.truncate(i);
                 self.region.truncate(i);
             }
-            Column::FaceFreed => drop(self.free_faces.pop()),
-            Column::FaceReused => self.free_faces.push(FaceId(old)),
-            Column::VertexAppended => self.outgoing.truncate(i),
-            Column::VertexFreed => drop(self.free_vertices.pop()),
-            Column::VertexReused => self.free_vertices.push(VertexId(old)),
+            columns::FACE_FREED => drop(self.free_faces.pop()),
+            columns::FACE_REUSED => self.free_faces.push(FaceId(old)),
+            columns::VERTEX_APPENDED => self.outgoing.truncate(i),
+            columns::VERTEX_FREED => drop(self.free_vertices.pop()),
+            columns::VERTEX_REUSED => self.free_vertices.push(VertexId(old)),
             _ => return false,
         }
         true

@@ -5,70 +5,65 @@
 //! and the free lists return exactly, whatever the operators did. [`NoJournal`] notes nothing and
 //! compiles to nothing; bulk builds use it.
 
-/// The array that an [`Entry`] belongs to.
+/// What an [`Entry`] is about: an array, or a list that grew or shrank.
+///
+/// Each room declares the columns of its own data, so that no room knows those of the rooms above it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Column {
+pub struct Column(u8);
+
+/// The rooms that note what they overwrite, the lowest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Room {
+    Mesh,
+    Triangulation,
+    Constrained,
+}
+
+impl Column {
+    /// No room has more columns than this.
+    const MOST: u8 = 64;
+
+    /// The column of that number in a room.
+    pub(crate) const fn of(room: Room, number: u8) -> Self {
+        assert!(number < Self::MOST, "each room has a range of its own");
+        Self(room as u8 * Self::MOST + number)
+    }
+}
+
+/// The columns of the half-edges.
+pub(crate) mod columns {
+    use super::{Column, Room};
+
+    const fn column(number: u8) -> Column {
+        Column::of(Room::Mesh, number)
+    }
+
     /// `origin` of a half-edge.
-    Origin,
+    pub(crate) const ORIGIN: Column = column(0);
     /// `twin` of a half-edge.
-    Twin,
+    pub(crate) const TWIN: Column = column(1);
     /// Constraint mark of a half-edge.
-    Mark,
+    pub(crate) const MARK: Column = column(2);
     /// Marks began to be kept.
-    MarksAdded,
+    pub(crate) const MARKS_ADDED: Column = column(3);
     /// Region of a face.
-    Region,
+    pub(crate) const REGION: Column = column(4);
     /// Regions began to be kept.
-    RegionsAdded,
+    pub(crate) const REGIONS_ADDED: Column = column(5);
     /// The half-edge a vertex keeps.
-    Outgoing,
+    pub(crate) const OUTGOING: Column = column(6);
     /// A face slot was appended.
-    FaceAppended,
+    pub(crate) const FACE_APPENDED: Column = column(7);
     /// A face slot was pushed onto the free list.
-    FaceFreed,
+    pub(crate) const FACE_FREED: Column = column(8);
     /// A face slot was popped off the free list; `old` is the slot.
-    FaceReused,
+    pub(crate) const FACE_REUSED: Column = column(9);
     /// A vertex slot was appended.
-    VertexAppended,
+    pub(crate) const VERTEX_APPENDED: Column = column(10);
     /// A vertex slot was pushed onto the free list.
-    VertexFreed,
+    pub(crate) const VERTEX_FREED: Column = column(11);
     /// A vertex slot was popped off the free list; `old` is the slot.
-    VertexReused,
-    /// Bits of an abscissa.
-    X,
-    /// Bits of an ordinate.
-    Y,
-    /// State of the triangulation itself (closure, lone vertex); meaning known to its owner.
-    State,
-    /// Classes of constraint marks were added, lists from `index` on, spans of lines from `old` on.
-    Constraint,
-    /// Input segments were added, from `index` on.
-    Segment,
-    /// A line of overlapping segments was added.
-    LineAdded,
-    /// The two ends of a line of overlapping segments.
-    LineEnds,
-    /// A segment joined a line of overlapping segments; `index` is the segment.
-    LineMember,
-    /// A line of overlapping segments was connected to another one.
-    LineConnected,
-    /// A line of overlapping segments was closed.
-    LineClosed,
-    /// A member of a line of overlapping segments was removed; `index` is the segment.
-    LineMemberRemoved,
-    /// Vertices from `index` on were given room for a provenance.
-    ProvenanceAppended,
-    /// A vertex got its first provenance but that of a free one.
-    ProvenanceStored,
-    /// First word of a vertex's provenance.
-    ProvenanceKind,
-    /// Second word of a vertex's provenance.
-    ProvenancePlace,
-    /// Vertex `index` no longer duplicates vertex `old`.
-    DuplicateForgotten,
-    /// Vertex `index` came to, or left, the border of the domain: what lies outside has noted it.
-    Outside,
+    pub(crate) const VERTEX_REUSED: Column = column(12);
 }
 
 /// One overwritten entry.

@@ -2,7 +2,7 @@
 
 use super::half_edges::{HalfEdge, HalfEdgeMesh};
 use super::ids::{FaceId, HalfEdgeId, VertexId};
-use super::journal::{Column, Journal};
+use super::journal::{Journal, columns};
 
 impl HalfEdgeMesh {
     /// A face slot: the newest freed one, or a new one at the end.
@@ -10,7 +10,7 @@ impl HalfEdgeMesh {
     pub(crate) fn take_face<J: Journal>(&mut self, j: &mut J) -> FaceId {
         if let Some(f) = self.free_faces.pop() {
             if J::ACTIVE {
-                j.note(Column::FaceReused, f.0, u64::from(f.0));
+                j.note(columns::FACE_REUSED, f.0, u64::from(f.0));
             }
             return f;
         }
@@ -43,7 +43,7 @@ impl HalfEdgeMesh {
             self.region.extend([0; N]);
         }
         if J::ACTIVE {
-            faces.iter().for_each(|f| j.note(Column::FaceAppended, f.0, 0));
+            faces.iter().for_each(|f| j.note(columns::FACE_APPENDED, f.0, 0));
         }
     }
 
@@ -61,7 +61,7 @@ impl HalfEdgeMesh {
         self.set_region(f, 0, j);
         self.free_faces.push(f);
         if J::ACTIVE {
-            j.note(Column::FaceFreed, f.0, 0);
+            j.note(columns::FACE_FREED, f.0, 0);
         }
     }
 
@@ -69,14 +69,14 @@ impl HalfEdgeMesh {
     pub(crate) fn take_vertex<J: Journal>(&mut self, j: &mut J) -> VertexId {
         if let Some(v) = self.free_vertices.pop() {
             if J::ACTIVE {
-                j.note(Column::VertexReused, v.0, u64::from(v.0));
+                j.note(columns::VERTEX_REUSED, v.0, u64::from(v.0));
             }
             return v;
         }
         let v = VertexId::from_index(self.outgoing.len());
         self.outgoing.push(HalfEdgeId::NONE);
         if J::ACTIVE {
-            j.note(Column::VertexAppended, v.0, 0);
+            j.note(columns::VERTEX_APPENDED, v.0, 0);
         }
         v
     }
@@ -85,7 +85,7 @@ impl HalfEdgeMesh {
     pub(crate) fn free_vertex<J: Journal>(&mut self, v: VertexId, j: &mut J) {
         self.free_vertices.push(v);
         if J::ACTIVE {
-            j.note(Column::VertexFreed, v.0, 0);
+            j.note(columns::VERTEX_FREED, v.0, 0);
         }
     }
 

@@ -15,7 +15,7 @@
 //! The bound is necessary, not sufficient: that a mesh reaches it is not said.
 
 use super::sectors::for_each_sector;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Point};
 use crate::mesh::VertexId;
 
@@ -71,7 +71,7 @@ impl AngleCeiling {
 /// # Ok::<(), trimalla::domain::DomainError>(())
 /// ```
 #[must_use]
-pub fn angle_ceiling(cdt: &ConstrainedDelaunay) -> Option<AngleCeiling> {
+pub fn angle_ceiling(cdt: &ConstrainedTriangulation) -> Option<AngleCeiling> {
     let mut lowest: Option<AngleCeiling> = None;
     for_each_sector(cdt, |vertex, sector| {
         let bound = best_share(sector.angle);

@@ -17,7 +17,7 @@
 //! ```
 
 use super::sectors::for_each_sector;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Point, math};
 use crate::mesh::VertexId;
 
@@ -37,7 +37,7 @@ pub struct InputAngle {
 /// # Complexity
 /// Linear.
 #[must_use]
-pub fn smallest_input_angle(cdt: &ConstrainedDelaunay) -> Option<InputAngle> {
+pub fn smallest_input_angle(cdt: &ConstrainedTriangulation) -> Option<InputAngle> {
     let mut smallest: Option<InputAngle> = None;
     for_each_sector(cdt, |vertex, sector| {
         if sector.is_corner() && smallest.is_none_or(|found| sector.angle < found.angle) {

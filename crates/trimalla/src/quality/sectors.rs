@@ -7,7 +7,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Orientation, Triangle, orient2d};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
@@ -33,7 +33,7 @@ impl Sector {
 ///
 /// # Complexity
 /// Linear.
-pub(crate) fn for_each_sector(cdt: &ConstrainedDelaunay, mut see: impl FnMut(VertexId, Sector)) {
+pub(crate) fn for_each_sector(cdt: &ConstrainedTriangulation, mut see: impl FnMut(VertexId, Sector)) {
     let mut is_parted = vec![false; cdt.points().len()];
     for h in cdt.real_faces().flat_map(FaceId::half_edges).filter(|&h| bounds_sectors(cdt, h)) {
         is_parted[cdt.origin(h).index()] = true;
@@ -50,7 +50,7 @@ pub(crate) fn for_each_sector(cdt: &ConstrainedDelaunay, mut see: impl FnMut(Ver
 }
 
 /// The sectors at a vertex at which some edge bounds one.
-fn around(cdt: &ConstrainedDelaunay, v: VertexId, mut see: impl FnMut(Sector)) {
+fn around(cdt: &ConstrainedTriangulation, v: VertexId, mut see: impl FnMut(Sector)) {
     let bounds = |h: &HalfEdgeId| cdt.dest(*h).is_finite() && bounds_sectors(cdt, *h);
     let Some(first) = cdt.star(v).find(bounds) else { return };
     let mut from = first;
@@ -64,12 +64,12 @@ fn around(cdt: &ConstrainedDelaunay, v: VertexId, mut see: impl FnMut(Sector)) {
 }
 
 /// Whether an edge is constrained, or the domain ends there.
-fn bounds_sectors(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> bool {
+fn bounds_sectors(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> bool {
     cdt.is_marked(h) || cdt.is_ghost(h.face()) || cdt.is_ghost(cdt.twin(h).face())
 }
 
 /// The angle swept counter-clockwise from one edge at a vertex to another. Its side of 180 degrees is decided exactly.
-fn turn(cdt: &ConstrainedDelaunay, from: HalfEdgeId, to: HalfEdgeId) -> Angle {
+fn turn(cdt: &ConstrainedTriangulation, from: HalfEdgeId, to: HalfEdgeId) -> Angle {
     let [v, u] = cdt.edge_points(from);
     let w = cdt.point(cdt.dest(to));
     let between = Triangle::new(v, u, w).angles()[0].radians();

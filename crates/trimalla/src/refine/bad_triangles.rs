@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::options::Criteria;
-use crate::constrained::{ConstrainedDelaunay, RegionRule};
+use crate::constrained::{ConstrainedTriangulation, RegionRule};
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
 use crate::mesh::VertexId;
 use crate::quality::aspect_ratio;
@@ -116,13 +116,13 @@ pub(super) struct Test {
 }
 
 impl Test {
-    pub(super) fn new(criteria: &Criteria, cdt: &ConstrainedDelaunay) -> Self {
+    pub(super) fn new(criteria: &Criteria, cdt: &ConstrainedTriangulation) -> Self {
         let bounded = criteria.min_angle.radians() > 0.0;
         Self {
             cos_sq: bounded.then(|| criteria.min_angle.cos_sq()),
             doubled_area: criteria.max_area.map_or(f64::INFINITY, |a| 2.0 * a),
             max_aspect_ratio: criteria.max_aspect_ratio.unwrap_or(f64::INFINITY),
-            has_local_bounds: cdt.has_local_area_bounds(),
+            has_local_bounds: cdt.regions().have_area_bounds(),
             asked: None,
         }
     }

@@ -10,7 +10,7 @@ use super::refinement::{Refinement, StepOutcome};
 use super::report::{Observer, Reason};
 use super::steps::Proposal;
 use crate::geometry::Point;
-use crate::mesh::{Column, FaceId, HalfEdgeId, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, VertexId, columns};
 
 /// What is wrong with a triangle that was selected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -225,7 +225,7 @@ impl Refinement {
     fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
         let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
         // The oldest entry of a half-edge is what stood there before the step: later ones overwrite, so go backwards.
-        for entry in self.log.entries().rev().filter(|e| e.column == Column::Origin) {
+        for entry in self.log.entries().rev().filter(|e| e.column == columns::ORIGIN) {
             let (face, corner) = (entry.index / 3, (entry.index % 3) as usize);
             let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));
             name[corner] = VertexId(u32::try_from(entry.old).unwrap_or(u32::MAX));

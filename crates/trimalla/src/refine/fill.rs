@@ -243,10 +243,12 @@ impl Refinement {
         let near = nodes.near;
         let Some((p, part)) = nodes.take() else { return false };
         let there = near.and_then(|near| self.way_to(p, near)).or_else(|| self.way_from(part.known, p));
-        if there.is_some_and(|locus| self.cdt.find_cavity(p, locus) && self.is_clear(p, part.clearance_sq)) {
+        if there.is_some_and(|locus| {
+            self.cdt.find_cavity(&mut self.cavity, p, locus) && self.is_clear(p, part.clearance_sq)
+        }) {
             self.insertions += 1;
             part.known = self.fill_cavity(p);
-            nodes.near = Some(self.cdt.cavity.lowest_face());
+            nodes.near = Some(self.cavity.lowest_face());
         }
         true
     }
@@ -288,7 +290,7 @@ impl Refinement {
     /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none upon
     /// which the point encroaches.
     fn is_clear(&self, p: Point, clearance_sq: f64) -> bool {
-        let (rim, starts) = (self.cdt.cavity.rim(), self.cdt.cavity.rim_starts());
+        let (rim, starts) = (self.cavity.rim(), self.cavity.rim_starts());
         let is_near = starts.iter().fold(false, |near, &q| near | ((q - p).length_sq() < clearance_sq));
         let marks = rim.iter().fold(0, |marks, edge| marks | edge.mark);
         !is_near && (marks == 0 || self.subsegments_are_clear(p, clearance_sq))
@@ -296,7 +298,7 @@ impl Refinement {
 
     #[cold]
     fn subsegments_are_clear(&self, p: Point, clearance_sq: f64) -> bool {
-        let (rim, starts) = (self.cdt.cavity.rim(), self.cdt.cavity.rim_starts());
+        let (rim, starts) = (self.cavity.rim(), self.cavity.rim_starts());
         let is_clear = |a: Point, b: Point| {
             Segment::new(a, b).distance(p).powi(2) >= clearance_sq && !self.region.holds(a, b, p, self.ruler)
         };

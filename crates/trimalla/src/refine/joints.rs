@@ -10,7 +10,7 @@
 //! lie around those. So the mesh is the one of the drawing with its pieces listed, bit for bit where that lists the same
 //! vertices.
 
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::mesh::{HalfEdgeId, VertexId};
 
 /// A piece of an input segment, by its two ends in the order of the segment.
@@ -43,7 +43,7 @@ impl Joints {
     ///
     /// # Complexity
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
-    pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
+    pub(super) fn of(cdt: &ConstrainedTriangulation) -> Self {
         let mut sorted = Vec::new();
         // Edge by edge the nested iterators would be a machine of states.
         cdt.marked_edges().for_each(|h| {
@@ -63,7 +63,7 @@ impl Joints {
     }
 
     /// The piece inside which a vertex was put; `None` for vertices inside no piece.
-    pub(super) fn piece_of(&self, cdt: &ConstrainedDelaunay, v: VertexId) -> Option<Piece> {
+    pub(super) fn piece_of(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Piece> {
         let (Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. }) = cdt.provenance(v) else {
             return None;
         };
@@ -74,7 +74,7 @@ impl Joints {
     }
 
     /// The piece that a subsegment is part of, if a joint ends it; `None` where that is the whole segment.
-    pub(super) fn piece_along(&self, cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Option<Piece> {
+    pub(super) fn piece_along(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Option<Piece> {
         if self.sorted.is_empty() {
             return None;
         }
@@ -84,7 +84,12 @@ impl Joints {
     }
 
     /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no segment.
-    pub(super) fn piece_between(&self, cdt: &ConstrainedDelaunay, mark: u32, ends: [VertexId; 2]) -> Option<Piece> {
+    pub(super) fn piece_between(
+        &self,
+        cdt: &ConstrainedTriangulation,
+        mark: u32,
+        ends: [VertexId; 2],
+    ) -> Option<Piece> {
         let segment = cdt.finest_segment(mark)?;
         let [a, b] = ends.map(|v| cdt.parameter(segment, v));
         let piece = self.piece_at(segment, 0.5 * (a + b));
@@ -93,13 +98,13 @@ impl Joints {
     }
 
     /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of none.
-    pub(super) fn whole_of(&self, cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Piece {
+    pub(super) fn whole_of(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
         let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s as usize]);
         self.piece_along(cdt, h).or_else(segment).unwrap_or_else(|| [cdt.origin(h), cdt.dest(h)])
     }
 
     /// Every piece, the lower end first, sorted; also those that lie outside the domain.
-    pub(super) fn pieces(&self, cdt: &ConstrainedDelaunay) -> Vec<Piece> {
+    pub(super) fn pieces(&self, cdt: &ConstrainedTriangulation) -> Vec<Piece> {
         let mut pieces = Vec::with_capacity(cdt.segments().len() + self.sorted.len());
         let mut at = 0;
         for (segment, &[start, end]) in (0..).zip(cdt.segments()) {
@@ -126,7 +131,7 @@ impl Joints {
 /// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet there.
 ///
 /// Whether a vertex that came later was put there as a crossing or by a split is not asked: a file does not tell.
-fn ends_pieces(cdt: &ConstrainedDelaunay, v: VertexId) -> bool {
+fn ends_pieces(cdt: &ConstrainedTriangulation, v: VertexId) -> bool {
     let mut marks = cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).map(|h| cdt.mark(h));
     let [first, second, third] = std::array::from_fn(|_| marks.next());
     let passes = first.is_some() && first == second && third.is_none();

@@ -7,7 +7,7 @@ use super::recipe::Select;
 use super::refinement::Refinement;
 use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{TriangleInBlock, corners_of_two};
@@ -46,7 +46,7 @@ impl Refinement {
     /// # Complexity
     /// Linear.
     #[must_use]
-    pub fn finish(mut self) -> (ConstrainedDelaunay, Report) {
+    pub fn finish(mut self) -> (ConstrainedTriangulation, Report) {
         self.stopwatch.enter(Part::Recover);
         if self.report.stop != StopReason::Cancelled {
             self.open_fully();
@@ -68,7 +68,7 @@ impl Refinement {
 
     /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
-        let extremes = Extremes::new(self.ruler, self.test.sure_bounds(&self.cdt.regions));
+        let extremes = Extremes::new(self.ruler, self.test.sure_bounds(self.cdt.regions().rules()));
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
         self.cdt.for_each_two_triangles(|two, count| {
             let are_plain = survey.extremes.are_plain(corners_of_two(two));

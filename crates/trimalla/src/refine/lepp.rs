@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 
 use super::recipe::Row;
 use super::ruler::Ruler;
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::geometry::{Point, Vector, math};
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
@@ -248,13 +248,15 @@ pub fn edge_midpoint(t: &Triangulation, h: HalfEdgeId) -> Point {
     Point::midpoint(a, b)
 }
 
-impl ConstrainedDelaunay {
+impl ConstrainedTriangulation {
     /// The longest-edge propagation path of a real face.
     #[must_use]
     pub fn lepp(&self, face: FaceId, rule: LeppRule) -> Lepp {
         lepp(self, Ruler::for_box(self.bounding_box()), face, rule)
     }
+}
 
+impl ConstrainedDelaunay {
     /// Inserts the point that a terminal edge stands for, and keeps the triangulation constrained Delaunay.
     ///
     /// A constrained terminal edge is halved; otherwise a constrained second-longest edge of a terminal triangle, that
@@ -280,7 +282,7 @@ impl ConstrainedDelaunay {
         };
         match self.walk_within(terminal_edge.face(), point) {
             Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => {
-                Some(self.insert_vertex_at(point, locus, &mut NoJournal))
+                Some(self.edit(&mut NoJournal).insert_vertex_at(point, locus))
             }
             Walk::Arrived(_) => None,
             Walk::Blocked(h) => self.halve(h),
@@ -289,6 +291,6 @@ impl ConstrainedDelaunay {
 
     fn halve(&mut self, h: HalfEdgeId) -> Option<VertexId> {
         let (point, provenance) = self.point_on_subsegment(h, 0.5);
-        self.split_subsegment(h, point, provenance, &mut NoJournal).ok()
+        self.edit(&mut NoJournal).split_subsegment(h, point, provenance).ok()
     }
 }

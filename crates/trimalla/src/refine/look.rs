@@ -6,6 +6,7 @@ use super::queue::Queue;
 use super::refinement::{Refinement, ends_of};
 use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
+use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::mesh::{FaceId, HalfEdgeId, VertexId, push_if};
 use crate::triangulation::corners_of_two;
@@ -17,6 +18,8 @@ struct Looker<'a> {
     select: &'a (dyn SelectStep + Send + Sync),
     /// Whether the caller picks.
     is_manual: bool,
+    /// The cavity that was filled, where there was one.
+    cavity: &'a Cavity,
     queue: &'a mut Queue,
     joined: &'a mut u64,
 }
@@ -82,7 +85,7 @@ impl Looker<'_> {
     /// ```
     #[inline(never)]
     fn look_at_fan(&mut self, v: VertexId, p: Point, bad: &mut Vec<usize>, subsegments: &mut Vec<HalfEdgeId>) {
-        let cavity = &self.view.cdt.cavity;
+        let cavity = self.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
         bad.clear();
@@ -119,7 +122,7 @@ impl Looker<'_> {
     /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
     #[inline(never)]
     fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
-        let cavity = &self.view.cdt.cavity;
+        let cavity = self.cavity;
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
             // Most faces have no subsegment.
             if edge.mark | edge.spoke != 0 {
@@ -142,6 +145,7 @@ impl Refinement {
             test: &self.test,
             select: self.select.as_ref(),
             is_manual: self.is_manual,
+            cavity: &self.cavity,
             queue: &mut self.queue,
             joined: &mut self.joined,
         }
@@ -159,9 +163,6 @@ impl Refinement {
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        if self.cdt.cavity.is_fan_of(&self.cdt, v) {
-            return self.look_around_cavity(v, self.cdt.point(v));
-        }
         let before = self.stopwatch.enter(Part::Select);
         let mut spokes = std::mem::take(&mut self.spokes);
         spokes.clear();

@@ -16,7 +16,7 @@
 use super::joints::{Joints, Piece, common_end};
 use super::refinement::Refinement;
 use super::ruler::Ruler;
-use crate::constrained::{ConstrainedDelaunay, Released, SegmentPlan};
+use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
 use crate::mesh::{HalfEdgeId, VertexId};
 
@@ -32,7 +32,7 @@ const SHELL_SINE_SQ: f64 = 0.75;
 ///
 /// # Complexity
 /// Linear in the segments, the marked edges, and the degrees of the vertices where two of those meet.
-pub(super) fn has_small_wedge(cdt: &ConstrainedDelaunay, ruler: Ruler) -> bool {
+pub(super) fn has_small_wedge(cdt: &ConstrainedTriangulation, ruler: Ruler) -> bool {
     if cdt.segments().iter().flatten().any(|&v| !cdt.is_used(v)) {
         return true;
     }
@@ -50,7 +50,7 @@ pub(super) fn has_small_wedge(cdt: &ConstrainedDelaunay, ruler: Ruler) -> bool {
 }
 
 /// Whether two of the subsegments at a vertex that follow each other around it meet at less than two degrees.
-fn is_small_wedge_at(cdt: &ConstrainedDelaunay, ruler: Ruler, v: VertexId) -> bool {
+fn is_small_wedge_at(cdt: &ConstrainedTriangulation, ruler: Ruler, v: VertexId) -> bool {
     let marked = cdt.edges_around(v).filter(|&h| cdt.is_marked(h));
     let along: Vec<Vector> = marked.map(|h| ruler.vector(cdt.point(v), cdt.point(cdt.dest(h)))).collect();
     (0..along.len()).any(|i| {
@@ -157,14 +157,14 @@ impl<'a> Mirrors<'a> {
     }
 
     /// The parameter at which a stretch is split that a plan found to cross edges.
-    pub(super) fn place(&self, cdt: &ConstrainedDelaunay, stretch: Released, plan: &SegmentPlan) -> f64 {
+    pub(super) fn place(&self, cdt: &ConstrainedTriangulation, stretch: Released, plan: &SegmentPlan) -> f64 {
         let Some(piece) = self.joints.piece_between(cdt, stretch.mark, [stretch.from, stretch.to]) else { return 0.5 };
         let ends = [stretch.from, stretch.to].map(|v| cdt.point(v));
         let beside = plan.left.iter().chain(&plan.right);
         beside.copied().find_map(|v| self.mirror_of(cdt, piece, ends, v)).unwrap_or(0.5)
     }
 
-    fn mirror_of(&self, cdt: &ConstrainedDelaunay, piece: Piece, ends: [Point; 2], v: VertexId) -> Option<f64> {
+    fn mirror_of(&self, cdt: &ConstrainedTriangulation, piece: Piece, ends: [Point; 2], v: VertexId) -> Option<f64> {
         let at = cdt.point(v);
         if in_diametral_disk(ends[0], ends[1], at) != CircleSide::Inside {
             return None;

@@ -61,6 +61,7 @@ mod s3_point;
 mod s4_insert;
 mod s5_recover;
 mod split_segments;
+mod start;
 pub mod steps;
 mod stopwatch;
 #[cfg(test)]
@@ -82,4 +83,5 @@ pub use refinement::{Refinement, StepOutcome};
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
 pub use ruler::Ruler;
 pub(crate) use s5_recover::make_conforming;
+pub use start::Start;
 pub use stopwatch::{Clock, StepTimes};

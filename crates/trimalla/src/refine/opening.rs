@@ -61,9 +61,7 @@ impl Refinement {
     fn skip(&mut self) {
         let recipe = self.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
-        if self.opening == Opening::Given
-            && !(self.cdt.as_given && self.insert.keeps_delaunay() && recipe.initial != Initial::Given)
-        {
+        if self.opening == Opening::Given && !(self.insert.keeps_delaunay() && recipe.initial != Initial::Given) {
             self.opening = Opening::Release;
         }
         if self.opening == Opening::Release && !is_conforming && self.recover.locks_segments() {
@@ -106,11 +104,11 @@ impl Refinement {
     pub(super) fn open_further(&mut self) -> StepOutcome {
         match self.opening {
             Opening::Given => {
-                self.cdt.queue_illegal();
+                self.illegal = self.cdt.illegal_edges();
                 self.opening = Opening::Legalising;
             }
             Opening::Release | Opening::ReleaseAgain => {
-                self.released = self.cdt.release_inner_segments(&mut self.log);
+                (self.released, self.illegal) = self.edit().release_inner_segments();
                 let is_first = self.opening == Opening::Release;
                 self.opening = if is_first { Opening::Releasing } else { Opening::ReleasingAgain };
             }
@@ -139,8 +137,8 @@ impl Refinement {
 
     /// Flips some of the edges that wait, and goes on to the next stage if none waits any more; how many flips it took.
     fn flip_slice(&mut self, next: Opening) -> u64 {
-        let (flips, is_done) = self.cdt.legalise_some(SLICE, &mut self.log);
-        self.opening = if is_done { next } else { self.opening };
+        let flips = self.cdt.edit(&mut self.work, &mut self.log).legalise_some(&mut self.illegal, SLICE);
+        self.opening = if self.illegal.is_done() { next } else { self.opening };
         flips
     }
 }

@@ -6,7 +6,7 @@ use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
 use super::refinement::precision_floor;
 use super::ruler::Ruler;
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{Angle, Point, Segment};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
@@ -38,7 +38,7 @@ impl Outlook {
     /// # Complexity
     /// That of the [`forecast()`].
     #[must_use]
-    pub fn of(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Self {
+    pub fn of(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Self {
         Self {
             forecast: forecast(cdt, options),
             angle_ceiling: angle_ceiling(cdt),
@@ -68,7 +68,7 @@ impl Outlook {
 ///
 /// # Complexity
 /// Linear.
-fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
+fn within_rounding(cdt: &ConstrainedTriangulation) -> Option<Gap> {
     let bounds = cdt.bounding_box();
     let ruler = Ruler::for_box(bounds);
     let precision = precision_floor(bounds, ruler);
@@ -126,7 +126,7 @@ fn within_rounding(cdt: &ConstrainedDelaunay) -> Option<Gap> {
 }
 
 /// The distance of the apex of `h` from it, where it lies beside it.
-fn distance_beside(cdt: &ConstrainedDelaunay, ruler: Ruler, h: HalfEdgeId) -> Option<f64> {
+fn distance_beside(cdt: &ConstrainedTriangulation, ruler: Ruler, h: HalfEdgeId) -> Option<f64> {
     let [a, b] = cdt.edge_points(h);
     let (along, to_apex) = (ruler.vector(a, b), ruler.vector(a, cdt.point(cdt.apex(h))));
     let (length_sq, dot) = (along.length_sq(), along.dot(to_apex));
@@ -134,7 +134,7 @@ fn distance_beside(cdt: &ConstrainedDelaunay, ruler: Ruler, h: HalfEdgeId) -> Op
 }
 
 /// Whether the apex of `h` is on a piece of a segment that shares an end with the piece of `h`.
-fn lies_in_a_wedge(cdt: &ConstrainedDelaunay, joints: &Joints, h: HalfEdgeId) -> bool {
+fn lies_in_a_wedge(cdt: &ConstrainedTriangulation, joints: &Joints, h: HalfEdgeId) -> bool {
     let piece = joints.whole_of(cdt, h);
     let mut at_apex = cdt.edges_around(cdt.apex(h)).filter(|&g| cdt.is_marked(g));
     at_apex.any(|g| common_end(piece, joints.whole_of(cdt, g)).is_some())

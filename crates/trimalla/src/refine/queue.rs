@@ -9,7 +9,7 @@
 //!
 //! Work that stays in one patch finds what it needs in the cache.
 
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::CurveCells;
 use crate::geometry::{BoundingBox, Point};
 use crate::mesh::FaceId;
@@ -169,7 +169,7 @@ impl Queue {
 
     /// Adds a triangle of a patch, whose patience is not negative.
     #[inline]
-    pub(super) fn push(&mut self, cdt: &ConstrainedDelaunay, face: FaceId, patch: usize, patience: f64) {
+    pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, patience: f64) {
         let waiting = Waiting { claim: self.claim(cdt, face), step: Self::step_of(patience) };
         self.len += 1;
         if patch == self.present {
@@ -216,7 +216,7 @@ impl Queue {
 
     /// Looks at a slot: earlier claims to it are void.
     #[inline(always)] // For each bad triangle, twice.
-    pub(super) fn claim(&mut self, cdt: &ConstrainedDelaunay, face: FaceId) -> Claim {
+    pub(super) fn claim(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
             self.make_room_for(cdt.face_slots());
         }
@@ -234,7 +234,7 @@ impl Queue {
     }
 
     /// Whether a triangle is still the one that was claimed.
-    pub(super) fn is_valid(&self, cdt: &ConstrainedDelaunay, claim: Claim) -> bool {
+    pub(super) fn is_valid(&self, cdt: &ConstrainedTriangulation, claim: Claim) -> bool {
         self.is_newest(claim) && cdt.is_real(claim.face)
     }
 
@@ -255,7 +255,7 @@ impl Queue {
     ///
     /// # Complexity
     /// Constant, amortised over the triangles that are gone.
-    pub(super) fn pop(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
+    pub(super) fn pop(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         loop {
             let here = self.pop_here(cdt, oldest_first);
             if here.is_some() || !self.take_next_patch() {
@@ -264,7 +264,7 @@ impl Queue {
         }
     }
 
-    fn pop_here(&mut self, cdt: &ConstrainedDelaunay, oldest_first: bool) -> Option<FaceId> {
+    fn pop_here(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         while let Some(drawer) = self.drawers.get_mut(self.lowest) {
             let Some(claim) = drawer.take(oldest_first) else {
                 self.lowest += 1;

@@ -19,10 +19,11 @@ use super::report::{Observer, Progress, Reason, Report, StopReason};
 use super::ruler::Ruler;
 use super::s5_recover::UnderWay;
 use super::split_segments::Encroached;
+use super::start::Start;
 use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, StepFacts, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
-use crate::constrained::{ConstrainedDelaunay, Released};
-use crate::delaunay::max_points;
+use crate::constrained::{ConstrainedTriangulation, Edit, Released, Workspace};
+use crate::delaunay::{Cavity, Lawson, max_points};
 use crate::geometry::BoundingBox;
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
@@ -41,7 +42,11 @@ const PROGRESS_EVERY: u64 = 128;
 /// the triangulation.
 #[derive(Clone)]
 pub struct Refinement {
-    pub(super) cdt: ConstrainedDelaunay,
+    pub(super) cdt: ConstrainedTriangulation,
+    /// What changing it takes.
+    pub(super) work: Workspace,
+    /// The faces that the vertex at work replaces.
+    pub(super) cavity: Cavity,
     pub(super) options: RefineOptions,
     pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
     pub(super) select: Arc<dyn SelectStep + Send + Sync>,
@@ -81,6 +86,8 @@ pub struct Refinement {
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
     /// What comes before the loop, as far as it is not done.
     pub(super) opening: Opening,
+    /// Edges that fail the circle test before the loop begins, or may.
+    pub(super) illegal: Lawson,
     /// Pieces of segments that are not locked.
     pub(super) released: Vec<Released>,
     /// Such pieces on their way back.
@@ -163,16 +170,16 @@ impl Refinement {
     ///
     /// # Errors
     /// [`OptionError`].
-    pub fn new(cdt: ConstrainedDelaunay, options: RefineOptions) -> Result<Self, OptionError> {
-        Self::timed(cdt, options, None)
+    pub fn new(start: impl Into<Start>, options: RefineOptions) -> Result<Self, OptionError> {
+        Self::timed(start, options, None)
     }
 
     /// [`new`](Self::new) with a clock, if there is one, to measure the steps by: [`Report::step_times`].
     ///
     /// # Errors
     /// [`OptionError`].
-    pub fn timed(cdt: ConstrainedDelaunay, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
-        let refinement = Self::of_steps(cdt, options, Steps::of(&options), clock)?;
+    pub fn timed(start: impl Into<Start>, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
+        let refinement = Self::of_steps(start, options, Steps::of(&options), clock)?;
         Ok(Self { walks_prove_places: true, ..refinement })
     }
 
@@ -181,11 +188,12 @@ impl Refinement {
     /// # Errors
     /// [`OptionError`].
     pub fn of_steps(
-        cdt: ConstrainedDelaunay,
+        start: impl Into<Start>,
         mut options: RefineOptions,
         steps: Steps,
         clock: Option<Clock>,
     ) -> Result<Self, OptionError> {
+        let Start { cdt, work, is_delaunay } = start.into();
         let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
         // No budget is larger than what the indices of half-edges can name.
@@ -222,7 +230,8 @@ impl Refinement {
             encroached: VecDeque::new(),
             unsplittable: BTreeSet::new(),
             given_up: Vec::new(),
-            opening: Opening::default(),
+            opening: if is_delaunay { Opening::Release } else { Opening::Given },
+            illegal: Lawson::default(),
             released: Vec::new(),
             recovery: None,
             lost: Vec::new(),
@@ -245,6 +254,8 @@ impl Refinement {
             stopwatch: Stopwatch::new(clock),
             history: None,
             cdt,
+            work,
+            cavity: Cavity::default(),
             options,
         };
         refinement.begin_opening();
@@ -275,7 +286,7 @@ impl Refinement {
 
     /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's own.
     pub(super) fn has_area_bound(&self) -> bool {
-        self.test.sure_bounds(&self.cdt.regions).doubled_area < f64::INFINITY
+        self.test.sure_bounds(self.cdt.regions().rules()).doubled_area < f64::INFINITY
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
@@ -367,8 +378,14 @@ impl Refinement {
 
     /// The triangulation as it is now.
     #[must_use]
-    pub fn triangulation(&self) -> &ConstrainedDelaunay {
+    pub fn triangulation(&self) -> &ConstrainedTriangulation {
         &self.cdt
+    }
+
+    /// What changes the triangulation, noted in the log of the step.
+    #[inline(always)]
+    pub(super) fn edit(&mut self) -> Edit<'_, UndoLog> {
+        self.cdt.edit(&mut self.work, &mut self.log)
     }
 
     /// Runs until nothing is left to do, a limit is met, or the observer cancels.
@@ -421,7 +438,7 @@ impl Refinement {
     pub(super) fn advance(&mut self) -> StepOutcome {
         self.stopwatch.enter(Part::Prepare);
         self.log.clear();
-        self.cdt.outside.forget_undo();
+        self.cdt.forget_undo_outside();
         let outcome = self.take_step();
         self.stopwatch.enter(Part::Outside);
         outcome
@@ -535,7 +552,7 @@ impl Refinement {
 
 /// The square of the length at which an insertion that keeps small angles stops; 0 for any other. Edges that are shorter
 /// than rounding leaves room for do not count.
-fn bisection_floor_sq(cdt: &ConstrainedDelaunay, ruler: Ruler, insert: &dyn InsertStep, precision_sq: f64) -> f64 {
+fn bisection_floor_sq(cdt: &ConstrainedTriangulation, ruler: Ruler, insert: &dyn InsertStep, precision_sq: f64) -> f64 {
     if !insert.keeps_small_angles() {
         return 0.0;
     }
@@ -548,7 +565,7 @@ fn bisection_floor_sq(cdt: &ConstrainedDelaunay, ruler: Ruler, insert: &dyn Inse
 }
 
 /// The ends of an edge, the lower one first.
-pub(super) fn ends_of(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> [VertexId; 2] {
+pub(super) fn ends_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> [VertexId; 2] {
     let (a, b) = (cdt.origin(h), cdt.dest(h));
     [a.min(b), a.max(b)]
 }

@@ -7,7 +7,7 @@ use super::outlook::Outlook;
 use super::recipe::Recipe;
 use super::refinement::Refinement;
 use super::stopwatch::{Clock, StepTimes};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 
 /// Why a triangle stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -215,7 +215,7 @@ pub trait Observer {
     }
 
     /// Called after every step, if it is wanted, with the triangulation as it is then.
-    fn event(&mut self, _event: &Event, _cdt: &ConstrainedDelaunay) {}
+    fn event(&mut self, _event: &Event, _cdt: &ConstrainedTriangulation) {}
 }
 
 /// Watches nothing.

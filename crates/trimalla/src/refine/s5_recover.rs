@@ -21,7 +21,7 @@ use super::report::StopReason;
 use super::ruler::Ruler;
 use super::steps::RecoverStep;
 use super::stopwatch::Part;
-use crate::constrained::{Changed, ConstrainedDelaunay, Recovery, SegmentPlan, SplitLimits};
+use crate::constrained::{Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, SegmentPlan, SplitLimits};
 use crate::geometry::Point;
 use crate::mesh::{NoJournal, UndoLog};
 use by_splitting::BySplitting;
@@ -82,9 +82,10 @@ impl Refinement {
         let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
         let vertices = if is_cancelled { 0 } else { room };
         let mirrors = Mirrors::new(&self.joints, pieces, ruler);
-        let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+        let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
         let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
-        let Changed { inserted, removed } = self.cdt.recover_some(recovery, &limits, &mut self.log);
+        let Changed { inserted, removed } =
+            self.cdt.edit(&mut self.work, &mut self.log).recover_some(recovery, &limits);
         self.vertices = self.vertices + inserted - removed;
         self.report.vertices_deleted += removed as u64;
         self.insertions += inserted as u64;
@@ -110,7 +111,7 @@ impl Refinement {
         while self.recover_on() {
             self.log.clear();
         }
-        let mut missing = self.cdt.claim(&self.released, &mut NoJournal);
+        let mut missing = self.cdt.edit(&mut self.work, &mut NoJournal).mark_present(&self.released);
         missing.append(&mut self.lost);
         let mut lost: Vec<u32> =
             missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
@@ -133,17 +134,18 @@ pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize
     let joints = Joints::of(cdt);
     let pieces = joints.pieces(cdt);
     let mirrors = Mirrors::new(&joints, &pieces, ruler);
-    let place = |cdt: &ConstrainedDelaunay, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+    let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
     let mut log = UndoLog::new();
     // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
-    let released = cdt.release_inner_segments(&mut log);
-    cdt.legalise_some(usize::MAX, &mut log);
+    let mut edit = cdt.edit(&mut log);
+    let (released, mut waiting) = edit.release_inner_segments();
+    edit.legalise_some(&mut waiting, usize::MAX);
     let mut recovery = Recovery::of(released);
     while !recovery.is_done() {
         log.clear();
         let vertices = max_vertices.saturating_sub(cdt.points().len());
         let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
-        cdt.recover_some(&mut recovery, &limits, &mut log);
+        cdt.edit(&mut log).recover_some(&mut recovery, &limits);
     }
     cdt.pieces_held_by_marks()
 }

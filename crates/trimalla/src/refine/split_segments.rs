@@ -1,7 +1,5 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
-use std::sync::Arc;
-
 use super::event::InsertedKind;
 use super::options::Protect;
 use super::refinement::{Refinement, ends_of};
@@ -173,23 +171,27 @@ impl Refinement {
         let provenance = self.provenance_of(h, cut);
         let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
         let split = if self.facts.by_cavity {
-            self.split_by_cavity(h, cut.point, provenance)
+            self.split_by_cavity(h, cut.point, provenance).ok().flatten()
         } else {
-            self.split_and_look(h, cut.point, provenance)
+            self.split_and_look(h, cut.point, provenance).map(|v| (v, false))
         };
-        let Some(v) = split else { return false };
+        let Some((v, is_fan)) = split else { return false };
         self.vertices += 1;
         self.report.segments_split += 1;
         self.note_inserted(v, if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
-        self.look_around(v);
+        if is_fan {
+            self.look_around_cavity(v, cut.point)
+        } else {
+            self.look_around(v)
+        }
         true
     }
 
     /// Step 4 for a split; taken back if the new vertex is too near to another one.
     fn split_and_look(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
         let here = self.log.checkpoint();
-        let insert = Arc::clone(&self.insert);
-        let v = insert.split(&mut self.cdt, h, p, provenance, &mut self.log).ok()?;
+        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
+        let v = self.insert.split(&mut edit, h, p, provenance).ok()?;
         self.insertions += 1;
         if self.crowds_a_neighbour(v) {
             self.cdt.rollback(&mut self.log, here);
@@ -198,20 +200,31 @@ impl Refinement {
         Some(v)
     }
 
-    /// The same by cavity, whose rim tells the neighbours before anything is cut. Nobody takes it back; an event is told by what
-    /// the log holds.
-    fn split_by_cavity(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
-        let found = self.cdt.find_split(h, p).ok()?;
+    /// Splits an edge by its cavity, whose rim tells the neighbours before anything is cut. Returns the vertex, and whether it is
+    /// the middle of the fan that fills [`cavity`](Self::cavity); `None`, and nothing changed, where another vertex is too near.
+    ///
+    /// Nobody takes the split back; an event is told by what the log holds.
+    ///
+    /// # Errors
+    /// [`Reason::PrecisionFloor`] where rounding leaves no room.
+    pub(super) fn split_by_cavity(
+        &mut self,
+        h: HalfEdgeId,
+        p: Point,
+        provenance: Provenance,
+    ) -> Result<Option<(VertexId, bool)>, Reason> {
+        let found = self.cdt.find_split(&mut self.cavity, h, p).map_err(|_| Reason::PrecisionFloor)?;
         self.insertions += 1;
         let (crowds, _) = self.look_at_rim(p);
         if crowds {
-            return None;
+            return Ok(None);
         }
-        Some(if self.event.is_some() {
-            self.cdt.fill_split(found, p, provenance, &mut self.log)
+        let (work, cavity) = (&mut self.work, &mut self.cavity);
+        Ok(Some(if self.event.is_some() {
+            self.cdt.edit(work, &mut self.log).fill_split(cavity, found, p, provenance)
         } else {
-            self.cdt.fill_split(found, p, provenance, &mut NoJournal)
-        })
+            self.cdt.edit(work, &mut NoJournal).fill_split(cavity, found, p, provenance)
+        }))
     }
 
     /// How `h` can be split, or why not.
@@ -384,7 +397,7 @@ impl Refinement {
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
         let keeps_delaunay = self.facts.keeps_delaunay;
         let link: Vec<VertexId> = if keeps_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
-        if self.cdt.remove_with(v, &mut self.log).is_err() {
+        if self.edit().remove(v).is_err() {
             return false;
         }
         self.note(|event| event.deleted.push((v, at)));

@@ -10,7 +10,7 @@ use super::encroachment::Region;
 use super::options::{Criteria, RefineOptions};
 use super::ruler::Ruler;
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
+use crate::constrained::{ConstrainedTriangulation, Edit, Provenance, SplitError};
 use crate::geometry::{Orientation, Point, on_segment};
 use crate::locate::{Locus, Walk};
 use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
@@ -103,7 +103,7 @@ impl StepFacts {
 #[derive(Clone, Copy, Debug)]
 pub struct View<'a> {
     /// The triangulation.
-    pub cdt: &'a ConstrainedDelaunay,
+    pub cdt: &'a ConstrainedTriangulation,
     /// What makes a triangle bad.
     pub criteria: &'a Criteria,
     /// How lengths are measured.
@@ -223,12 +223,12 @@ impl Proposal {
     ///
     /// The loop asks this of every proposal, whoever made it, before it uses one.
     #[must_use]
-    pub fn is_true(self, cdt: &ConstrainedDelaunay) -> bool {
+    pub fn is_true(self, cdt: &ConstrainedTriangulation) -> bool {
         self.is_there(cdt) && self.is_in_its_face(cdt)
     }
 
     /// Whether a point inside a face lies left of its three sides; true for other places.
-    fn is_in_its_face(self, cdt: &ConstrainedDelaunay) -> bool {
+    fn is_in_its_face(self, cdt: &ConstrainedTriangulation) -> bool {
         let Self::Free { point, locus: Locus::Face(f) } = self else { return true };
         f.half_edges().into_iter().all(|h| cdt.side_of(h, point) == Orientation::CounterClockwise)
     }
@@ -236,7 +236,7 @@ impl Proposal {
     /// [`is_true`](Self::is_true), where a step of the library proposes the place: a point inside a face is not asked about,
     /// since it was proved by the walk that found the face.
     #[inline(always)] // Before each insertion.
-    pub(super) fn is_true_after_walk(self, cdt: &ConstrainedDelaunay) -> bool {
+    pub(super) fn is_true_after_walk(self, cdt: &ConstrainedTriangulation) -> bool {
         let is_walked_to = matches!(self, Self::Free { locus: Locus::Face(_), .. });
         debug_assert!(!is_walked_to || self.is_true(cdt), "a walk ends where the point is");
         is_walked_to || self.is_there(cdt)
@@ -244,7 +244,7 @@ impl Proposal {
 
     /// What [`is_true`](Self::is_true) asks, but not whether a point lies left of the sides of its face.
     #[inline(never)]
-    fn is_there(self, cdt: &ConstrainedDelaunay) -> bool {
+    fn is_there(self, cdt: &ConstrainedTriangulation) -> bool {
         let is_free_edge = |h: HalfEdgeId| {
             let faces = [h.face(), cdt.twin(h).face()];
             faces.into_iter().all(|f| cdt.is_real(f)) && !cdt.is_marked(h)
@@ -295,7 +295,7 @@ pub trait InsertStep {
 
     /// Inserts a vertex at `p`, whose place is known, through the journal; `None`, and nothing changed, where rounding
     /// leaves no room.
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId>;
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId>;
 
     /// Splits an edge by a vertex at `p`, through the journal.
     ///
@@ -303,11 +303,10 @@ pub trait InsertStep {
     /// [`SplitError`] where rounding leaves no room; nothing has changed then.
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError>;
 
     /// Whether vertices go in by replacing the faces whose circle holds them: then the loop finds that cavity itself, sees

@@ -2,7 +2,7 @@
 
 use super::steps::InsertStep;
 use super::*;
-use crate::constrained::{ConstrainedDelaunay, Crossings, Provenance, SplitError};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Edit, Provenance, SplitError};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, Pslg, build};
 use crate::geometry::Point;
@@ -22,11 +22,11 @@ fn carved(pslg: &Pslg, algorithm: AlgorithmKey) -> ConstrainedDelaunay {
     build(pslg, DomainRule::Seeds, Crossings::Refuse, algorithm).unwrap().0
 }
 
-fn refined(pslg: &Pslg, options: RefineOptions) -> (ConstrainedDelaunay, Report) {
+fn refined(pslg: &Pslg, options: RefineOptions) -> (ConstrainedTriangulation, Report) {
     let mut r = Refinement::new(carved(pslg, AlgorithmKey::Incremental), options).unwrap();
     r.run(&mut NoObserver);
     let (cdt, report) = r.finish();
-    assert_eq!(cdt.check(), []);
+    assert_eq!(cdt.check_delaunay(), []);
     for (i, p) in pslg.points.iter().enumerate() {
         assert_eq!(cdt.points()[i], *p, "input vertex {i} stays");
     }
@@ -56,7 +56,7 @@ fn every_step_keeps_the_invariants() {
         if r.step().outcome == StepOutcome::Finished {
             return;
         }
-        assert_eq!(r.triangulation().check(), []);
+        assert_eq!(r.triangulation().check_delaunay(), []);
     }
     panic!("2000 steps are more than enough here");
 }
@@ -100,7 +100,7 @@ fn the_budget_and_the_observer_stop_it() {
         calls < 3
     });
     assert_eq!(stop, StopReason::Cancelled);
-    assert_eq!(r.finish().0.check(), []);
+    assert_eq!(r.finish().0.check_delaunay(), []);
 }
 
 #[test]
@@ -173,11 +173,11 @@ fn bisection_nests_and_stops() {
     let mut r = Refinement::new(start.clone(), options).unwrap();
     r.run(&mut NoObserver);
     let (cdt, report) = r.finish();
-    assert_eq!(cdt.triangulation_faults(), [], "sound, though not Delaunay");
+    assert_eq!(cdt.check(), [], "sound, though not Delaunay");
     assert!(report.leftovers.iter().all(|l| l.reason == Reason::StrategyCannotImprove), "{:?}", report.reasons());
     assert!(report.stop == StopReason::Finished && report.triangles > 200);
     // Longest-edge bisection never makes an angle smaller than half the smallest there was.
-    let least = |t: &ConstrainedDelaunay| {
+    let least = |t: &ConstrainedTriangulation| {
         let angle = |f| {
             let [a, b, c] = t.corners(f);
             crate::geometry::Triangle::new(a, b, c).min_angle().degrees()
@@ -210,19 +210,18 @@ fn paths_rise_to_their_terminal_edge() {
 struct Halving;
 
 impl InsertStep for Halving {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        cdt.place_vertex_at(p, locus, log)
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
+        edit.place_vertex_at(p, locus)
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        cdt.cut_subsegment(h, p, provenance, log)
+        edit.cut_subsegment(h, p, provenance)
     }
 
     fn keeps_small_angles(&self) -> bool {
@@ -305,7 +304,7 @@ fn large_drawings_are_as_small_by_patches_as_all_at_once() {
     let [by_patches, all_at_once] = [begun(), begun().with_select(AllAtOnce)].map(|mut refinement| {
         refinement.run(&mut NoObserver);
         let (cdt, report) = refinement.finish();
-        assert_eq!(cdt.check(), []);
+        assert_eq!(cdt.check_delaunay(), []);
         assert_eq!(report.leftovers, []);
         report.vertices
     });

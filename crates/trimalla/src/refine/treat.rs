@@ -90,7 +90,7 @@ impl Refinement {
 
     /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
     fn flip(&mut self, h: HalfEdgeId) {
-        let h = self.cdt.flip_edge(h, &mut self.log);
+        let h = self.edit().flip_edge(h);
         self.insertions += 1;
         self.report.flips_instead += 1;
         let mut faces = [h.face(), self.cdt.twin(h).face()];
@@ -129,7 +129,7 @@ impl Refinement {
     /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing is cut
     /// that would have to be taken back.
     fn try_cavity(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if !self.cdt.find_cavity(point, locus) {
+        if !self.cdt.find_cavity(&mut self.cavity, point, locus) {
             return Err(Reason::PrecisionFloor);
         }
         let (crowds, marks) = self.look_at_rim(point);
@@ -156,7 +156,7 @@ impl Refinement {
     /// no edge of the rim is a subsegment.
     #[inline(always)] // Before each insertion.
     pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
-        let cavity = &self.cdt.cavity;
+        let cavity = &self.cavity;
         let (mut crowds, mut marks) = (false, 0);
         for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
             crowds |= edge.from.is_finite() & (self.ruler.length_sq(point, start) < self.floor_sq);
@@ -167,7 +167,7 @@ impl Refinement {
 
     /// The subsegments on the rim of the cavity found last that a point encroaches upon.
     fn encroached_on_rim(&self, point: Point) -> Vec<HalfEdgeId> {
-        let rim = self.cdt.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
+        let rim = self.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
         let marked = rim.iter().filter(|e| e.mark != 0).map(|e| self.cdt.twin(e.outer));
         marked.filter(|&h| self.is_encroached(h, point)).collect()
     }
@@ -175,9 +175,9 @@ impl Refinement {
     /// Puts a free vertex into the cavity found last. Nobody takes it back; an event is told by what the log holds.
     pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
         let v = if self.event.is_some() {
-            self.cdt.fill_cavity(point, Provenance::Free, &mut self.log)
+            self.cdt.edit(&mut self.work, &mut self.log).fill_cavity(&mut self.cavity, point, Provenance::Free)
         } else {
-            self.cdt.fill_cavity(point, Provenance::Free, &mut NoJournal)
+            self.cdt.edit(&mut self.work, &mut NoJournal).fill_cavity(&mut self.cavity, point, Provenance::Free)
         };
         self.vertices += 1;
         self.report.points_inserted += 1;
@@ -194,7 +194,8 @@ impl Refinement {
             return Err(self.floor_reason);
         }
         let here = self.log.checkpoint();
-        let v = self.insert.insert(&mut self.cdt, point, locus, &mut self.log).ok_or(Reason::PrecisionFloor)?;
+        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
+        let v = self.insert.insert(&mut edit, point, locus).ok_or(Reason::PrecisionFloor)?;
         self.insertions += 1;
         if !self.is_there(v) {
             self.cdt.rollback(&mut self.log, here);
@@ -226,12 +227,17 @@ impl Refinement {
         if self.nearest_sq(point, Locus::Edge(h)) < self.floor_sq {
             return Err(self.floor_reason);
         }
+        if self.facts.by_cavity {
+            return self.try_cavity_on_edge(h, point);
+        }
         let here = self.log.checkpoint();
-        let mut split = self.insert.split(&mut self.cdt, h, point, Provenance::Free, &mut self.log);
+        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
+        let mut split = self.insert.split(&mut edit, h, point, Provenance::Free);
         if split.is_err() {
-            let mut beside = self.places_beside_on_edge(h, point).into_iter();
-            let mut try_beside = |p| self.insert.split(&mut self.cdt, h, p, Provenance::Free, &mut self.log).ok();
-            split = beside.find_map(&mut try_beside).map_or(split, Ok);
+            let beside = self.places_beside_on_edge(h, point);
+            let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
+            let beside = beside.into_iter().find_map(|p| self.insert.split(&mut edit, h, p, Provenance::Free).ok());
+            split = beside.map_or(split, Ok);
         }
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
         self.insertions += 1;
@@ -247,6 +253,30 @@ impl Refinement {
         self.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::OnEdge);
         self.look_around(v);
+        Ok(())
+    }
+
+    /// Splits an unconstrained edge by cavity.
+    fn try_cavity_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
+        let mut place = point;
+        let mut split = self.split_by_cavity(h, point, Provenance::Free);
+        if split.is_err() {
+            for beside in self.places_beside_on_edge(h, point) {
+                (place, split) = (beside, self.split_by_cavity(h, beside, Provenance::Free));
+                if split.is_ok() {
+                    break;
+                }
+            }
+        }
+        let Some((v, is_fan)) = split? else { return Err(self.floor_reason) };
+        self.vertices += 1;
+        self.report.points_inserted += 1;
+        self.note_inserted(v, InsertedKind::OnEdge);
+        if is_fan {
+            self.look_around_cavity(v, place)
+        } else {
+            self.look_around(v)
+        }
         Ok(())
     }
 

@@ -2,8 +2,9 @@
 
 use std::ops::Deref;
 
+use super::undo::columns;
 use crate::geometry::{BoundingBox, Orientation, Point, orient2d};
-use crate::mesh::{Column, FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 /// What the ghosts of a triangulation close.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -208,7 +209,7 @@ impl Triangulation {
         }
         self.duplicates.retain(|&(duplicate, representative)| {
             if J::ACTIVE && representative == v {
-                j.note(Column::DuplicateForgotten, duplicate.0, u64::from(v.0));
+                j.note(columns::DUPLICATE_FORGOTTEN, duplicate.0, u64::from(v.0));
             }
             representative != v
         });
@@ -231,12 +232,31 @@ impl Triangulation {
         self.mesh.free_vertex(v, j);
     }
 
+    /// Coordinates of all vertices and the corners of the real faces, the memory taken over.
+    pub(crate) fn into_points_and_triangles(self) -> (Vec<Point>, Vec<[u32; 3]>) {
+        (self.points, self.mesh.into_triangles())
+    }
+
+    /// Notes that an unused vertex lies on a used one.
+    pub(crate) fn note_duplicate<J: Journal>(&mut self, duplicate: VertexId, representative: VertexId, j: &mut J) {
+        if J::ACTIVE {
+            j.note(columns::DUPLICATE_NOTED, duplicate.0, 0);
+        }
+        self.put_duplicate((duplicate, representative));
+    }
+
+    /// Makes room for so many more vertices.
+    pub(crate) fn reserve_vertices(&mut self, vertices: usize) {
+        self.points.reserve(vertices);
+        self.mesh.reserve_vertices(vertices);
+    }
+
     /// Moves a vertex; the caller has proved its star.
     pub(crate) fn set_point<J: Journal>(&mut self, v: VertexId, p: Point, j: &mut J) {
         let slot = &mut self.points[v.index()];
         if J::ACTIVE {
-            j.note(Column::X, v.0, slot.x.to_bits());
-            j.note(Column::Y, v.0, slot.y.to_bits());
+            j.note(columns::X, v.0, slot.x.to_bits());
+            j.note(columns::Y, v.0, slot.y.to_bits());
         }
         *slot = p;
     }

@@ -1,7 +1,27 @@
 //! Taking changes back.
 
 use super::triangulation::{Closure, Triangulation};
-use crate::mesh::{Checkpoint, Column, Entry, Journal, UndoLog, VertexId};
+use crate::mesh::{Checkpoint, Entry, Journal, UndoLog, VertexId, columns as mesh_columns};
+
+/// The columns of coordinates and of the state.
+pub(super) mod columns {
+    use crate::mesh::{Column, Room};
+
+    const fn column(number: u8) -> Column {
+        Column::of(Room::Triangulation, number)
+    }
+
+    /// Bits of an abscissa.
+    pub(crate) const X: Column = column(0);
+    /// Bits of an ordinate.
+    pub(crate) const Y: Column = column(1);
+    /// Dimension, closure and lone vertex.
+    pub(crate) const STATE: Column = column(2);
+    /// Vertex `index` no longer duplicates vertex `old`.
+    pub(crate) const DUPLICATE_FORGOTTEN: Column = column(3);
+    /// Vertex `index` came to duplicate another one.
+    pub(crate) const DUPLICATE_NOTED: Column = column(4);
+}
 
 /// Dimension, closure and lone vertex in one journal entry.
 fn pack(dimension: i8, closure: Closure, lone: Option<VertexId>) -> u64 {
@@ -14,7 +34,7 @@ impl Triangulation {
     /// Sets dimension and lone vertex, through the journal.
     pub(crate) fn set_state<J: Journal>(&mut self, dimension: i8, closure: Closure, lone: Option<VertexId>, j: &mut J) {
         if J::ACTIVE {
-            j.note(Column::State, 0, pack(self.dimension, self.closure, self.lone));
+            j.note(columns::STATE, 0, pack(self.dimension, self.closure, self.lone));
         }
         (self.dimension, self.closure, self.lone) = (dimension, closure, lone);
     }
@@ -36,11 +56,16 @@ impl Triangulation {
     pub(crate) fn undo(&mut self, entry: Entry) -> bool {
         let i = entry.index as usize;
         match entry.column {
-            Column::X => self.points[i].x = f64::from_bits(entry.old),
-            Column::Y => self.points[i].y = f64::from_bits(entry.old),
-            Column::State => self.unpack(entry.old),
-            Column::DuplicateForgotten => self.note_duplicate(VertexId(entry.index), entry.old),
-            Column::VertexAppended => {
+            columns::X => self.points[i].x = f64::from_bits(entry.old),
+            columns::Y => self.points[i].y = f64::from_bits(entry.old),
+            columns::STATE => self.unpack(entry.old),
+            columns::DUPLICATE_FORGOTTEN => {
+                #[allow(clippy::cast_possible_truncation, reason = "the journal widened a vertex")]
+                let representative = VertexId(entry.old as u32);
+                self.put_duplicate((VertexId(entry.index), representative));
+            }
+            columns::DUPLICATE_NOTED => self.duplicates.retain(|(duplicate, _)| duplicate.0 != entry.index),
+            mesh_columns::VERTEX_APPENDED => {
                 self.points.truncate(i);
                 return self.mesh.undo(entry);
             }
@@ -49,9 +74,8 @@ impl Triangulation {
         true
     }
 
-    #[allow(clippy::cast_possible_truncation, reason = "the journal widened a vertex")]
-    fn note_duplicate(&mut self, duplicate: VertexId, representative: u64) {
-        let pair = (duplicate, VertexId(representative as u32));
+    /// Puts a pair into the sorted list of duplicates.
+    pub(super) fn put_duplicate(&mut self, pair: (VertexId, VertexId)) {
         let at = self.duplicates.partition_point(|other| *other < pair);
         self.duplicates.insert(at, pair);
     }

@@ -83,7 +83,7 @@ fn refined(input: &Pslg, rule: DomainRule, options: RefineOptions) -> (IndexedMe
     let mut refinement = Refinement::new(cdt, options).expect("good options");
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    assert_eq!(cdt.check(), []);
+    assert_eq!(cdt.check_delaunay(), []);
     let mesh = cdt.to_indexed(input);
     assert_eq!(check_mesh(&mesh), []);
     assert_eq!(against_input(&mesh, input).faults, []);

@@ -69,7 +69,7 @@ fn a_star_of_twenty_thousand_spokes_is_refined() {
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
     assert!(report.vertices > 3 * N as usize, "{} vertices", report.vertices);
-    assert_eq!(cdt.triangulation_faults(), []);
+    assert_eq!(cdt.check(), []);
 }
 
 /// The half-edge between two vertices, found from both ends.

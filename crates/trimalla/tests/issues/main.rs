@@ -33,7 +33,7 @@ fn refined(drawing: &Pslg, rule: DomainRule, options: RefineOptions) -> (Indexed
     let mut refinement = Refinement::new(cdt, options).expect("good options");
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    assert_eq!(cdt.check(), []);
+    assert_eq!(cdt.check_delaunay(), []);
     let mesh = cdt.to_indexed(drawing);
     assert_eq!(check_mesh(&mesh), []);
     (mesh, report)

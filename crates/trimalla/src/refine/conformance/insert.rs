@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Breach, Subject, by_name, carved, drawings, ensure, laws, view};
-use crate::constrained::{ConstrainedDelaunay, Provenance};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Edit, Provenance, Workspace};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Pslg;
 use crate::geometry::{Point, Triangle};
@@ -39,7 +39,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 }
 
 /// The middle of every triangle and of every edge.
-fn places(cdt: &ConstrainedDelaunay) -> Vec<Proposal> {
+fn places(cdt: &ConstrainedTriangulation) -> Vec<Proposal> {
     let middles = by_name(cdt).into_iter().map(|f| {
         let [a, b, c] = cdt.corners(f);
         (f, Triangle::new(a, b, c).centroid())
@@ -58,34 +58,33 @@ fn places(cdt: &ConstrainedDelaunay) -> Vec<Proposal> {
 }
 
 /// Puts a vertex in at a place; `None` where it was refused.
-fn put_in(
-    step: &dyn InsertStep,
-    cdt: &mut ConstrainedDelaunay,
-    place: Proposal,
-    log: &mut UndoLog,
-) -> (Point, Option<VertexId>) {
+fn put_in(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal) -> (Point, Option<VertexId>) {
     match place {
-        Proposal::Free { point, locus } => (point, step.insert(cdt, point, locus, log)),
-        Proposal::OnEdge { edge, point } => (point, step.split(cdt, edge, point, Provenance::Free, log).ok()),
+        Proposal::Free { point, locus } => (point, step.insert(edit, point, locus)),
+        Proposal::OnEdge { edge, point } => (point, step.split(edit, edge, point, Provenance::Free).ok()),
         Proposal::Split(h) => {
-            let (point, provenance) = cdt.point_on_subsegment(h, 0.5);
-            (point, step.split(cdt, h, point, provenance, log).ok())
+            let (point, provenance) = edit.point_on_subsegment(h, 0.5);
+            (point, step.split(edit, h, point, provenance).ok())
         }
     }
 }
 
 /// The vertex lies where it was put, the triangulation is sound, segments are whole, and all of it can be taken back.
-fn goes_in_and_comes_out(step: &dyn InsertStep, start: &ConstrainedDelaunay, place: Proposal) -> Result<(), Breach> {
-    let (mut cdt, mut log) = (start.clone(), UndoLog::new());
+fn goes_in_and_comes_out(
+    step: &dyn InsertStep,
+    start: &ConstrainedTriangulation,
+    place: Proposal,
+) -> Result<(), Breach> {
+    let (mut cdt, mut work, mut log) = (start.clone(), Workspace::default(), UndoLog::new());
     let here = log.checkpoint();
-    let (point, inserted) = put_in(step, &mut cdt, place, &mut log);
+    let (point, inserted) = put_in(step, &mut cdt.edit(&mut work, &mut log), place);
     let Some(v) = inserted else {
         return ensure(cdt == *start, || format!("{point} is refused, and yet something has changed"));
     };
     ensure(cdt.point(v) == point && cdt.is_used(v), || format!("{point} is put in and is not there"))?;
-    let faults = if step.keeps_delaunay() { cdt.check() } else { cdt.triangulation_faults() };
+    let faults = if step.keeps_delaunay() { cdt.check_delaunay() } else { cdt.check() };
     ensure(faults.is_empty(), || format!("{point} leaves {} faults, the first: {:?}", faults.len(), faults[0]))?;
-    let marks = |cdt: &ConstrainedDelaunay| cdt.edges().filter(|&h| cdt.is_marked(h)).count();
+    let marks = |cdt: &ConstrainedTriangulation| cdt.edges().filter(|&h| cdt.is_marked(h)).count();
     let expected = marks(start) + usize::from(matches!(place, Proposal::Split(_)));
     ensure(marks(&cdt) == expected, || format!("{point} leaves {} subsegments, not {expected}", marks(&cdt)))?;
     cdt.rollback(&mut log, here);
@@ -93,7 +92,7 @@ fn goes_in_and_comes_out(step: &dyn InsertStep, start: &ConstrainedDelaunay, pla
 }
 
 /// What is flipped instead of an insertion is no segment, and fails the circle test.
-fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedDelaunay, place: Proposal) -> Result<(), Breach> {
+fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(), Breach> {
     let (step, options) = (subject.steps().insert, subject.options());
     let Some(h) = step.flip_instead(view(cdt, &options), place) else { return Ok(()) };
     let ends = [cdt.origin(h), cdt.dest(h)];
@@ -115,7 +114,7 @@ fn all_in(step: &Arc<dyn InsertStep + Send + Sync>, mut cdt: ConstrainedDelaunay
             _ => false,
         };
         if is_free {
-            step.insert(&mut cdt, point, locus, &mut log);
+            step.insert(&mut cdt.edit(&mut log), point, locus);
         }
     }
     (cdt.points().to_vec(), cdt.canonical())

@@ -8,7 +8,7 @@
 //! 5. *Reversible*: taken back step by step, it comes to the arrays of the start.
 
 use super::{Breach, MOST_STEPS, MOST_VERTICES, Subject, drawings, ensure};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Pslg;
 use crate::refine::event::Event;
@@ -34,7 +34,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 
     let mut other = subject.begin(pslg, AlgorithmKey::DivideAndConquer)?;
     other.run_until(|_| false);
-    let mesh = |cdt: &ConstrainedDelaunay| (cdt.points().to_vec(), cdt.canonical());
+    let mesh = |cdt: &ConstrainedTriangulation| (cdt.points().to_vec(), cdt.canonical());
     ensure(mesh(&end) == mesh(other.triangulation()), || "another triangulator leads to another mesh".to_owned())?;
 
     for left in (0..steps).rev() {
@@ -57,7 +57,7 @@ pub(super) fn run(
         let event = refinement.step();
         let at = |breach: String| format!("step {number}: {breach}");
         let cdt = refinement.triangulation();
-        let faults: Vec<Fault> = if keeps_delaunay { cdt.check() } else { cdt.triangulation_faults() };
+        let faults: Vec<Fault> = if keeps_delaunay { cdt.check_delaunay() } else { cdt.check() };
         ensure(faults.is_empty(), || at(format!("{} faults, the first: {:?}", faults.len(), faults[0])))?;
         ensure(cdt.points().starts_with(&pslg.points), || at("a vertex of the drawing has moved".to_owned()))?;
         more(refinement, &event).map_err(|Breach(breach)| Breach(at(breach)))?;

@@ -48,7 +48,7 @@ use super::recipe::{Recipe, Select};
 use super::refinement::Refinement;
 use super::ruler::Ruler;
 use super::steps::{Steps, View};
-use crate::constrained::{ConstrainedDelaunay, Crossings};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, Pslg, build};
 use crate::mesh::{FaceId, VertexId};
@@ -139,19 +139,19 @@ fn ensure(holds: bool, breach: impl FnOnce() -> String) -> Result<(), Breach> {
 }
 
 /// Three vertices in order: what a triangle is called, whatever slot it has.
-fn name(cdt: &ConstrainedDelaunay, face: FaceId) -> [VertexId; 3] {
+fn name(cdt: &ConstrainedTriangulation, face: FaceId) -> [VertexId; 3] {
     super::bad_triangles::sorted(cdt.face_vertices(face))
 }
 
 /// The triangles in the order of their names.
-fn by_name(cdt: &ConstrainedDelaunay) -> Vec<FaceId> {
+fn by_name(cdt: &ConstrainedTriangulation) -> Vec<FaceId> {
     let mut faces: Vec<FaceId> = cdt.real_faces().collect();
     faces.sort_unstable_by_key(|&f| name(cdt, f));
     faces
 }
 
 /// What a step sees.
-fn view<'a>(cdt: &'a ConstrainedDelaunay, options: &'a RefineOptions) -> View<'a> {
+fn view<'a>(cdt: &'a ConstrainedTriangulation, options: &'a RefineOptions) -> View<'a> {
     View { cdt, criteria: &options.criteria, ruler: Ruler::for_box(cdt.bounding_box()), longest_walk: usize::MAX }
 }
 

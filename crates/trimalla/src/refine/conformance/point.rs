@@ -1,7 +1,7 @@
 //! The suite of step 3.
 
 use super::{Breach, Subject, by_name, drawings, ensure, laws, name, view};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Pslg;
 use crate::geometry::{Orientation, Point, Segment, math, orient2d};
@@ -48,7 +48,7 @@ fn on_the_way(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 type Description = (&'static str, Option<[VertexId; 2]>, Option<[u64; 2]>);
 
 /// The places of every triangle, each where it says it is.
-fn described(subject: &Subject, cdt: &ConstrainedDelaunay) -> Result<Vec<Vec<Description>>, Breach> {
+fn described(subject: &Subject, cdt: &ConstrainedTriangulation) -> Result<Vec<Vec<Description>>, Breach> {
     let (step, options) = (subject.steps().point, subject.options());
     let of_face = |face: FaceId| {
         let mut places = Vec::new();
@@ -69,7 +69,7 @@ fn described(subject: &Subject, cdt: &ConstrainedDelaunay) -> Result<Vec<Vec<Des
     by_name(cdt).into_iter().map(of_face).collect()
 }
 
-fn is_where_it_says(cdt: &ConstrainedDelaunay, place: Proposal) -> Result<(), Breach> {
+fn is_where_it_says(cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(), Breach> {
     let inside = |f: FaceId, p: Point| {
         let sides = f.half_edges().map(|h| cdt.side_of(h, p));
         cdt.is_real(f) && sides == [Orientation::CounterClockwise; 3]
@@ -93,17 +93,17 @@ fn is_where_it_says(cdt: &ConstrainedDelaunay, place: Proposal) -> Result<(), Br
     }
 }
 
-fn is_edge(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> bool {
+fn is_edge(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> bool {
     h.index() < 3 * cdt.face_slots() && [h, cdt.twin(h)].into_iter().any(|side| cdt.is_real(side.face()))
 }
 
 /// An edge between two triangles that no segment runs along.
-fn is_free_edge(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> bool {
+fn is_free_edge(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> bool {
     is_edge(cdt, h) && !cdt.is_marked(h) && [h, cdt.twin(h)].into_iter().all(|side| cdt.is_real(side.face()))
 }
 
 /// Whether a point lies on an edge and not at its ends, to within some units in the last place.
-fn is_on(cdt: &ConstrainedDelaunay, h: HalfEdgeId, p: Point, ulps: f64) -> bool {
+fn is_on(cdt: &ConstrainedTriangulation, h: HalfEdgeId, p: Point, ulps: f64) -> bool {
     let [a, b] = cdt.edge_points(h);
     let edge = Segment::new(a, b);
     let is_near = edge.distance(p) <= ulps * math::last_place(edge.largest_coordinate());
@@ -111,7 +111,7 @@ fn is_on(cdt: &ConstrainedDelaunay, h: HalfEdgeId, p: Point, ulps: f64) -> bool 
     is_between && (orient2d(a, b, p) == Orientation::Collinear || ulps > 0.0 && is_near)
 }
 
-fn description(cdt: &ConstrainedDelaunay, place: Proposal) -> Description {
+fn description(cdt: &ConstrainedTriangulation, place: Proposal) -> Description {
     let ends = |h: HalfEdgeId| {
         let (a, b) = (cdt.origin(h), cdt.dest(h));
         Some([a.min(b), a.max(b)])

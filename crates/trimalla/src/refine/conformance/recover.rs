@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Breach, Subject, drawings, ensure, laws};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Pslg;
 use crate::quality::{InputFault, against_input};
@@ -41,7 +41,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 }
 
 /// Every edge with a triangle on one side alone is marked, so that nothing flips it or walks across.
-fn the_border_is_locked(cdt: &ConstrainedDelaunay) -> Result<(), Breach> {
+fn the_border_is_locked(cdt: &ConstrainedTriangulation) -> Result<(), Breach> {
     let open = cdt.edges().find(|&h| {
         let sides = [h, cdt.twin(h)].map(|side| cdt.is_real(side.face()));
         sides[0] != sides[1] && !cdt.is_marked(h)
@@ -50,7 +50,7 @@ fn the_border_is_locked(cdt: &ConstrainedDelaunay) -> Result<(), Breach> {
 }
 
 /// The segments of the drawing that are no chains of edges.
-fn missing(cdt: &ConstrainedDelaunay, pslg: &Pslg) -> BTreeSet<u32> {
+fn missing(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> BTreeSet<u32> {
     let faults = against_input(&cdt.to_indexed(pslg), pslg).faults;
     faults.into_iter().filter_map(|fault| segment_of(&fault)).collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Breach, Subject, by_name, drawings, ensure, laws, name, view};
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Pslg;
 use crate::geometry::triangle_angles_at_least;
@@ -92,13 +92,13 @@ fn what_is_taken_is_there(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> 
 }
 
 /// In the end every triangle that is still bad is told of.
-fn everything_was_taken(cdt: &ConstrainedDelaunay, told: usize, options: &RefineOptions) -> Result<(), Breach> {
+fn everything_was_taken(cdt: &ConstrainedTriangulation, told: usize, options: &RefineOptions) -> Result<(), Breach> {
     let bad: BTreeSet<_> =
         by_name(cdt).into_iter().filter(|&f| is_bad(cdt, f, options)).map(|f| name(cdt, f)).collect();
     ensure(bad.len() == told, || format!("{} triangles are bad in the end, and {told} are told of", bad.len()))
 }
 
-fn is_bad(cdt: &ConstrainedDelaunay, face: FaceId, options: &RefineOptions) -> bool {
+fn is_bad(cdt: &ConstrainedTriangulation, face: FaceId, options: &RefineOptions) -> bool {
     let [a, b, c] = cdt.corners(face);
     !triangle_angles_at_least(a, b, c, options.criteria.min_angle.cos_sq())
 }

@@ -1,7 +1,7 @@
 //! Strategies that break a law, and the suite that notices.
 
 use super::*;
-use crate::constrained::{Provenance, SplitError};
+use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::{Point, Triangle};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog};
@@ -121,21 +121,22 @@ struct Broken {
 }
 
 impl InsertStep for Broken {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
         let point = if self.is_shifted { Point::new(p.x + 1e-9, p.y) } else { p };
-        let mut forgotten = UndoLog::new();
-        self.good.insert(cdt, point, locus, if self.is_unlogged { &mut forgotten } else { log })
+        if !self.is_unlogged {
+            return self.good.insert(edit, point, locus);
+        }
+        edit.with_log(&mut UndoLog::new(), |edit| self.good.insert(edit, point, locus))
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        self.good.split(cdt, h, p, provenance, log)
+        self.good.split(edit, h, p, provenance)
     }
 
     fn keeps_delaunay(&self) -> bool {
@@ -163,26 +164,25 @@ fn a_step_4_that_spoils_is_noticed() {
 struct Thief(Arc<dyn InsertStep + Send + Sync>);
 
 impl InsertStep for Thief {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        let inner = (0..cdt.segments().len() as u32).rev().find(|&s| {
-            let chain = cdt.chain(s);
-            !chain.is_empty() && chain.iter().all(|&h| cdt.is_real(h.face()) && cdt.is_real(cdt.twin(h).face()))
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
+        let inner = (0..edit.segments().len() as u32).rev().find(|&s| {
+            let chain = edit.chain(s);
+            !chain.is_empty() && chain.iter().all(|&h| edit.is_real(h.face()) && edit.is_real(edit.twin(h).face()))
         });
         match inner {
-            Some(segment) if cdt.remove_segment_with(segment, log) => cdt.insert_with(p, log).ok().map(|i| i.vertex()),
-            _ => self.0.insert(cdt, p, locus, log),
+            Some(segment) if edit.remove_segment(segment) => edit.insert(p).ok().map(|i| i.vertex()),
+            _ => self.0.insert(edit, p, locus),
         }
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        self.0.split(cdt, h, p, provenance, log)
+        self.0.split(edit, h, p, provenance)
     }
 }
 

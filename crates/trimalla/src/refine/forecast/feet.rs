@@ -19,7 +19,7 @@
 
 use std::collections::VecDeque;
 
-use crate::constrained::ConstrainedDelaunay;
+use crate::constrained::{ConstrainedTriangulation, Workspace};
 use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::refine::Ruler;
 use crate::refine::joints::{Piece, common_end};
@@ -30,7 +30,8 @@ const MOST_FEET: usize = 4;
 /// The triangulation with its feet.
 #[derive(Debug)]
 pub(super) struct Footed {
-    pub(super) cdt: ConstrainedDelaunay,
+    pub(super) cdt: ConstrainedTriangulation,
+    work: Workspace,
     pub(super) ruler: Ruler,
     /// The piece that a foot lies on; none for other vertices.
     foot_on: Vec<Option<Piece>>,
@@ -43,12 +44,12 @@ impl Footed {
     ///
     /// # Complexity
     /// One insertion a foot; the number of feet is bounded by a multiple of vertices and pieces.
-    pub(super) fn of(cdt: &ConstrainedDelaunay) -> Self {
+    pub(super) fn of(cdt: &ConstrainedTriangulation) -> Self {
         let mut pieces: Vec<Piece> = cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| ends(cdt, h)).collect();
         pieces.sort_unstable();
         let ruler = Ruler::for_box(cdt.bounding_box());
         let foot_on = vec![None; cdt.points().len()];
-        let mut footed = Self { cdt: cdt.clone(), ruler, foot_on, pieces };
+        let mut footed = Self { cdt: cdt.clone(), work: Workspace::default(), ruler, foot_on, pieces };
         footed.put_feet();
         footed
     }
@@ -66,7 +67,9 @@ impl Footed {
             let piece = self.piece_of(h);
             let (point, provenance) = self.cdt.point_on_subsegment(h, t);
             // Where rounding refuses a foot, the vertex is as good as on the segment; lengths tell.
-            let Ok(foot) = self.cdt.split_subsegment(h, point, provenance, &mut NoJournal) else { continue };
+            let mut journal = NoJournal;
+            let mut edit = self.cdt.edit(&mut self.work, &mut journal);
+            let Ok(foot) = edit.split_subsegment(h, point, provenance) else { continue };
             left -= 1;
             if self.foot_on.len() <= foot.index() {
                 self.foot_on.resize(foot.index() + 1, None);
@@ -139,7 +142,7 @@ impl Footed {
     }
 }
 
-fn ends(cdt: &ConstrainedDelaunay, h: HalfEdgeId) -> Piece {
+fn ends(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
     let (a, b) = (cdt.origin(h), cdt.dest(h));
     [a.min(b), a.max(b)]
 }

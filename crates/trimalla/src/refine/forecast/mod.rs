@@ -27,7 +27,7 @@ use super::joints::Piece;
 use super::mirror::MIRRORED_DEG;
 use super::options::{Criteria, Limits, RefineOptions};
 use super::refinement::{length_floor, precision_floor};
-use crate::constrained::{ConstrainedDelaunay, SegmentId};
+use crate::constrained::{ConstrainedTriangulation, SegmentId};
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
@@ -157,7 +157,7 @@ impl fmt::Display for Feature {
 /// `[Ruppert95]`: the number of triangles is the integral of the inverse square of the local feature size, up to a
 /// constant; the constants are measured.
 #[must_use]
-pub fn forecast(cdt: &ConstrainedDelaunay, options: &RefineOptions) -> Forecast {
+pub fn forecast(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Forecast {
     let footed = Footed::of(cdt);
     let bounds = cdt.bounding_box();
     let (floor, _) = length_floor(bounds, options, footed.ruler);
@@ -328,7 +328,7 @@ impl<'a> Tally<'a> {
         self.sizes.source(if self.sizes.at(b) < self.sizes.at(a) { b } else { a })
     }
 
-    fn forecast(&self, cdt: &ConstrainedDelaunay) -> Forecast {
+    fn forecast(&self, cdt: &ConstrainedTriangulation) -> Forecast {
         let faces = cdt.face_count() as f64;
         let border = cdt.ghost_faces().count() as f64;
         let parts = || self.by_source.iter().chain(self.by_pair.values().map(|(part, _)| part));
@@ -409,7 +409,7 @@ pub(super) fn extent_of(bounds: Option<BoundingBox>) -> f64 {
 
 /// For each side of a constrained edge, by half-edge, the tangents of half the sectors at its origin and its dest that
 /// it bounds; infinite for sectors of 180 degrees and more.
-fn slopes_of_bisectors(cdt: &ConstrainedDelaunay) -> Vec<[f64; 2]> {
+fn slopes_of_bisectors(cdt: &ConstrainedTriangulation) -> Vec<[f64; 2]> {
     let mut slopes = vec![[f64::INFINITY; 2]; 3 * cdt.face_slots()];
     for_each_sector(cdt, |_, sector| match sector.sides {
         Some([from, to]) if sector.angle.degrees() < 180.0 => {

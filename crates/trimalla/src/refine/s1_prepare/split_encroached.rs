@@ -38,7 +38,7 @@ impl SplitEncroached {
     /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it: the one
     /// that has the bound as its angle at either end.
     fn is_too_long(view: View<'_>, h: HalfEdgeId) -> bool {
-        if view.criteria.max_area.is_none() && view.cdt.regions.is_empty() {
+        if view.criteria.max_area.is_none() && view.cdt.regions().is_empty() {
             return false;
         }
         let sides = [h, view.cdt.twin(h)].map(HalfEdgeId::face).into_iter().filter(|&f| view.cdt.is_real(f));

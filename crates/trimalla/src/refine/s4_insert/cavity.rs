@@ -3,7 +3,7 @@
 //! # Source
 //! `[Bowyer81]`, `[Watson81]`.
 
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
+use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
@@ -14,19 +14,18 @@ use crate::refine::steps::InsertStep;
 pub(super) struct Cavity;
 
 impl InsertStep for Cavity {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        cdt.insert_by_cavity(p, locus, log)
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
+        edit.insert_by_cavity(p, locus)
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        cdt.split_by_cavity(h, p, provenance, log)
+        edit.split_by_cavity(h, p, provenance)
     }
 
     fn by_cavity(&self) -> bool {

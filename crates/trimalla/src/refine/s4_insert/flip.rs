@@ -3,7 +3,7 @@
 //! # Source
 //! `[Lawson77]`, `[Vigo97]`.
 
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
+use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
@@ -14,18 +14,17 @@ use crate::refine::steps::InsertStep;
 pub(super) struct Flip;
 
 impl InsertStep for Flip {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        Some(cdt.insert_vertex_at(p, locus, log))
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
+        Some(edit.insert_vertex_at(p, locus))
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        cdt.split_subsegment(h, p, provenance, log)
+        edit.split_subsegment(h, p, provenance)
     }
 }

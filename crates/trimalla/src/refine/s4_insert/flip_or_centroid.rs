@@ -4,7 +4,7 @@
 //! # Source
 //! `[Sanhueza]`, the slide of the algorithm. (Slide 4 puts it the other way round: flips where the pair *is* Delaunay.)
 
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
+use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::{BoundingBox, Point};
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
@@ -37,25 +37,24 @@ impl InsertStep for FlipOrCentroid {
         view.cdt.fails_circle_test(edge).then_some(edge)
     }
 
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
         // The scale is a power of two: that of the face itself orders its edges as that of the drawing does.
         let corners = match locus {
-            Locus::Face(f) => BoundingBox::of(cdt.face_points(f)),
+            Locus::Face(f) => BoundingBox::of(edit.face_points(f)),
             _ => None,
         };
-        let in_pair = Self::edge_of(cdt, Ruler::for_box(corners), locus).and_then(|h| cdt.insert_in_pair(p, h, log));
-        in_pair.or_else(|| cdt.place_vertex_at(p, locus, log))
+        let in_pair = Self::edge_of(edit, Ruler::for_box(corners), locus).and_then(|h| edit.insert_in_pair(p, h));
+        in_pair.or_else(|| edit.place_vertex_at(p, locus))
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        cdt.cut_subsegment(h, p, provenance, log)
+        edit.cut_subsegment(h, p, provenance)
     }
 
     fn keeps_delaunay(&self) -> bool {

@@ -3,7 +3,7 @@
 //! # Source
 //! `[Rivara97]`: longest-edge bisection.
 
-use crate::constrained::{ConstrainedDelaunay, Provenance, SplitError};
+use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::Point;
 use crate::locate::Locus;
 use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
@@ -14,19 +14,18 @@ use crate::refine::steps::InsertStep;
 pub(super) struct Partition;
 
 impl InsertStep for Partition {
-    fn insert(&self, cdt: &mut ConstrainedDelaunay, p: Point, locus: Locus, log: &mut UndoLog) -> Option<VertexId> {
-        cdt.place_vertex_at(p, locus, log)
+    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
+        edit.place_vertex_at(p, locus)
     }
 
     fn split(
         &self,
-        cdt: &mut ConstrainedDelaunay,
+        edit: &mut Edit<'_, UndoLog>,
         h: HalfEdgeId,
         p: Point,
         provenance: Provenance,
-        log: &mut UndoLog,
     ) -> Result<VertexId, SplitError> {
-        cdt.cut_subsegment(h, p, provenance, log)
+        edit.cut_subsegment(h, p, provenance)
     }
 
     fn keeps_small_angles(&self) -> bool {

@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use super::columns;
 use super::lines::{Lines, Span};
-use crate::mesh::{Journal, VertexId};
+use crate::mesh::{Entry, Journal, VertexId};
 
 /// In the mark of a span, above its number.
 const SPAN: u32 = 1 << 31;
@@ -17,7 +18,7 @@ const SPAN: u32 = 1 << 31;
 /// A list is a sorted list of input segments. Lists of one segment are found by a look-up, and no class has an allocation
 /// of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Constraints {
+pub(crate) struct Classes {
     /// The lists, one behind the other.
     members: Vec<u32>,
     /// Where each list ends.
@@ -31,10 +32,10 @@ pub(crate) struct Constraints {
 }
 
 /// How many classes there are of either kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct ClassCount {
-    pub(super) lists: u32,
-    pub(super) spans: u32,
+#[derive(Clone, Copy, Debug)]
+struct ClassCount {
+    lists: u32,
+    spans: u32,
 }
 
 /// What a mark names.
@@ -46,15 +47,16 @@ pub(super) enum Class<'a> {
     Span(Span),
 }
 
-impl Constraints {
+impl Classes {
     /// The mark of an edge that belongs to exactly these segments, sorted; a new class where needed.
     ///
     /// The empty list marks edges that bound the domain without being part of any segment.
-    pub(crate) fn mark_of(&mut self, segments: &[u32]) -> u32 {
+    pub(super) fn mark_of<J: Journal>(&mut self, segments: &[u32], j: &mut J) -> u32 {
         let known = self.existing_mark_of(segments);
         if known != 0 {
             return known;
         }
+        self.note_count(j);
         self.members.extend_from_slice(segments);
         self.ends.push(self.members.len() as u32);
         let mark = self.ends.len() as u32;
@@ -71,8 +73,16 @@ impl Constraints {
         mark
     }
 
+    /// Notes how many classes there are, as one is about to be added.
+    fn note_count<J: Journal>(&self, j: &mut J) {
+        if J::ACTIVE {
+            let ClassCount { lists, spans } = self.count();
+            j.note(columns::CLASSES, lists, u64::from(spans));
+        }
+    }
+
     /// The mark of exactly these segments, 0 where they have no class.
-    pub(crate) fn existing_mark_of(&self, segments: &[u32]) -> u32 {
+    fn existing_mark_of(&self, segments: &[u32]) -> u32 {
         let mark = match segments {
             [segment] => self.alone.get(*segment as usize),
             _ => self.class_of.get(segments),
@@ -82,7 +92,8 @@ impl Constraints {
 
     /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is the
     /// lowest segment that covers it, and a member of the line.
-    pub(super) fn mark_of_span(&mut self, ends: [VertexId; 2], first: u32) -> u32 {
+    pub(super) fn mark_of_span<J: Journal>(&mut self, ends: [VertexId; 2], first: u32, j: &mut J) -> u32 {
+        self.note_count(j);
         SPAN | self.lines.add_span(ends, first) as u32
     }
 
@@ -117,12 +128,20 @@ impl Constraints {
     }
 
     /// Number of classes.
-    pub(super) fn count(&self) -> ClassCount {
+    fn count(&self) -> ClassCount {
         ClassCount { lists: self.ends.len() as u32, spans: self.lines.spans() as u32 }
     }
 
+    /// Puts back one entry.
+    pub(super) fn undo(&mut self, entry: Entry) {
+        match entry.column {
+            columns::CLASSES => self.truncate(ClassCount { lists: entry.index, spans: entry.old as u32 }),
+            _ => self.lines.undo(entry),
+        }
+    }
+
     /// Forgets the newest classes, down to that many.
-    pub(super) fn truncate(&mut self, count: ClassCount) {
+    fn truncate(&mut self, count: ClassCount) {
         self.lines.truncate_spans(count.spans as usize);
         while self.ends.len() > count.lists as usize {
             let list = self.list(self.ends.len() as u32).to_vec();
