@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::Path;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use crate::Outcome;

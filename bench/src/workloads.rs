@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use crate::Outcome;

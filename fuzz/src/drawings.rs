@@ -1,6 +1,6 @@
 //! Random drawings, tame and wild.
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{Pslg, Region};
 use trimalla::geometry::Point;
 use trimalla_testkit::generators::{
     PointSetKind, PslgKind, moved_to_utm, noisy, point_set, pslg, resampled, rotated, scaled,

@@ -4,10 +4,10 @@ use std::fmt::Debug;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use trimalla::constrained::crossing_pairs;
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::RefineOptions;
-use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
+use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::first_flaw;
 use trimalla_testkit::peers::check_mesh_in_memory;
 

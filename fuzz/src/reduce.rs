@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla_io::{RecipeFile, recipe};
 

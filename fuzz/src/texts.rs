@@ -1,6 +1,6 @@
 //! Random files: valid ones, damaged ones, words without sense.
 
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::IndexedMesh;
 use trimalla_io::{Format, WriteOptions};
 
 use crate::draws::Draws;

@@ -27,7 +27,7 @@ fn main() -> Outcome<()> {
 }
 
 fn write_nodes(name: &str, file: &str, a_poly: &Path) -> Outcome<()> {
-    let mesh = trimalla::triangulation::IndexedMesh { points: workload(name, a_poly)?.points, ..Default::default() };
+    let mesh = trimalla::drawing::IndexedMesh { points: workload(name, a_poly)?.points, ..Default::default() };
     let mut out = BufWriter::new(File::create(file)?);
     node::write(&mut out, &mesh, 1)?;
     Ok(out.flush()?)

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{self, DomainRule, Pslg};
+use trimalla::domain::{self, DomainRule};
+use trimalla::drawing::Pslg;
 use trimalla::refine::{Fill, Preset, RefineOptions};
 use trimalla::{MeshOptions, mesh};
 use trimalla_bench::{Measured, Outcome, drawing, measure};

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::Delaunay;
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Containment, Point, Ring};
 use trimalla::{DomainOptions, triangulate};
 use trimalla_bench::Outcome;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::{BoundingBox, Point};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::refine::{Event, Name};
 
 use crate::trace::outcome_key;

@@ -3,8 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
 
 use crate::console::{note, shown};

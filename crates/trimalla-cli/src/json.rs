@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value, json};
 use trimalla::Meshed;
+use trimalla::drawing::IndexedMesh;
 use trimalla::quality::{Classes, Histogram, Spread, Statistics};
 use trimalla::refine::{Overview, Report, StopReason};
-use trimalla::triangulation::IndexedMesh;
 use trimalla_io::RecipeFile;
 
 use crate::console;

@@ -1,7 +1,7 @@
 //! Which bounds the triangles miss that were left.
 
+use trimalla::drawing::IndexedMesh;
 use trimalla::refine::{Criteria, Missed, Report};
-use trimalla::triangulation::IndexedMesh;
 
 use crate::text::corners;
 

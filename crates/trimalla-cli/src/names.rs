@@ -3,9 +3,10 @@
 use std::cell::OnceCell;
 
 use trimalla::constrained::{ConstraintError, CrossingPair};
-use trimalla::domain::{DomainError, NearFeature, OpenEnd, Pslg, Warning};
+use trimalla::domain::{DomainError, NearFeature, OpenEnd, Warning};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 
 use crate::console::count;
 use crate::exit::{Failure, Status};

@@ -5,8 +5,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::bars::BarChart;
 use trimalla_io::{self as io, IoError, RecipeFile, SvgOptions, WriteOptions};
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use clap::Args;
-use trimalla::mesh::{FaceId, VertexId};
+use trimalla::half_edge::{FaceId, VertexId};
 use trimalla::refine::{Refinement, Select};
 
 use crate::console::count;

@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::Path;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla_io::read_bytes;
 
 use crate::input::Input;

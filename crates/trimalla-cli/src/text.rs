@@ -3,11 +3,10 @@
 use std::fmt::Write as _;
 
 use trimalla::Meshed;
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Point, Triangle};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::{Leftover, Missed, Overview, Protect, Reason, RefineOptions, Report, StopReason};
-use trimalla::triangulation::IndexedMesh;
 use trimalla_compare::facts;
 use trimalla_io::RecipeFile;
 

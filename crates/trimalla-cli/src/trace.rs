@@ -10,7 +10,7 @@ use clap::Args;
 use serde_json::{Value, json};
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::refine::{Candidate, Event, Name, StepOutcome};
 use trimalla_io::{Draft, IoError, Outputs, Pictures};
 

@@ -8,9 +8,9 @@
 
 use std::sync::Arc;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::mesh::FaceId;
+use trimalla::half_edge::FaceId;
 use trimalla::refine::Preset;
 use trimalla::refine::steps::{PointStep, Proposal, View};
 use trimalla_compare::{Contender, Experiment, NoWatch, figures, markdown};

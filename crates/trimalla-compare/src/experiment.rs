@@ -1,6 +1,6 @@
 //! What is run: drawings, contenders, angles, limits.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::refine::RefineOptions;
 use trimalla::{DomainOptions, triangulate};
 use trimalla_io::{Format, RecipeFile, WriteOptions, recipe, write_pslg_to};

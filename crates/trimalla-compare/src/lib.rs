@@ -21,7 +21,7 @@
 //!
 //! # Examples
 //! ```
-//! use trimalla::{domain::Pslg, geometry::Point, refine::Preset};
+//! use trimalla::{drawing::Pslg, geometry::Point, refine::Preset};
 //! use trimalla_compare::{Contender, Experiment, NoWatch, markdown};
 //!
 //! let points = [[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]].map(Point::from).to_vec();

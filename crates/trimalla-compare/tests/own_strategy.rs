@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::mesh::FaceId;
+use trimalla::half_edge::FaceId;
 use trimalla::refine::Preset;
 use trimalla::refine::steps::{PointStep, Proposal, View};
 use trimalla_compare::{

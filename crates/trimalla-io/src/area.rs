@@ -5,7 +5,7 @@
 //! <number> <largest area>
 //! ```
 //! Numbers are consecutive and start at 0 or 1, as the first one says. A largest area that is zero or negative is none.
-//! Bounds are no part of an [`IndexedMesh`](trimalla::triangulation::IndexedMesh): [`read_areas`](crate::read_areas) finds
+//! Bounds are no part of an [`IndexedMesh`](trimalla::drawing::IndexedMesh): [`read_areas`](crate::read_areas) finds
 //! them beside a mesh.
 
 use std::io::{self, Write};

@@ -87,7 +87,7 @@ impl fmt::Display for BarChart {
 /// # Examples
 /// ```
 /// use trimalla::quality::Statistics;
-/// use trimalla::{MeshOptions, domain::Pslg, geometry::Point};
+/// use trimalla::{MeshOptions, drawing::Pslg, geometry::Point};
 /// use trimalla_io::bars;
 ///
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();

@@ -5,9 +5,8 @@
 
 use std::io;
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 /// Vertices and their columns.
 #[derive(Clone, Copy, Debug)]

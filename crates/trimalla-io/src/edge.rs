@@ -9,7 +9,7 @@
 
 use std::io::{self, Write};
 
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::IndexedMesh;
 
 use crate::columns::{Points, Segments, check_triangles};
 use crate::error::IoError;

@@ -22,9 +22,8 @@
 
 use std::io::{self, Write};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, Segments, check_triangles};
 use crate::error::IoError;

@@ -9,9 +9,8 @@
 
 use std::io::{self, Write};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::Points;
 use crate::error::{IoError, Note};

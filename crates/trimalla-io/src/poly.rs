@@ -16,9 +16,8 @@
 
 use std::io::{self, Write};
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, Segments};
 use crate::error::{IoError, Note};

@@ -4,8 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::area::{self, Areas};
 use crate::bytes::{self, LONGEST_FILE};

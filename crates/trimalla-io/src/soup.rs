@@ -14,8 +14,8 @@
 use std::collections::HashMap;
 use std::io::{self, Write};
 
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::{Orientation, Point, orient2d};
-use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, check_triangles};
 use crate::error::IoError;

@@ -13,9 +13,8 @@ mod strip;
 
 use std::io::{self, Write};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use crate::bars::BarChart;
 use crate::columns::{Points, Segments, check_triangles};

@@ -1,6 +1,6 @@
 //! Which triangles share an edge, found by sorting: deterministic, and good for any soup of triangles.
 
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::IndexedMesh;
 
 /// A side of a triangle: side `i` lies opposite corner `i`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

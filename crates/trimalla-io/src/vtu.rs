@@ -16,8 +16,8 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Triangle;
-use trimalla::triangulation::IndexedMesh;
 
 use crate::columns::{Points, Segments, check_triangles};
 use crate::numbers::Real;

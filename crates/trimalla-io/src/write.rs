@@ -3,8 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::atomic::{Draft, Group, Pictures};
 use crate::columns::Points;
@@ -74,7 +73,7 @@ pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
 ///
 /// ```no_run
 /// # fn main() -> Result<(), trimalla_io::IoError> {
-/// # let mesh = trimalla::triangulation::IndexedMesh::default();
+/// # let mesh = trimalla::drawing::IndexedMesh::default();
 /// use trimalla_io::{Outputs, WriteOptions};
 ///
 /// let mut outputs = Outputs::default();

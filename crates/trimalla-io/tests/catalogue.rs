@@ -200,7 +200,7 @@ fn f10_numbers_come_back_bit_for_bit() {
     let xs =
         [5e-324, -5e-324, -0.0, 1.0 / 3.0, 9_007_199_254_740_993_u64 as f64, f64::MAX, f64::MIN_POSITIVE, 1e22, 1e23];
     let points: Vec<Point> = xs.iter().flat_map(|&x| xs.map(|y| Point::new(x, y))).collect();
-    let mesh = trimalla::triangulation::IndexedMesh { input_points: points.len(), points, ..Default::default() };
+    let mesh = trimalla::drawing::IndexedMesh { input_points: points.len(), points, ..Default::default() };
     let mut text = Vec::new();
     node::write(&mut text, &mesh, 1).unwrap();
     let bits = |points: &[Point]| points.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect::<Vec<_>>();

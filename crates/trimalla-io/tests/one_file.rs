@@ -7,8 +7,8 @@ mod common;
 use std::fs;
 
 use common::{AREA, HARD, MESHSUITE, SOUP, bits, grid, hard_mesh, hard_pslg, scratch, shared_data};
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 use trimalla_io::area::Areas;
 use trimalla_io::{
     Format, IoError, WriteOptions, area, meshsuite, read_mesh, read_mesh_numbered, read_pslg, soup, write_mesh,

@@ -4,9 +4,8 @@
 mod common;
 
 use common::{POLY, grid, hard_mesh, hard_pslg, read_poly};
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 use trimalla_io::SvgOptions;
 use trimalla_io::bars::{Bar, BarChart};
 use trimalla_io::svg::{draw_mesh, draw_pslg};

@@ -4,8 +4,7 @@
 mod common;
 
 use common::{bits, grid, hard_mesh, hard_pslg, scratch};
-use trimalla::domain::Pslg;
-use trimalla::triangulation::IndexedMesh;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{
     Format, VertexRange, WriteOptions, edge, neigh, read_mesh_numbered, read_pslg_numbered, write_mesh, write_mesh_to,
     write_pslg, write_pslg_to,

@@ -2,7 +2,7 @@
 //!
 //! * [`shared`] finds the folder of real inputs that several people test against; it is never
 //!   copied here.
-//! * [`readers`] reads every family of that folder into a [`Pslg`](trimalla::domain::Pslg), without
+//! * [`readers`] reads every family of that folder into a [`Pslg`](trimalla::drawing::Pslg), without
 //!   the io crate.
 //! * [`generators`] makes hostile inputs from a seed: the same seed gives the same bits everywhere.
 //! * [`oracles`] answers slowly, obviously and exactly what the library answers fast.

@@ -7,9 +7,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 use trimalla_testkit::oracles::{
     DelaunayRule, RBig, brute_force_cdt, brute_force_delaunay, canonical, check_indexed_with, contacts,
     delaunay_triangle_count, doubled_area, euler, in_circle, orient, orient_rational, representatives,

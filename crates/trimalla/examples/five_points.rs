@@ -5,7 +5,7 @@
 
 use trimalla::delaunay::{Delaunay, DivideAndConquer};
 use trimalla::geometry::{Point, lexicographic};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 
 fn main() -> Result<(), trimalla::delaunay::BuildError> {
     let points =

@@ -6,9 +6,10 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::mesh::FaceId;
+use trimalla::half_edge::FaceId;
 use trimalla::refine::{Centroid, LeppRule};
 
 const SMALL_ANGLE: f64 = 32.0;

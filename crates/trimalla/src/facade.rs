@@ -2,12 +2,12 @@
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Pslg, Warning};
+use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Warning};
+use crate::drawing::{IndexedMesh, Pslg};
 use crate::quality::{InputFault, against_input};
 use crate::refine::{
     Limits, NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report, Start, make_conforming,
 };
-use crate::triangulation::IndexedMesh;
 
 /// How a drawing is read before it is triangulated or meshed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,7 +65,7 @@ fn first_of(faults: &[InputFault]) -> String {
 ///
 /// # Examples
 /// ```
-/// use trimalla::domain::Pslg;
+/// use trimalla::drawing::Pslg;
 /// use trimalla::geometry::Point;
 ///
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();
@@ -141,7 +141,7 @@ fn refined(
 ///
 /// # Examples
 /// ```
-/// use trimalla::domain::Pslg;
+/// use trimalla::drawing::Pslg;
 /// use trimalla::geometry::Point;
 /// use trimalla::refine::RefineOptions;
 ///

@@ -3,21 +3,41 @@
 //! One call takes a drawing to a mesh:
 //!
 //! ```
-//! use trimalla::{MeshOptions, domain::Pslg, geometry::Point, mesh};
+//! use trimalla::{MeshOptions, Pslg, mesh};
 //!
-//! let points = vec![Point::new(0.0, 0.0), Point::new(9.0, 0.0), Point::new(9.0, 1.0), Point::new(0.0, 4.0)];
-//! let drawing = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
+//! let drawing = Pslg::of_ring([[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
 //! let (mesh, report) = mesh(&drawing, &MeshOptions::default())?;
 //! println!("{} triangles, no angle below {:.1} degrees", mesh.triangles.len(), report.min_angle_deg);
 //! # assert!(report.complete());
 //! # Ok::<(), trimalla::Error>(())
 //! ```
 //!
-//! # The rooms, from the ground up
-//! A room knows only those above it in this list.
+//! # I want to …
 //!
-//! * [`geometry`]: points, exact predicates, rounded constructions; [`mesh`](mod@mesh): half-edges without coordinates,
-//!   operators, rollback
+//! | I want to … | call |
+//! |---|---|
+//! | make a good mesh of a drawing | [`mesh()`] |
+//! | watch that work, cancel it, see its forecast | [`mesh_with()`] with an [`Observer`](refine::Observer) |
+//! | triangulate a drawing and keep its domain, with no more vertices | [`triangulate()`] |
+//! | split its segments until the triangulation is Delaunay | [`triangulate_conforming()`] |
+//! | refine a mesh that exists | [`refine_mesh()`] |
+//! | make a drawing of polygons, holes and islands | [`Pslg::of_rings`] |
+//! | triangulate points, insert, remove and move them | [`Delaunay`] |
+//! | the same with segments that must be edges | [`ConstrainedDelaunay`] |
+//! | find the triangle or vertex at a place | [`Triangulation::locate`](triangulation::Triangulation::locate) |
+//! | choose the angle, the area, the strategy | [`RefineOptions`], [`Preset`](refine::Preset), [`Recipe`](refine::Recipe) |
+//! | refine step by step, and back | [`Refinement`] |
+//! | write a strategy of my own | [`refine::steps`] |
+//! | know whether a mesh is sound, Delaunay, one of its drawing | [`check_mesh`](triangulation::check_mesh), [`check_mesh_delaunay`](triangulation::check_mesh_delaunay), [`against_input`](quality::against_input) |
+//! | count angles, areas, degrees | [`quality::Statistics`] |
+//! | decide on which side a point lies, exactly | [`geometry::orient2d`], [`geometry::in_circle`] |
+//! | read and write files | the crate `trimalla-io` |
+//!
+//! # The rooms, from the ground up
+//! A room knows only those before it in this list.
+//!
+//! * [`geometry`]: points, exact predicates, rounded constructions; [`half_edge`]: half-edges without coordinates,
+//!   operators, rollback; [`drawing`]: drawings and meshes as plain arrays
 //! * [`triangulation`]: both together, the invariants and their checker
 //! * [`locate`]: where a point lies
 //! * [`delaunay`]: incremental, divide and conquer, insertion, removal
@@ -35,18 +55,25 @@
 pub mod constrained;
 pub mod delaunay;
 pub mod domain;
+pub mod drawing;
 mod facade;
 pub mod geometry;
+pub mod half_edge;
 pub mod locate;
-pub mod mesh;
 pub mod quality;
 pub mod refine;
 pub mod triangulation;
 
+pub use constrained::{ConstrainedDelaunay, Crossings};
+pub use delaunay::Delaunay;
+pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
     DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, refine_mesh, refine_mesh_with, triangulate,
     triangulate_conforming,
 };
+
+pub use geometry::Point;
+pub use refine::{RefineOptions, Refinement, Report};
 
 /// The README's example, compiled and run as a test.
 #[cfg(doctest)]

@@ -2,7 +2,8 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Angle, Point};
 use trimalla::quality::{angle_ceiling, angle_floor, shell_floor, smallest_input_angle};
 use trimalla::refine::{NoObserver, Preset, RefineOptions, Refinement, Report};

@@ -4,8 +4,9 @@
 mod meshes;
 
 use meshes::{delaunay_mesh, mesh, points};
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::{Orientation, Point, SegmentContact};
-use trimalla::triangulation::{IndexedMesh, MeshFault, check_mesh, check_mesh_delaunay};
+use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
 

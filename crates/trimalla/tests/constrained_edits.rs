@@ -28,7 +28,7 @@ use editing::{Plan, Subject, Tally, drive};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
 use trimalla::delaunay::{BuildError, Inserted};
 use trimalla::geometry::Point;
-use trimalla::mesh::{Checkpoint, UndoLog, VertexId};
+use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 
 /// The sorts of edit, as they are counted.

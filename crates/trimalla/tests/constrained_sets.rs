@@ -23,8 +23,8 @@ mod court;
 use court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings, Filling, Provenance};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::Pslg;
-use trimalla::mesh::VertexId;
+use trimalla::drawing::Pslg;
+use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::{PslgKind, SplitMix64, permuted, pslg};
 use trimalla_testkit::oracles::{
     DelaunayRule, brute_force_cdt, canonical, check_indexed_with, contacts, on_open_segment,

@@ -17,7 +17,7 @@ use std::rc::Rc;
 use editing::{Plan, Subject, Tally, drive};
 use trimalla::delaunay::{Algorithm, Delaunay, DivideAndConquer, Incremental, Inserted};
 use trimalla::geometry::Point;
-use trimalla::mesh::{Checkpoint, UndoLog, VertexId};
+use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 
 /// How many edits of small triangulations there are for each kind of point set.

@@ -23,12 +23,13 @@ use std::cell::Cell;
 use court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, Region, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::Point;
-use trimalla::mesh::FaceId;
+use trimalla::half_edge::FaceId;
 use trimalla::quality::against_input;
 use trimalla::refine::{Fill, NoObserver, Protect, RefineOptions, Refinement, Report, StepOutcome, StopReason};
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla::{MeshOptions, mesh, refine_mesh};
 use trimalla_testkit::generators::{PslgKind, pslg};
 

@@ -21,9 +21,10 @@ use std::path::Path;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Angle, Point};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::refine::{
     Cause, Criteria, Feature, Forecast, NoObserver, RefineOptions, Refinement, Report, StopReason, forecast,
 };

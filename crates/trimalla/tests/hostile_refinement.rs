@@ -25,11 +25,12 @@ use std::cell::RefCell;
 use court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainError, DomainRule, Pslg, build};
+use trimalla::domain::{DomainError, DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Angle, Point};
 use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::{Insert, NoObserver, Preset, Protect, Reason, RefineOptions, Refinement, Report, StopReason};
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla_testkit::generators::{PslgKind, moved_to_utm, pslg, scaled};
 use trimalla_testkit::oracles::{DelaunayRule, canonical, check_indexed, check_indexed_with};
 

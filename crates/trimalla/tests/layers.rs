@@ -17,7 +17,8 @@ use paths::{rooms_named, test_files};
 ///
 /// `quality` is below `refine`, which may ask it about triangles.
 const TIERS: &[&[&str]] = &[
-    &["geometry", "mesh"],
+    &["geometry", "half_edge"],
+    &["drawing"],
     &["triangulation"],
     &["locate"],
     &["delaunay"],
@@ -166,7 +167,7 @@ fn an_upward_arrow_is_found_in_every_spelling() {
         "fn f<'a>(a: &'a str) -> crate::refine::R<'a> {}",
     ];
     for source in upward {
-        let refused = rooms_named(source, 1).iter().any(|to| refusal("mesh", to).is_some());
+        let refused = rooms_named(source, 1).iter().any(|to| refusal("half_edge", to).is_some());
         assert!(refused, "{source}");
     }
 }
@@ -187,7 +188,7 @@ fn what_points_down_or_is_no_code_is_allowed() {
         let refused: Vec<String> = rooms_named(source, 2).iter().filter_map(|to| refusal("quality", to)).collect();
         assert!(refused.is_empty(), "{source}: {refused:?}");
     }
-    assert!(refusal("mesh", "geometry").is_some() && refusal("geometry", "mesh").is_some());
+    assert!(refusal("half_edge", "geometry").is_some() && refusal("geometry", "half_edge").is_some());
     assert_eq!(test_files("mod a; #[cfg(test)] mod tests; #[cfg(test)] mod b {}"), ["tests"]);
     let manifest = "[dependencies]\ntrimalla = { workspace = true }\nlibm = \"1\"\n[dev-dependencies]\ntrimalla-testkit.workspace = true";
     let read = workspace_dependencies(manifest);

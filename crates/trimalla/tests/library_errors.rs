@@ -12,9 +12,10 @@
 use proptest::prelude::*;
 use trimalla::constrained::{ConstraintError, Crossings};
 use trimalla::delaunay::{AlgorithmKey, BuildError};
-use trimalla::domain::{self, DomainError, DomainRule, OpenEnd, Pslg, Region};
+use trimalla::domain::{self, DomainError, DomainRule, OpenEnd};
+use trimalla::drawing::{DrawingError, Pslg, Region};
 use trimalla::geometry::{Angle, Point};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::{Criteria, Limits, OptionError, Preset, Protect, RefineOptions};
 use trimalla::triangulation::check_mesh;
@@ -157,7 +158,7 @@ fn seeds_that_leak_or_lie_on_segments_are_named() {
     let wild = with_hole(f64::NAN, 1.0);
     assert!(matches!(
         refused_domain(&wild, DomainRule::Seeds).0,
-        DomainError::SeedNotFinite { what: "hole", seed: 0, .. }
+        DomainError::Drawing(DrawingError::SeedNotFinite { what: "hole", seed: 0, .. })
     ));
     let wild = Pslg {
         regions: vec![Region { seed: Point::new(1.0, f64::INFINITY), attribute: 1.0, max_area: None }],
@@ -165,7 +166,7 @@ fn seeds_that_leak_or_lie_on_segments_are_named() {
     };
     assert!(matches!(
         refused_domain(&wild, DomainRule::Seeds).0,
-        DomainError::SeedNotFinite { what: "region", seed: 0, .. }
+        DomainError::Drawing(DrawingError::SeedNotFinite { what: "region", seed: 0, .. })
     ));
 }
 
@@ -182,7 +183,9 @@ fn crossings_are_all_named() {
 
 #[test]
 fn columns_of_the_wrong_length_are_named() {
-    let column = |pslg: &Pslg| matches!(refused_domain(pslg, DomainRule::Seeds).0, DomainError::Column { .. });
+    let column = |pslg: &Pslg| {
+        matches!(refused_domain(pslg, DomainRule::Seeds).0, DomainError::Drawing(DrawingError::Column { .. }))
+    };
     assert!(column(&Pslg { point_markers: vec![1; 3], ..square() }));
     assert!(column(&Pslg { segment_markers: vec![1; 5], ..square() }));
     assert!(column(&Pslg { point_attributes: vec![1.0; 4], ..square() }));

@@ -11,9 +11,8 @@
 #![allow(clippy::print_stdout, reason = "tables for those who look")]
 
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::{Encroachment, Preset, Recipe, RefineOptions, Report, Select, Terminal};
-use trimalla::triangulation::IndexedMesh;
 use trimalla::{DomainOptions, MeshOptions};
 use trimalla_testkit::oracles::{canonical, check_indexed};
 use trimalla_testkit::readers::read_poly;

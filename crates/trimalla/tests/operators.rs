@@ -3,7 +3,7 @@
 
 use trimalla::delaunay::{Delaunay, Incremental};
 use trimalla::geometry::Point;
-use trimalla::mesh::{FaceId, HalfEdgeId, SideTable, UndoLog, VertexId};
+use trimalla::half_edge::{FaceId, HalfEdgeId, SideTable, UndoLog, VertexId};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 
 fn below(random: &mut SplitMix64, n: usize) -> usize {

@@ -4,10 +4,10 @@
 mod meshes;
 
 use meshes::{delaunay_mesh, mesh, points};
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Angle, Point, Triangle};
 use trimalla::quality::{Bins, Histogram, InputFault, Spread, Statistics, against_input, aspect_ratio, below_bound};
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla_testkit::generators::{PointSetKind, point_set};
 use trimalla_testkit::oracles::euler;
 

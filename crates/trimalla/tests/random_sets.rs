@@ -18,7 +18,7 @@ use agreement::{agreed, renamed};
 use alike::{alike, same};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 use trimalla_testkit::oracles::{brute_force_delaunay, representatives};
 use verdict::{Verdict, demand};

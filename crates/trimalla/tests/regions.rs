@@ -11,11 +11,11 @@
 //!
 //! The truth about each triangle is where its centroid lies, found from the drawing's numbers alone.
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::{Point, Segment, Triangle};
 use trimalla::quality::against_input;
 use trimalla::refine::{Preset, Protect, RefineOptions};
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla::{MeshOptions, mesh};
 use trimalla_testkit::oracles::check_indexed;
 

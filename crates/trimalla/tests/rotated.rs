@@ -15,7 +15,7 @@
 
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::RefineOptions;

@@ -5,15 +5,16 @@ use std::path::Path;
 
 use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, Region, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::{Orientation, Point, Triangle};
-use trimalla::mesh::FaceId;
+use trimalla::half_edge::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
     Asked, Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
     RefineOptions, Refinement, Report, Select, StepOutcome,
 };
-use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
+use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
 use trimalla_testkit::readers::read_poly;
 

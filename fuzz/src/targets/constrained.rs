@@ -61,7 +61,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
         let mut cdt = ConstrainedDelaunay::with_algorithm(points, &[], crossings, AlgorithmKey::default())?;
         cdt.set_filling(filling);
         segments.iter().try_for_each(|&[a, b]| {
-            cdt.insert_segment(trimalla::mesh::VertexId(a), trimalla::mesh::VertexId(b), crossings).map(drop)
+            cdt.insert_segment(trimalla::half_edge::VertexId(a), trimalla::half_edge::VertexId(b), crossings).map(drop)
         })?;
         Ok::<_, ConstraintError>(cdt)
     });

@@ -2,9 +2,10 @@
 
 use trimalla::DomainOptions;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{self, Contours, Pslg};
+use trimalla::domain::{self, Contours};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Orientation;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 
 use super::{Target, case_of, drawing_input};
 use crate::input::{Case, Input};

@@ -3,7 +3,7 @@
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::{AlgorithmKey, Delaunay};
 use trimalla::geometry::Point;
-use trimalla::mesh::{Checkpoint, UndoLog, VertexId};
+use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
 
 use super::{Target, case_of};
 use crate::draws::Draws;

@@ -1,10 +1,10 @@
 //! Delaunay triangulations of points, all of them or some, by every algorithm.
 
 use trimalla::delaunay::{AlgorithmKey, BuildError};
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
-use trimalla::triangulation::{IndexedMesh, Triangulation};
+use trimalla::half_edge::VertexId;
+use trimalla::triangulation::Triangulation;
 use trimalla_testkit::oracles::{brute_force_delaunay, covers_hull, first_flaw};
 
 use super::{Target, case_of};

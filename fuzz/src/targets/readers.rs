@@ -1,10 +1,10 @@
 //! Every reader: valid files, damaged files, bytes without sense. An error names a place in the file; memory stays in proportion;
 //! what was read is written and read again; a mesh that was read can be judged, drawn and refined, whatever it is.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::{Statistics, against_input};
 use trimalla::refine::RefineOptions;
-use trimalla::triangulation::{IndexedMesh, check_mesh, check_mesh_delaunay};
+use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_io::{
     IoError, SvgOptions, VertexRange, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, soup, svg,
 };

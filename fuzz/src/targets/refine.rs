@@ -2,10 +2,10 @@
 
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::domain;
-use trimalla::mesh::FaceId;
+use trimalla::drawing::IndexedMesh;
+use trimalla::half_edge::FaceId;
 use trimalla::quality::below_bound;
 use trimalla::refine::{Insert, Progress, RefineOptions, Refinement, Report, Select, StopReason};
-use trimalla::triangulation::IndexedMesh;
 use trimalla::{DomainOptions, MeshOptions};
 
 use super::{Target, case_of, drawing_input};

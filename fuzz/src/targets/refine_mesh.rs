@@ -1,8 +1,7 @@
 //! Refinement of meshes that exist, with their drawing and without, with area bounds; and of arrays that are no meshes.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::{Initial, Insert, StopReason};
-use trimalla::triangulation::IndexedMesh;
 use trimalla::{MeshOptions, refine_mesh_with};
 
 use super::refine::{cancel_at, keeps_delaunay};

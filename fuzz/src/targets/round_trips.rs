@@ -1,9 +1,8 @@
 //! What is written reads back to the same bits; a finished mesh read from its files is left as it is.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
 use trimalla::refine::{Initial, PrepareWhen, Recipe, Recover, StopReason};
-use trimalla::triangulation::IndexedMesh;
 use trimalla::{MeshOptions, refine_mesh};
 use trimalla_io::area::Areas;
 use trimalla_io::{Format, SvgOptions, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, recipe, soup, svg};

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Angle;
 use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::OptionError;
-use trimalla::triangulation::{IndexedMesh, MeshFault, check_mesh, check_mesh_delaunay};
+use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
 
 use crate::console::{self, count};
 use crate::exit::{Failure, STATUSES, Status};

@@ -11,7 +11,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use trimalla::DomainOptions;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg};
+use trimalla::domain::DomainRule;
+use trimalla::drawing::Pslg;
 use trimalla::refine::Preset;
 use trimalla_compare::{
     Baseline, Contender, Experiment, Journal, Sheet, Task, Times, Watch, angles, figures, markdown, records,

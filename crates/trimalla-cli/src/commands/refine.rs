@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use trimalla::Error;
-use trimalla::domain::{MeshError, Pslg, Warning};
-use trimalla::triangulation::IndexedMesh;
+use trimalla::domain::{MeshError, Warning};
+use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::console::{count, shown};
 use crate::exit::{Failure, STATUSES, Status};

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{Pslg, Warning};
-use trimalla::triangulation::IndexedMesh;
+use trimalla::domain::Warning;
+use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};

@@ -1,7 +1,7 @@
 //! The smallest angle of each triangle and its class of five degrees.
 
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use super::frame::Frame;
 

@@ -4,9 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 use trimalla_io::node::{self, Nodes};
 use trimalla_io::{IoError, poly};
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::points::{circle, polar};

@@ -1,7 +1,7 @@
 //! Drawings that have broken constrained triangulators: the list of kinds. How they are made is in
 //! `soups` and `polygons`.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::points::{next_down, next_up};

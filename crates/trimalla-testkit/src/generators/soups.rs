@@ -1,6 +1,6 @@
 //! Drawings of segments without rings: soups, stars, junctions, overlaps, gaps.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::points::{next_up, polar};

@@ -1,6 +1,6 @@
 //! Further inputs from given ones: turned, moved, shaken, reordered, resampled.
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{Pslg, Region};
 use trimalla::geometry::Point;
 
 use super::rng::SplitMix64;

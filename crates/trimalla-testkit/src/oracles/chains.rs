@@ -6,9 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_ratio::RBig;
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use super::delaunay::representatives;
 use super::exact::{RPoint, on_open_segment, rational};

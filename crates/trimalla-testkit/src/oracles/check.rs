@@ -14,9 +14,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use super::delaunay::{in_circle_perturbed, representatives};
 use super::exact::{in_circle, orient};
@@ -52,7 +51,7 @@ pub enum DelaunayRule {
 ///
 /// # Examples
 /// ```
-/// use trimalla::{geometry::Point, triangulation::IndexedMesh};
+/// use trimalla::{geometry::Point, drawing::IndexedMesh};
 /// let points = vec![Point::new(0.0, 0.0), Point::new(1.0, 0.0), Point::new(0.0, 1.0)];
 /// let mesh = IndexedMesh { points, triangles: vec![[0, 2, 1]], ..IndexedMesh::default() };
 /// let faults = trimalla_testkit::oracles::check_indexed(&mesh, None);

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::delaunay::representatives;

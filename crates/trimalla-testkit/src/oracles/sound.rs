@@ -14,9 +14,8 @@
 
 use std::fmt;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 use super::exact::{in_circle, lexicographic, on_open_segment, orient};
 
@@ -99,7 +98,7 @@ impl fmt::Display for Flaw {
 ///
 /// # Examples
 /// ```
-/// use trimalla::{geometry::Point, triangulation::IndexedMesh};
+/// use trimalla::{geometry::Point, drawing::IndexedMesh};
 /// use trimalla_testkit::oracles::{Flaw, first_flaw};
 /// let points = vec![Point::new(0.0, 0.0), Point::new(1.0, 0.0), Point::new(0.0, 1.0)];
 /// let mesh = IndexedMesh { points, triangles: vec![[0, 2, 1]], ..IndexedMesh::default() };

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use serde_json::Value;
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::json_points::{json_of, point_of};

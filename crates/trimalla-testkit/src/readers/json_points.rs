@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value;
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::text_of;

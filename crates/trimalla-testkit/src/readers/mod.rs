@@ -25,7 +25,7 @@ mod xy;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 
 pub use cdt::{CdtExpected, read_cdt, read_cdt_expected};
 pub use cgshop::read_cgshop;

@@ -1,6 +1,6 @@
 //! Rings and chains of points as segments.
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 /// Adds the points, joined in a row.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use trimalla::domain::{Pslg, Region};
+use trimalla::drawing::{Pslg, Region};
 use trimalla::geometry::Point;
 
 use super::{index, number, text_of};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 
 use super::{number, text_of};

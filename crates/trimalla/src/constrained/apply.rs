@@ -3,7 +3,7 @@
 use super::plan::SegmentPlan;
 use super::pseudo_polygon::{Edges, Filler, Filling};
 use crate::delaunay::Lawson;
-use crate::mesh::{FaceId, Half, HalfEdgeId, Journal};
+use crate::half_edge::{FaceId, Half, HalfEdgeId, Journal};
 use crate::triangulation::Triangulation;
 
 /// The faces that a segment crosses, split by it; kept from one segment to the next, so that none allocates.

@@ -9,8 +9,8 @@ use super::provenance::Provenance;
 use super::split_subsegment::SplitError;
 use crate::delaunay::Cavity;
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed};
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, Journal, VertexId};
 
 /// What is known of the cavity of a split.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use super::edit::Edit;
 use super::outside::Outside;
-use crate::mesh::{FaceId, Journal};
+use crate::half_edge::{FaceId, Journal};
 use crate::triangulation::Closure;
 
 impl<J: Journal> Edit<'_, J> {

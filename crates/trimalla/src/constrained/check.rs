@@ -2,7 +2,7 @@
 
 use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, on_segment};
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 use crate::triangulation::{Closure, Fault, Triangulation};
 
 impl ConstrainedTriangulation {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::columns;
 use super::lines::{Lines, Span};
-use crate::mesh::{Entry, Journal, VertexId};
+use crate::half_edge::{Entry, Journal, VertexId};
 
 /// In the mark of a span, above its number.
 const SPAN: u32 = 1 << 31;

@@ -1,6 +1,6 @@
 //! What the room notes in a journal: see [`Column`].
 
-use crate::mesh::{Column, Room};
+use crate::half_edge::{Column, Room};
 
 const fn column(number: u8) -> Column {
     Column::of(Room::Constrained, number)

@@ -11,7 +11,7 @@ use super::pseudo_polygon::Filling;
 use super::workspace::Workspace;
 use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, RemoveError};
 use crate::geometry::Point;
-use crate::mesh::{Checkpoint, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
+use crate::half_edge::{Checkpoint, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::triangulation::{Fault, Triangulation};
 
 /// A constrained Delaunay triangulation that stays one through every change.
@@ -25,7 +25,7 @@ use crate::triangulation::{Fault, Triangulation};
 /// ```
 /// use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 /// use trimalla::geometry::Point;
-/// use trimalla::mesh::VertexId;
+/// use trimalla::half_edge::VertexId;
 ///
 /// let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.0], [4.0, 1.0]].map(Point::from);
 /// let cdt = ConstrainedDelaunay::new(&points, &[[0, 2]], Crossings::Refuse)?;

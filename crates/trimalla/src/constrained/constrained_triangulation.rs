@@ -11,7 +11,7 @@ use super::regions::{RegionRule, Regions};
 use super::workspace::Workspace;
 use crate::delaunay::along_curve;
 use crate::geometry::{Point, Segment};
-use crate::mesh::{Checkpoint, Entry, FaceId, HalfEdgeId, Journal, UndoLog, VertexId, columns as mesh_columns};
+use crate::half_edge::{Checkpoint, Entry, FaceId, HalfEdgeId, Journal, UndoLog, VertexId, columns as mesh_columns};
 use crate::triangulation::Triangulation;
 
 /// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.

@@ -8,8 +8,8 @@ use super::regions::RegionRule;
 use super::workspace::Workspace;
 use crate::delaunay::{BuildError, Inserted, RemoveError, insert_at, remove_vertex};
 use crate::geometry::Point;
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// A constrained triangulation that is being changed, with what that takes: a workspace, and the journal that notes what is

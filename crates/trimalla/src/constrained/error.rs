@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::delaunay::BuildError;
 use crate::geometry::Point;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// Two input segments that cross in a point inside both.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,7 +18,7 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use super::crossing_pairs::crossing_pairs;
 use super::plan::SegmentPlan;
 use crate::geometry::{Orientation, Point, Strip, orient2d};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// Whether input vertices beside a segment, within rounding, may be on its chain: see rule 4 of [`Strip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

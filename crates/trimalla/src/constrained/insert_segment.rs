@@ -13,7 +13,7 @@ use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::delaunay::BuildError;
 use crate::geometry::{Point, Segment};
-use crate::mesh::{Journal, VertexId};
+use crate::half_edge::{Journal, VertexId};
 
 /// What to do where segments cross inside both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -25,7 +25,7 @@
 use std::collections::BTreeSet;
 
 use super::columns;
-use crate::mesh::{Entry, Journal, VertexId};
+use crate::half_edge::{Entry, Journal, VertexId};
 
 /// The segments of one line that overlap.
 #[derive(Clone, Debug, PartialEq, Eq)]

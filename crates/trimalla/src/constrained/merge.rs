@@ -4,7 +4,7 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::provenance::Provenance;
 use crate::delaunay::{Hole, RemoveError, flip_spokes_away, legalise_hole};
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 
 impl<J: Journal> Edit<'_, J> {
     /// Takes out Steiner vertex `v`, at which exactly two subsegments of one class meet; they become one edge.

@@ -12,8 +12,8 @@ use super::provenance::Provenance;
 use super::split_crossings::Piece;
 use crate::delaunay::{Inserted, RemoveError, insert_at, remove_vertex};
 use crate::geometry::Point;
+use crate::half_edge::{Journal, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{Journal, UndoLog, VertexId};
 use crate::triangulation::Closure;
 
 /// Why a vertex cannot be moved, or not be removed with its segments.

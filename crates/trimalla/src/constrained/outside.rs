@@ -54,8 +54,8 @@ use super::edit::Edit;
 use super::insert_segment::Crossings;
 use super::plan::SegmentPlan;
 use crate::geometry::{BoundingBox, Point, math};
+use crate::half_edge::{Border, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{Border, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Border edges shorter than this, in last places of the largest coordinate, are split with proof only.

@@ -23,7 +23,7 @@ use super::lines::Span;
 use super::plan::{FirstStep, SegmentPlan};
 use super::split_crossings::Piece;
 use crate::geometry::{Orientation, lexicographically_less, orient2d};
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
 
 /// Spokes of a vertex among which the edge of a bent segment is looked for.

@@ -1,7 +1,7 @@
 //! Phase one of inserting a segment: what it crosses, looked up and changed by nobody.
 
 use crate::geometry::{Orientation, lexicographic, orient2d};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Spokes around the start of a segment that are looked at before its other end is searched too.

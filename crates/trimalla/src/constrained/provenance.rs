@@ -1,7 +1,7 @@
 //! Where a vertex comes from.
 
 use super::columns;
-use crate::mesh::{Entry, Journal, VertexId};
+use crate::half_edge::{Entry, Journal, VertexId};
 
 /// Where a vertex comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -23,8 +23,8 @@ use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::delaunay::Lawson;
 use crate::geometry::{CircleSide, Point, in_circle_perturbed};
+use crate::half_edge::{HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, Journal, UndoLog, VertexId};
 
 /// A stretch of segments that was let go.
 pub(crate) type Released = Piece;

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use super::columns;
 use crate::geometry::{Point, Triangle};
+use crate::half_edge::{Entry, FaceId, Journal};
 use crate::locate::{Locus, Walk};
-use crate::mesh::{Entry, FaceId, Journal};
 use crate::triangulation::Triangulation;
 
 /// What holds in a region of a domain.

@@ -2,7 +2,7 @@
 
 use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 use super::edit::Edit;
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
 
 impl ConstrainedTriangulation {

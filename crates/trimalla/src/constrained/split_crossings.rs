@@ -33,8 +33,8 @@ use super::insert_segment::crossing_of;
 use super::plan::SegmentPlan;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
 
 /// The reach of rounding, in last places of the coordinates of the edge: the error of a crossing point.
 const REACH_PLACES: f64 = 4.0;

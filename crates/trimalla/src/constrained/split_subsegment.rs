@@ -5,7 +5,7 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::provenance::Provenance;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, Strip};
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
 
 /// Why a subsegment cannot be split at a parameter.

@@ -3,7 +3,7 @@
 use super::*;
 use crate::delaunay::{BuildError, Delaunay, Inserted, limit_of_test};
 use crate::geometry::Point;
-use crate::mesh::{UndoLog, VertexId};
+use crate::half_edge::{UndoLog, VertexId};
 
 struct Random(u64);
 

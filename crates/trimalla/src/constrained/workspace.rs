@@ -4,7 +4,7 @@ use super::apply::Corridor;
 use super::plan::SegmentPlan;
 use super::pseudo_polygon::Filling;
 use crate::delaunay::{Cavity, Lawson};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 
 /// What operations on a [`ConstrainedTriangulation`](super::ConstrainedTriangulation) work with: lists, so that none allocates,
 /// and the face at which a search begins.

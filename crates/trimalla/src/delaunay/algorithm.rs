@@ -6,7 +6,7 @@ use std::str::FromStr;
 use super::delaunay::BuildError;
 use super::{divide_and_conquer, incremental};
 use crate::geometry::Point;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 use crate::triangulation::Triangulation;
 
 /// A way to build a Delaunay triangulation of points.

@@ -15,8 +15,8 @@
 //! `[Bowyer81]`, `[Watson81]`; with constraints as walls `[Vigo97]` section 3.
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, RimEdge, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, Journal, RimEdge, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Lists kept between insertions so that none allocates.

@@ -7,8 +7,8 @@ use super::insert::insert_at;
 use super::lawson::Lawson;
 use super::remove::{RemoveError, remove_vertex};
 use crate::geometry::Point;
+use crate::half_edge::{Checkpoint, FaceId, Journal, NoJournal, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{Checkpoint, FaceId, Journal, NoJournal, UndoLog, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Why points cannot be triangulated.

@@ -19,8 +19,8 @@ use super::insert::insert_at;
 use super::lawson::Lawson;
 use super::order;
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
+use crate::half_edge::{FaceId, NoJournal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.

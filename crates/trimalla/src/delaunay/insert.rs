@@ -1,8 +1,8 @@
 //! Insertion of a vertex, wherever it lies, in every dimension.
 
 use super::lawson::Lawson;
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Inserts unused vertex `v`, whose place is known, and legalises around it.

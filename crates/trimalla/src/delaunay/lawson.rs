@@ -2,7 +2,7 @@
 
 use super::remove::Hole;
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, inside_two_circles};
-use crate::mesh::{HalfEdgeId, Journal, VertexId, push_if};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId, push_if};
 use crate::triangulation::{Closure, Triangulation};
 
 /// A stack of edges to look at, kept between insertions so that none allocates.

@@ -18,7 +18,7 @@ use std::ops::Range;
 use super::curve_cells::CoreCells;
 use super::radix_sort::{Keyed, sort_by_key};
 use crate::geometry::Point;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// A cell with more points than this is sorted again by its own finer curve.
 const CROWDED: usize = 16;

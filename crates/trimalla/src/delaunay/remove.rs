@@ -13,7 +13,7 @@
 
 use super::lawson::Lawson;
 use crate::geometry::{Point, strictly_between};
-use crate::mesh::{HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Why a vertex cannot be removed.

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::geometry::Point;
+use crate::half_edge::{UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{UndoLog, VertexId};
 use crate::triangulation::Triangulation;
 
 /// A small generator of its own: `SplitMix64`.

@@ -4,11 +4,11 @@
 //! constrained triangulation in which they lie. So a function that is linear over the drawing stays what it was, and no
 //! value leaves the range of those around it.
 
-use super::pslg::Pslg;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Provenance};
+use crate::drawing::Pslg;
 use crate::geometry::{Point, Segment, Triangle};
+use crate::half_edge::{FaceId, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, VertexId};
 
 /// Where attributes are looked up.
 pub(super) struct Attributes<'a> {

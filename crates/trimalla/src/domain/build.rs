@@ -5,13 +5,13 @@ use super::flat_hull;
 use super::flood::{depths, flood};
 use super::left_out::left_out;
 use super::near_misses::nearest_outside;
-use super::pslg::Pslg;
 use super::{regions, seeds};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
+use crate::drawing::Pslg;
 use crate::geometry::{Point, Segment};
+use crate::half_edge::{FaceId, NoJournal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, NoJournal, VertexId};
 
 /// What belongs to the domain of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

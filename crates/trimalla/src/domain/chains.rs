@@ -22,10 +22,10 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::course::{Adjacency, Course, Courses};
-use super::pslg::Pslg;
 use crate::constrained::{Beside, ConstrainedTriangulation};
+use crate::drawing::Pslg;
 use crate::geometry::{Point, Segment, Strip, math, on_segment};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
 const JOINT_ULPS: f64 = 4.0;

@@ -5,7 +5,7 @@ use super::flood::flood;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, ConstraintError, Crossings};
 use crate::delaunay::{AlgorithmKey, along_curve};
 use crate::geometry::{Orientation, Point, Ring, lexicographic};
-use crate::mesh::{FaceId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, NoJournal, VertexId};
 
 /// An outer contour and holes, as lists of vertices.
 ///

@@ -1,8 +1,9 @@
 //! Why a drawing has no domain, and what is odd about it.
 
 use crate::constrained::ConstraintError;
+use crate::drawing::DrawingError;
 use crate::geometry::Point;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// Why a domain cannot be made from a drawing.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -11,6 +12,9 @@ pub enum DomainError {
     /// Points or segments are at fault.
     #[error(transparent)]
     Constraint(#[from] ConstraintError),
+    /// Columns or seeds are.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// No three points span a triangle.
     #[error("{points} points give no triangle: all lie on one line")]
     Flat {
@@ -52,16 +56,6 @@ pub enum DomainError {
         /// The seed.
         at: Point,
     },
-    /// A seed is not finite.
-    #[error("{what} seed {seed} is not finite: {at}")]
-    SeedNotFinite {
-        /// `hole` or `region`.
-        what: &'static str,
-        /// Index of the seed.
-        seed: usize,
-        /// The seed.
-        at: Point,
-    },
     /// A contour has fewer than three vertices, or no area.
     #[error("contour {contour} bounds no area")]
     FlatContour {
@@ -85,16 +79,6 @@ pub enum DomainError {
     IdleContour {
         /// Index of the contour, the outer one first.
         contour: usize,
-    },
-    /// A column has the wrong length.
-    #[error("{what} has {found} entries where {expected} are needed")]
-    Column {
-        /// The column.
-        what: &'static str,
-        /// Its length.
-        found: usize,
-        /// The length needed.
-        expected: usize,
     },
 }
 

@@ -9,7 +9,7 @@
 
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Segment, math};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// How far from a side of the hull a vertex may lie to count as on it, in last places of the largest coordinate of the side:
 /// its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.

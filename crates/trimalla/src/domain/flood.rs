@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::triangulation::Triangulation;
 
 /// Marks every face that can be reached from `start` without crossing a constrained edge or a marked face.

@@ -14,18 +14,18 @@ use super::chains::{Chain, Locked, edge_of, follow, rejoin};
 use super::error::{DomainError, Warning};
 use super::given::{Given, take_over};
 use super::mesh_error::MeshError;
-use super::pslg::Pslg;
 use super::shells;
 use crate::constrained::{ConstrainedTriangulation, ConstraintError, Provenance};
+use crate::drawing::{IndexedMesh, Pslg};
 use crate::geometry::Point;
-use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
-use crate::triangulation::{IndexedMesh, Triangulation};
+use crate::half_edge::{HalfEdgeId, NoJournal, VertexId};
+use crate::triangulation::Triangulation;
 
 /// A mesh taken up again.
 #[derive(Clone, Debug)]
 pub struct FromMesh {
     /// Its triangles, closed by their border. Constrained Delaunay only if the mesh is:
-    /// [`legalise`](ConstrainedDelaunay::legalise) makes it so.
+    /// [`ConstrainedDelaunay`](crate::constrained::ConstrainedDelaunay), made from it, is.
     pub cdt: ConstrainedTriangulation,
     /// What plain arrays hold and the triangulation does not, to be handed to the result.
     pub given: Given,
@@ -55,7 +55,7 @@ pub struct FromMesh {
 /// ```
 /// use trimalla::domain::from_mesh;
 /// use trimalla::geometry::Point;
-/// use trimalla::triangulation::IndexedMesh;
+/// use trimalla::drawing::IndexedMesh;
 ///
 /// let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Point::from).to_vec();
 /// let mesh = IndexedMesh { points, triangles: vec![[0, 1, 3], [1, 2, 3]], ..IndexedMesh::default() };
@@ -105,7 +105,7 @@ fn check_size(mesh: &IndexedMesh, areas: &[Option<f64>]) -> Result<(), MeshError
 
 /// The vertices of the drawing come first, bit for bit, and its segments name them.
 fn check_drawing(mesh: &IndexedMesh, pslg: &Pslg) -> Result<(), MeshError> {
-    pslg.validate()?;
+    pslg.validate().map_err(DomainError::from)?;
     let (found, expected) = (mesh.points.len(), pslg.points.len());
     if found < expected {
         return Err(MeshError::FewerVertices { found, expected });

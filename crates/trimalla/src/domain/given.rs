@@ -8,16 +8,16 @@
 use std::collections::BTreeMap;
 
 use super::error::{DomainError, Warning};
-use super::pslg::Pslg;
 use super::regions;
 use crate::constrained::{ConstrainedTriangulation, RegionRule, Workspace};
-use crate::mesh::{FaceId, NoJournal};
-use crate::triangulation::{IndexedMesh, Triangulation};
+use crate::drawing::{IndexedMesh, Pslg};
+use crate::half_edge::{FaceId, NoJournal};
+use crate::triangulation::Triangulation;
 
 /// What plain arrays hold and a triangulation does not, kept for the result.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Given {
-    /// Points, segments, markers and holes as [`ConstrainedDelaunay::to_indexed`] wants them.
+    /// Points, segments, markers and holes as [`ConstrainedTriangulation::to_indexed`] wants them.
     drawing: Pslg,
     attributes_per_triangle: usize,
     /// The attributes of each region, row after row.
@@ -32,7 +32,7 @@ pub struct Given {
 }
 
 impl Given {
-    /// The mesh as plain arrays, as [`ConstrainedDelaunay::to_indexed`] gives it, with what was given.
+    /// The mesh as plain arrays, as [`ConstrainedTriangulation::to_indexed`] gives it, with what was given.
     ///
     /// # Guarantees
     /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle has

@@ -1,10 +1,9 @@
 //! From a triangulation to plain arrays.
 
 use super::attributes::Attributes;
-use super::pslg::Pslg;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
-use crate::triangulation::IndexedMesh;
+use crate::drawing::{IndexedMesh, Pslg};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// Marker of edges and vertices that bound the domain where the input has no marker.
 const BOUNDARY_MARKER: i32 = 1;

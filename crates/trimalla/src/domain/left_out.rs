@@ -1,9 +1,9 @@
 //! What a drawing has and its mesh has not, told as warnings.
 
 use super::error::Warning;
-use super::pslg::Pslg;
 use crate::constrained::ConstrainedTriangulation;
-use crate::mesh::VertexId;
+use crate::drawing::Pslg;
+use crate::half_edge::VertexId;
 
 /// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
 ///

@@ -1,6 +1,6 @@
 //! Domains: planar straight-line graphs, contours, holes, and what is kept of a triangulation.
 //!
-//! A [`Pslg`] is what a caller or a file says. [`build()`] triangulates it and carves away what the
+//! A [`Pslg`](crate::drawing::Pslg) is what a caller or a file says. [`build()`] triangulates it and carves away what the
 //! [`DomainRule`] puts outside:
 //!
 //! | rule | kept |
@@ -27,7 +27,6 @@ mod indexed;
 mod left_out;
 mod mesh_error;
 mod near_misses;
-mod pslg;
 mod regions;
 mod seeds;
 mod shells;
@@ -42,4 +41,3 @@ pub use error::{DomainError, NearFeature, OpenEnd, Warning};
 pub use from_mesh::{FromMesh, from_mesh};
 pub use given::Given;
 pub use mesh_error::MeshError;
-pub use pslg::{Pslg, Region};

@@ -10,7 +10,7 @@
 use super::error::{NearFeature, Warning};
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Vector, math};
-use crate::mesh::{FaceId, HalfEdgeId};
+use crate::half_edge::{FaceId, HalfEdgeId};
 
 /// A gap narrower than this part of the drawing's extent is named.
 const NARROW: f64 = 1e-6;

@@ -3,9 +3,9 @@
 use super::build::{SeedPlace, seed_face};
 use super::error::{DomainError, Warning};
 use super::flood::flood;
-use super::pslg::Region;
 use crate::constrained::{Edit, RegionRule};
-use crate::mesh::{FaceId, Journal};
+use crate::drawing::Region;
+use crate::half_edge::{FaceId, Journal};
 
 /// Gives every face the region whose seed reaches it without crossing a segment; the first of several counts.
 ///

@@ -12,7 +12,7 @@
 use super::build::SeedPlace;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Orientation, Point, Segment, Strip, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// A seed may lie across two edges of a triangle, and those of the next.
 const MOST_STEPS: usize = 8;

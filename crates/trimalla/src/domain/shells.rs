@@ -6,7 +6,7 @@
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{BoundingBox, Segment, math};
-use crate::mesh::{HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{HalfEdgeId, NoJournal, VertexId};
 
 /// Distances this close to a power of two, relatively, are on its shell.
 const ON_SHELL: f64 = 1e-3;

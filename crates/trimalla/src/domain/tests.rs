@@ -3,8 +3,9 @@
 use super::*;
 use crate::constrained::Crossings;
 use crate::delaunay::AlgorithmKey;
+use crate::drawing::Pslg;
 use crate::geometry::Point;
-use crate::mesh::{UndoLog, VertexId};
+use crate::half_edge::{UndoLog, VertexId};
 
 /// Squares of side 2r around the origin, each a ring, counter-clockwise.
 fn squares(radii: &[f64]) -> Pslg {

@@ -5,7 +5,7 @@
 
 use super::walk::Locus;
 use crate::geometry::{Point, Turn};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::triangulation::Triangulation;
 
 /// A walk by sight goes no farther than this: rounding might lead it in circles.

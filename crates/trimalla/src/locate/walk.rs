@@ -1,7 +1,7 @@
 //! The walk, and what it finds.
 
 use crate::geometry::{Orientation, Point, Triangle, lexicographic, orient2d, strictly_between};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Where a point lies in a triangulation, exactly.

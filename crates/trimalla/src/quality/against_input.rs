@@ -7,9 +7,9 @@
 //! 3. A segment may be absent where it is outside the mesh: see `cover.rs`.
 
 use super::cover::Cover;
-use crate::domain::Pslg;
+use crate::drawing::{IndexedMesh, Pslg, Sides};
 use crate::geometry::{Point, lexicographic};
-use crate::triangulation::{IndexedMesh, MeshVertex, Sides};
+use crate::triangulation::MeshVertex;
 
 /// What a mesh and its input disagree on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -17,7 +17,7 @@
 use super::sectors::for_each_sector;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Point};
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// In a full turn the sixth triangle is the last that helps: beyond, `w / k` falls below 60 degrees for every sector.
 const MOST_TRIANGLES: u32 = 6;
@@ -59,7 +59,8 @@ impl AngleCeiling {
 /// # Examples
 /// ```
 /// use trimalla::constrained::Crossings;
-/// use trimalla::domain::{DomainRule, Pslg, build};
+/// use trimalla::drawing::Pslg;
+/// use trimalla::domain::{DomainRule, build};
 /// use trimalla::geometry::Point;
 /// use trimalla::quality::angle_ceiling;
 ///
@@ -95,7 +96,8 @@ fn best_share(sector: Angle) -> Angle {
 mod tests {
     use super::*;
     use crate::constrained::Crossings;
-    use crate::domain::{DomainRule, Pslg, build};
+    use crate::domain::{DomainRule, build};
+    use crate::drawing::Pslg;
     use crate::geometry::math;
 
     #[test]

@@ -19,7 +19,7 @@
 use super::sectors::for_each_sector;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Point, math};
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// An angle between two segments that meet, inside the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +82,8 @@ fn floor_at(smallest_input: Angle, next: f64) -> Angle {
 mod tests {
     use super::*;
     use crate::constrained::Crossings;
-    use crate::domain::{DomainRule, Pslg, build};
+    use crate::domain::{DomainRule, build};
+    use crate::drawing::Pslg;
 
     #[test]
     fn the_table_of_the_file_holds() {

@@ -1,7 +1,7 @@
 //! Triangles that miss the angle bound.
 
+use crate::drawing::{IndexedMesh, is_sound};
 use crate::geometry::{Angle, Point, triangle_angles_at_least};
-use crate::triangulation::{IndexedMesh, is_sound};
 
 /// The triangles with an angle below `min_angle`, by index.
 ///

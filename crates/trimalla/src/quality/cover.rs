@@ -34,11 +34,12 @@ use std::collections::BTreeSet;
 use super::against_input::InputFault;
 use super::near_ends::NearEnds;
 use crate::constrained::Beside;
-use crate::domain::{Adjacency, Course, Courses, Leg, Pslg};
+use crate::domain::{Adjacency, Course, Courses, Leg};
+use crate::drawing::{IndexedMesh, Pslg, Sides};
 use crate::geometry::{
     BoundingBox, BoxTree, Orientation, Point, SegmentContact, orient2d, segment_contact, segments_cross_properly,
 };
-use crate::triangulation::{IndexedMesh, Sides, mesh_vertex};
+use crate::triangulation::mesh_vertex;
 
 /// The edges that cover the segments looked at so far, and what it takes to look at more.
 pub(super) struct Cover<'a> {

@@ -7,7 +7,7 @@
 //! * [`angle_ceiling()`] says of a domain what smallest angle no mesh of it can pass, [`angle_floor()`] and [`shell_floor`] what
 //!   refinement keeps in spite of its [`smallest_input_angle`].
 //!
-//! What takes an [`IndexedMesh`](crate::triangulation::IndexedMesh) may be given a broken one, and
+//! What takes an [`IndexedMesh`](crate::drawing::IndexedMesh) may be given a broken one, and
 //! answers the same on every platform. What a sound mesh is, says
 //! [`check_mesh`](crate::triangulation::check_mesh).
 

@@ -1,6 +1,6 @@
 //! What hangs together: components and boundary loops.
 
-use crate::triangulation::{Side, Sides};
+use crate::drawing::{Side, Sides};
 
 /// Number of pieces that hang together through vertices.
 pub(super) fn component_count(sides: &Sides, vertices: usize) -> usize {

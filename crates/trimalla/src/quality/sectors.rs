@@ -9,7 +9,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Angle, Orientation, Triangle, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// A sector at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use super::histogram::{Classes, Histogram};
 use super::measure::{Spread, aspect_ratio};
 use super::pieces::{boundary_loop_count, component_count};
+use crate::drawing::{IndexedMesh, Sides, is_sound};
 use crate::geometry::{Angle, Point, Segment, Triangle};
-use crate::triangulation::{IndexedMesh, Sides, is_sound};
 
 /// An angle and the triangle that has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl Default for Bins {
 /// ```
 /// use trimalla::geometry::Point;
 /// use trimalla::quality::Statistics;
-/// use trimalla::triangulation::IndexedMesh;
+/// use trimalla::drawing::IndexedMesh;
 ///
 /// let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Point::from).to_vec();
 /// let mesh = IndexedMesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]], ..IndexedMesh::default() };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::options::Criteria;
 use crate::constrained::{ConstrainedTriangulation, RegionRule};
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 use crate::quality::aspect_ratio;
 
 /// What is wrong with a triangle.

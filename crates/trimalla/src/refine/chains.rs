@@ -11,7 +11,7 @@
 
 use super::bad_triangles::sorted;
 use crate::constrained::ConstrainedTriangulation;
-use crate::mesh::{FaceId, VertexId};
+use crate::half_edge::{FaceId, VertexId};
 
 /// Triangles by the rank of a vertex.
 pub(super) struct Chains {

@@ -10,7 +10,7 @@ use super::refinement::{Refinement, StepOutcome};
 use super::report::{Observer, Reason};
 use super::steps::Proposal;
 use crate::geometry::Point;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId, columns};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
 
 /// What is wrong with a triangle that was selected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use super::ruler::Ruler;
 use crate::geometry::lanes::{Number, Two};
 use crate::geometry::math::power_of_two_scale;
 use crate::geometry::{BoundingBox, Point, Triangle};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 
 /// More than any sum or quotient of products is off by rounding, relatively.
 const SLACK: f64 = 1e-12;

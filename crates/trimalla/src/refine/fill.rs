@@ -32,8 +32,8 @@ use super::refinement::{Refinement, ends_of};
 use super::stopwatch::Part;
 use crate::delaunay::insertion_order;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 /// A node goes in where nothing is nearer than this, in spacings.
 const CLEARANCE: f64 = 0.65;

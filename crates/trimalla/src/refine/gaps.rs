@@ -17,8 +17,8 @@ use super::refinement::Refinement;
 use super::report::Reason;
 use super::steps::Proposal;
 use crate::geometry::{Point, math};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 
 impl Refinement {
     /// Why a triangle has a bad shape whose shortest edge joins two vertices of the input, or on segments, that are within

@@ -11,7 +11,7 @@
 //! vertices.
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// A piece of an input segment, by its two ends in the order of the segment.
 pub(super) type Piece = [VertexId; 2];

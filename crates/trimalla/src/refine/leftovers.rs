@@ -9,7 +9,7 @@ use super::report::{Leftover, Reason, Report, StopReason};
 use super::stopwatch::Part;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 
 /// What one look at every triangle tells.

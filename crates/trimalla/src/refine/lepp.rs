@@ -19,8 +19,8 @@ use super::recipe::Row;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::geometry::{Point, Vector, math};
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::triangulation::Triangulation;
 
 /// Areas above this, in the ruler's squared units, lose nothing to underflow when they weigh lengths.

@@ -8,7 +8,7 @@ use super::steps::{SelectStep, View};
 use super::stopwatch::Part;
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId, push_if};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.

@@ -18,7 +18,7 @@ use super::refinement::Refinement;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle cost
 /// little, and the mesh is more even.

@@ -8,7 +8,7 @@ use super::refinement::precision_floor;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{Angle, Point, Segment};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
 use crate::triangulation::corners_of_two;
 

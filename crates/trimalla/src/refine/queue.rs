@@ -12,7 +12,7 @@
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::CurveCells;
 use crate::geometry::{BoundingBox, Point};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 
 /// Parts of the drawing's box: pieces of equal length of a Hilbert curve over a grid.
 #[derive(Clone, Debug)]

@@ -25,7 +25,7 @@ use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedTriangulation, Edit, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson, max_points};
 use crate::geometry::BoundingBox;
-use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
@@ -355,7 +355,7 @@ impl Refinement {
     /// # Examples
     /// ```
     /// use trimalla::refine::{Asked, NoObserver, RefineOptions, Refinement};
-    /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, Pslg, build}, geometry::Point};
+    /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, build}, drawing::Pslg, geometry::Point};
     /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
     /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;

@@ -13,7 +13,7 @@ use super::recipe::{Recipe, Select};
 use super::ruler::Ruler;
 use super::steps::{SelectStep, View};
 use crate::geometry::Point;
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use boundary_shortest_edge::BoundaryShortestEdge;
 use first::First;
 use manual::Manual;

@@ -23,7 +23,7 @@ use super::steps::RecoverStep;
 use super::stopwatch::Part;
 use crate::constrained::{Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, SegmentPlan, SplitLimits};
 use crate::geometry::Point;
-use crate::mesh::{NoJournal, UndoLog};
+use crate::half_edge::{NoJournal, UndoLog};
 use by_splitting::BySplitting;
 use none::Nothing;
 use whole_edge::WholeEdge;

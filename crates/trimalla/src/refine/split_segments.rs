@@ -6,7 +6,7 @@ use super::refinement::{Refinement, ends_of};
 use super::report::Reason;
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
-use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 
 /// A subsegment that waits to be split, lower vertex first.
 #[derive(Clone, Copy, Debug)]

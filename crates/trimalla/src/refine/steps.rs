@@ -12,8 +12,8 @@ use super::ruler::Ruler;
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 use crate::constrained::{ConstrainedTriangulation, Edit, Provenance, SplitError};
 use crate::geometry::{Orientation, Point, on_segment};
+use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// The five steps of a refinement.
 ///
@@ -21,7 +21,7 @@ use crate::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 /// ```
 /// use std::sync::Arc;
 /// use trimalla::geometry::Triangle;
-/// use trimalla::mesh::FaceId;
+/// use trimalla::half_edge::FaceId;
 /// use trimalla::refine::RefineOptions;
 /// use trimalla::refine::steps::{PointStep, Proposal, Steps, View};
 ///

@@ -4,10 +4,11 @@ use super::steps::InsertStep;
 use super::*;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Edit, Provenance, SplitError};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::{DomainRule, Pslg, build};
+use crate::domain::{DomainRule, build};
+use crate::drawing::Pslg;
 use crate::geometry::Point;
+use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 
 fn polygon(corners: &[[f64; 2]]) -> Pslg {
     let n = corners.len() as u32;
@@ -147,8 +148,8 @@ fn regions_keep_their_attributes_and_bounds() {
         points: [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec(),
         segments: vec![[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 4]],
         regions: vec![
-            crate::domain::Region { seed: at(1.0, 1.0), attribute: 7.5, max_area: Some(0.05) },
-            crate::domain::Region { seed: at(7.0, 1.0), attribute: -2.0, max_area: None },
+            crate::drawing::Region { seed: at(1.0, 1.0), attribute: 7.5, max_area: Some(0.05) },
+            crate::drawing::Region { seed: at(7.0, 1.0), attribute: -2.0, max_area: None },
         ],
         ..Pslg::default()
     };
@@ -286,7 +287,7 @@ fn every_step_is_timed_where_there_is_a_clock() {
 struct AllAtOnce;
 
 impl steps::SelectStep for AllAtOnce {
-    fn patience(&self, view: steps::View<'_>, face: crate::mesh::FaceId, _: u64) -> f64 {
+    fn patience(&self, view: steps::View<'_>, face: crate::half_edge::FaceId, _: u64) -> f64 {
         let [a, b, c] = view.cdt.corners(face);
         view.ruler.length_sq(a, b).min(view.ruler.length_sq(b, c)).min(view.ruler.length_sq(c, a))
     }

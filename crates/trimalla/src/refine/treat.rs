@@ -15,8 +15,8 @@ use super::steps::Proposal;
 use super::stopwatch::Part;
 use crate::constrained::Provenance;
 use crate::geometry::Point;
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
 
 impl Refinement {
     /// Treats a bad triangle; the error says why it is given up.

@@ -6,7 +6,7 @@
 
 use super::triangulation::Triangulation;
 use crate::geometry::Point;
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 
 /// Triangles in a block.
 const BLOCK: usize = 64;

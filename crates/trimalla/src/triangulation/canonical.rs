@@ -1,7 +1,7 @@
 //! The canonical form: what two algorithms must share.
 
 use super::triangulation::Triangulation;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 impl Triangulation {
     /// The triangles, each rotated to its smallest vertex id, sorted.

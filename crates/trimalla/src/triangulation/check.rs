@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::triangulation::{Closure, Triangulation};
 use crate::geometry::{CircleSide, Orientation, in_circle_perturbed, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// A broken invariant of a triangulation, with the elements concerned.
 ///

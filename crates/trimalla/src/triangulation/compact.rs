@@ -1,7 +1,7 @@
 //! Compaction: dead slots out, order kept.
 
 use super::triangulation::Triangulation;
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 
 /// Where elements went when a triangulation was compacted; `None` for freed slots.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

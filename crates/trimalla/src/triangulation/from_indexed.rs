@@ -20,9 +20,10 @@
 
 use std::cmp::Ordering;
 
-use super::{Closure, IndexedMesh, MeshFault, Side, Sides, Triangulation, check_mesh};
+use super::{Closure, MeshFault, Triangulation, check_mesh};
+use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
-use crate::mesh::{Border, FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
+use crate::half_edge::{Border, FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 
 impl Triangulation {
     /// The triangulation that has exactly the triangles of a mesh, in their order, closed by its border.

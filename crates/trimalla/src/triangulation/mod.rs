@@ -12,7 +12,6 @@ mod check;
 mod check_indexed;
 mod compact;
 mod from_indexed;
-mod indexed;
 mod operators;
 #[expect(clippy::module_inception, reason = "the room's one type has the room's name")]
 mod triangulation;
@@ -20,8 +19,7 @@ mod undo;
 
 pub(crate) use blocks::{TriangleInBlock, corners_of_two};
 pub use check::Fault;
+pub(crate) use check_indexed::vertex as mesh_vertex;
 pub use check_indexed::{MeshFault, MeshVertex, check_mesh, check_mesh_delaunay};
-pub(crate) use check_indexed::{Side, Sides, is_sound, vertex as mesh_vertex};
 pub use compact::CompactMap;
-pub use indexed::IndexedMesh;
 pub use triangulation::{Closure, Triangulation};

@@ -2,7 +2,7 @@
 
 use super::triangulation::{Closure, Triangulation};
 use crate::geometry::{Orientation, Point, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, VertexId};
 
 impl Triangulation {
     /// Replaces an edge by the other diagonal of its two faces, if both new faces are strictly counter-clockwise.

@@ -4,7 +4,7 @@ use std::ops::Deref;
 
 use super::undo::columns;
 use crate::geometry::{BoundingBox, Orientation, Point, orient2d};
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 /// What the ghosts of a triangulation close.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

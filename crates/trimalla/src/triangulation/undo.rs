@@ -1,11 +1,11 @@
 //! Taking changes back.
 
 use super::triangulation::{Closure, Triangulation};
-use crate::mesh::{Checkpoint, Entry, Journal, UndoLog, VertexId, columns as mesh_columns};
+use crate::half_edge::{Checkpoint, Entry, Journal, UndoLog, VertexId, columns as mesh_columns};
 
 /// The columns of coordinates and of the state.
 pub(super) mod columns {
-    use crate::mesh::{Column, Room};
+    use crate::half_edge::{Column, Room};
 
     const fn column(number: u8) -> Column {
         Column::of(Room::Triangulation, number)

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use trimalla::delaunay::{AlgorithmKey, BuildError};
 use trimalla::geometry::{Orientation, Point, lexicographic, orient2d};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::{PointSetKind, next_down, next_up, point_set};
 use trimalla_testkit::oracles::{brute_force_delaunay, delaunay_triangle_count, orient, representatives};
 

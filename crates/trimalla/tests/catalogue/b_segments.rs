@@ -3,7 +3,7 @@
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings, Filling};
 use trimalla::domain::{DomainRule, Warning};
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::{PslgKind, SplitMix64, next_up, pslg};
 use trimalla_testkit::oracles::{brute_force_cdt, canonical};
 

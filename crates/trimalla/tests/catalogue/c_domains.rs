@@ -1,9 +1,9 @@
 //! Family C: domains, holes and regions.
 
-use trimalla::domain::{DomainError, DomainRule, Pslg, Region, Warning};
+use trimalla::domain::{DomainError, DomainRule, Warning};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::Point;
 use trimalla::refine::RefineOptions;
-use trimalla::triangulation::IndexedMesh;
 use trimalla_testkit::generators::{PslgKind, next_up, pslg};
 use trimalla_testkit::oracles::doubled_area;
 

@@ -1,6 +1,7 @@
 //! Family D: traps of refinement.
 
-use trimalla::domain::{DomainRule, Pslg, Region};
+use trimalla::domain::DomainRule;
+use trimalla::drawing::{Pslg, Region};
 use trimalla::geometry::Point;
 use trimalla::refine::{Observer, OptionError, Preset, Progress, Protect, RefineOptions, StopReason};
 use trimalla::triangulation::check_mesh;

@@ -18,11 +18,12 @@ mod d_refinement;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainError, DomainRule, Pslg, Warning, build};
+use trimalla::domain::{DomainError, DomainRule, Warning, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::{NoObserver, RefineOptions, Refinement, Report};
-use trimalla::triangulation::{IndexedMesh, Triangulation, check_mesh};
+use trimalla::triangulation::{Triangulation, check_mesh};
 use trimalla_testkit::oracles::{check_indexed, contacts};
 
 /// The one triangulation of the points that all algorithms agree on; the checker finds no fault in it.

@@ -3,7 +3,7 @@
 
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::geometry::Point;
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::triangulation::Triangulation;
 
 use crate::alike::alike;

@@ -7,7 +7,7 @@ use std::fmt::{Debug, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use trimalla::domain::Pslg;
+use trimalla::drawing::Pslg;
 
 /// What a judge says of a drawing: nothing, or what is wrong.
 pub(crate) type Verdict = Result<(), String>;

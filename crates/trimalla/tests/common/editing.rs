@@ -6,7 +6,7 @@
 //! random numbers, and must lead to the same result.
 #![allow(dead_code, reason = "every test uses a part of it")]
 
-use trimalla::mesh::{Checkpoint, UndoLog};
+use trimalla::half_edge::{Checkpoint, UndoLog};
 use trimalla_testkit::generators::SplitMix64;
 
 /// Something that random edits are made to.

@@ -2,8 +2,8 @@
 #![allow(dead_code, reason = "every test uses a part of it")]
 
 use trimalla::delaunay::Delaunay;
+use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Point;
-use trimalla::triangulation::IndexedMesh;
 
 /// The Delaunay mesh of points.
 pub(crate) fn delaunay_mesh(points: &[Point]) -> IndexedMesh {

@@ -2,9 +2,10 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, math};
-use trimalla::mesh::{HalfEdgeId, UndoLog, VertexId};
+use trimalla::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use trimalla::refine::{NoObserver, Preset, RefineOptions, Refinement};
 use trimalla_testkit::generators::SplitMix64;
 

@@ -2,10 +2,11 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{Contours, DomainError, DomainRule, Pslg, Warning, build};
+use trimalla::domain::{Contours, DomainError, DomainRule, Warning, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{CircleSide, Point, in_circle};
-use trimalla::mesh::VertexId;
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::half_edge::VertexId;
+use trimalla::triangulation::check_mesh;
 use trimalla::{DomainOptions, triangulate, triangulate_conforming};
 
 use crate::issue;

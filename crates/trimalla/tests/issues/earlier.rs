@@ -2,7 +2,8 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings, Filling};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainError, DomainRule, Pslg, build};
+use trimalla::domain::{DomainError, DomainRule, build};
+use trimalla::drawing::{DrawingError, Pslg};
 use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::{Reason, RefineOptions};
@@ -129,7 +130,7 @@ fn an_absurd_number_of_attributes_is_an_error() {
         domain: DomainOptions { rule: DomainRule::Hull, ..DomainOptions::default() },
         ..MeshOptions::default()
     };
-    assert!(matches!(mesh(&pslg, &options), Err(Error::Domain(DomainError::Column { .. }))));
+    assert!(matches!(mesh(&pslg, &options), Err(Error::Domain(DomainError::Drawing(DrawingError::Column { .. })))));
 }
 
 /// `constrained::split_subsegment::point_on_subsegment` trusted the far ends of a bent segment, and the parameter of a vertex

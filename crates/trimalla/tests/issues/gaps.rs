@@ -2,9 +2,10 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainError, DomainRule, NearFeature, Pslg, Warning, build};
+use trimalla::domain::{DomainError, DomainRule, NearFeature, Warning, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Angle, Point};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::{Preset, Reason, RefineOptions};
 use trimalla::{MeshOptions, refine_mesh};

@@ -3,12 +3,13 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, Region, build, from_mesh};
+use trimalla::domain::{DomainRule, build, from_mesh};
+use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::{Orientation, Point, Strip, orient2d};
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::{Initial, Limits, NoObserver, Prepare, Recipe, Recover, RefineOptions, Refinement};
 use trimalla::refine_mesh;
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla_testkit::generators::{PslgKind, SplitMix64, moved_to_utm, noisy, pslg, rotated, scaled};
 use trimalla_testkit::oracles::{chain_faults, crossing_pairs};
 

@@ -17,9 +17,10 @@ use std::path::Path;
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::{NoObserver, RefineOptions, Refinement, Report};
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla_testkit::readers::read_poly;
 
 /// The drawing of that name in `data/issues`.

@@ -5,12 +5,13 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Orientation, Point, on_segment, orient2d};
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::{Initial, Insert, Limits, NoObserver, PlacePoint, Recipe, Recover, RefineOptions, Refinement};
 use trimalla::refine_mesh;
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::first_flaw;
 

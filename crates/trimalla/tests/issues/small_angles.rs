@@ -4,9 +4,10 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Angle, Point};
-use trimalla::mesh::VertexId;
+use trimalla::half_edge::VertexId;
 use trimalla::quality::against_input;
 use trimalla::refine::{
     Cause, Feature, NoObserver, Outlook, Preset, Reason, RefineOptions, Refinement, Report, StopReason,

@@ -5,15 +5,16 @@ use std::sync::Arc;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::{AlgorithmKey, Delaunay};
-use trimalla::domain::{DomainRule, Pslg, build};
+use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Orientation, Point, orient2d};
+use trimalla::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use trimalla::locate::Locus;
-use trimalla::mesh::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use trimalla::refine::steps::{PointStep, Proposal, Steps, View};
 use trimalla::refine::{
     Initial, Insert, NoObserver, Preset, Progress, Recover, RefineOptions, Refinement, Report, Select, StopReason,
 };
-use trimalla::triangulation::{IndexedMesh, check_mesh};
+use trimalla::triangulation::check_mesh;
 use trimalla::{mesh, refine_mesh};
 use trimalla_testkit::readers::read_poly;
 

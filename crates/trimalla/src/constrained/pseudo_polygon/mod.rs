@@ -28,7 +28,7 @@ mod recursive;
 mod tests;
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
-use crate::mesh::Patch;
+use crate::half_edge::Patch;
 
 /// Up to this many border vertices recursion is quicker.
 const SHORT: usize = 24;

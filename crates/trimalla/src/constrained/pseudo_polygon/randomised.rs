@@ -23,7 +23,7 @@
 
 use super::{Border, Edges};
 use crate::geometry::Point;
-use crate::mesh::{Patch, Side, Triangle};
+use crate::half_edge::{Patch, Side, Triangle};
 
 /// Draws before the farthest vertex is taken instead.
 const DRAWS: u32 = 16;

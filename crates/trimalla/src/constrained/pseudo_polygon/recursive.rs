@@ -12,7 +12,7 @@
 
 use super::{Border, Edges, is_inside};
 use crate::geometry::ccw;
-use crate::mesh::{Patch, Side, Triangle};
+use crate::half_edge::{Patch, Side, Triangle};
 
 /// A stretch of the border between two vertices, with the edge between them for its base.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::*;
-use crate::mesh::Side;
+use crate::half_edge::Side;
 
 /// What lies across a side of a filled triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::{MAX_POINTS, triangulate};
 use crate::geometry::{Point, lexicographic};
-use crate::mesh::{HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
+use crate::half_edge::{HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.

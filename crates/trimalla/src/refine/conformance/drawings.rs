@@ -1,6 +1,6 @@
 //! The drawings that suites are run on: small, and each with something that a strategy may trip over.
 
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::geometry::Point;
 
 /// A drawing and what it is called.

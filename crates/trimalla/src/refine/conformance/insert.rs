@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::{Breach, Subject, by_name, carved, drawings, ensure, laws, view};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Edit, Provenance, Workspace};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::geometry::{Point, Triangle};
+use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 use crate::refine::recipe::{Insert, Recipe};
 use crate::refine::steps::{InsertStep, Proposal};
 

@@ -10,7 +10,7 @@
 use super::{Breach, MOST_STEPS, MOST_VERTICES, Subject, drawings, ensure};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::refine::event::Event;
 use crate::refine::refinement::{Refinement, StepOutcome};
 use crate::triangulation::Fault;

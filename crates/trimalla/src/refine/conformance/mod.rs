@@ -14,7 +14,7 @@
 //! ```
 //! use std::sync::Arc;
 //! use trimalla::geometry::Triangle;
-//! use trimalla::mesh::FaceId;
+//! use trimalla::half_edge::FaceId;
 //! use trimalla::refine::conformance::{self, Subject};
 //! use trimalla::refine::steps::{PointStep, Proposal, View};
 //!
@@ -50,8 +50,9 @@ use super::ruler::Ruler;
 use super::steps::{Steps, View};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::{DomainRule, Pslg, build};
-use crate::mesh::{FaceId, VertexId};
+use crate::domain::{DomainRule, build};
+use crate::drawing::Pslg;
+use crate::half_edge::{FaceId, VertexId};
 
 pub use insert::insert;
 pub use laws::laws;

@@ -3,10 +3,10 @@
 use super::{Breach, Subject, by_name, drawings, ensure, laws, name, view};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::geometry::{Orientation, Point, Segment, math, orient2d};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::steps::Proposal;
 
 /// No strategy needs more places than this for one triangle.

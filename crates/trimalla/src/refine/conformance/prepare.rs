@@ -2,9 +2,9 @@
 
 use super::{Breach, Subject, drawings, ensure, laws, view};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::geometry::Point;
-use crate::mesh::HalfEdgeId;
+use crate::half_edge::HalfEdgeId;
 use crate::refine::refinement::{Refinement, StepOutcome};
 use crate::refine::steps::PrepareStep;
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Breach, Subject, drawings, ensure, laws};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Pslg;
+use crate::drawing::Pslg;
 use crate::quality::{InputFault, against_input};
 use crate::refine::refinement::StepOutcome;
 

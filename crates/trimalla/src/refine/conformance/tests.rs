@@ -3,8 +3,8 @@
 use super::*;
 use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::{Point, Triangle};
+use crate::half_edge::{HalfEdgeId, UndoLog};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog};
 use crate::refine::recipe::{Insert, PlacePoint, Preset};
 use crate::refine::steps::{InsertStep, PointStep, PrepareStep, Proposal, SelectStep};
 

@@ -20,7 +20,7 @@
 use std::collections::VecDeque;
 
 use crate::constrained::{ConstrainedTriangulation, Workspace};
-use crate::mesh::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::refine::Ruler;
 use crate::refine::joints::{Piece, common_end};
 

@@ -29,7 +29,7 @@ use super::options::{Criteria, Limits, RefineOptions};
 use super::refinement::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedTriangulation, SegmentId};
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
 use feet::Footed;
 use profile::{Facing, Sample, profile};

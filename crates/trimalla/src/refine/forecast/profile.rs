@@ -12,7 +12,7 @@
 use super::feet::Footed;
 use super::sizes::Sizes;
 use crate::geometry::{Point, Vector};
-use crate::mesh::{HalfEdgeId, VertexId};
+use crate::half_edge::{HalfEdgeId, VertexId};
 use crate::refine::joints::{Piece, common_end};
 use crate::refine::mirror::SMALL_SINE_SQ;
 

@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::feet::Footed;
-use crate::mesh::VertexId;
+use crate::half_edge::VertexId;
 
 /// Sizes by vertex, in the ruler's units.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! `none`: segments are left as they are.
 
-use crate::mesh::HalfEdgeId;
+use crate::half_edge::HalfEdgeId;
 use crate::refine::steps::{PrepareStep, View};
 
 /// Step 1, `none`.

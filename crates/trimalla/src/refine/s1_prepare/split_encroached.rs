@@ -6,7 +6,7 @@
 //! Under a bound on areas also those are split that no good triangle fits: else the triangles beside them would be refined
 //! first, and their vertices deleted when the subsegment is split after all.
 
-use crate::mesh::HalfEdgeId;
+use crate::half_edge::HalfEdgeId;
 use crate::refine::encroachment::Region;
 use crate::refine::recipe::PrepareWhen;
 use crate::refine::steps::{PrepareStep, View};

@@ -4,7 +4,7 @@
 //! `[MeshSuite]` 4.3.
 
 use super::shortest_sq;
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `boundary-shortest-edge`.

@@ -1,6 +1,6 @@
 //! `first`: the triangle that has waited longest first.
 
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `first`.

@@ -1,6 +1,6 @@
 //! `manual`: the triangles that the caller picks, one after the other, bad or not; it ends when none is left.
 
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `manual`.

@@ -6,7 +6,7 @@
 
 use super::{shortest_sq, shortest_sq_of};
 use crate::geometry::Point;
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `shortest-edge`.

@@ -1,6 +1,6 @@
 //! `smallest-angle`: the triangle with the smallest angle first, by its squared sine.
 
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `smallest-angle`.

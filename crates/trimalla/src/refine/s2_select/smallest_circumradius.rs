@@ -1,6 +1,6 @@
 //! `smallest-circumradius`: the triangle with the smallest circumcircle first.
 
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 
 /// Step 2, `smallest-circumradius`.

@@ -4,7 +4,7 @@
 //! `[Ruppert95]`, `[Chew93]`.
 
 use crate::geometry::{Point, Triangle};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{PointStep, Proposal, View};
 
 /// Step 3, `circumcenter`.

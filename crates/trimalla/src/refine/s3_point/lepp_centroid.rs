@@ -4,7 +4,7 @@
 //! `[RivaraCalderon10]`; `selectPointCentroid` of `[Valenzuela09]`, section 6.1.
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::lepp::{Centroid, LeppRule, edge_midpoint, quadrilateral_centroid};
 use crate::refine::recipe::ConstrainedSecond;
 use crate::refine::steps::{PointStep, Proposal, View};

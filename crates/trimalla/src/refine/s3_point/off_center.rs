@@ -6,7 +6,7 @@
 
 use super::circumcenter::center_of;
 use crate::geometry::{Point, Triangle, lexicographically_less, math};
-use crate::mesh::FaceId;
+use crate::half_edge::FaceId;
 use crate::refine::steps::{PointStep, Proposal, View};
 
 /// Step 3, `off-center`.

@@ -20,7 +20,7 @@
 //! | S3 | the triangle of s and the new point would have an angle below the bound |
 
 use crate::geometry::{Point, Triangle, triangle_angles_at_least};
-use crate::mesh::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::lepp::{LeppRule, compare_edges, edges_by_length, terminal_edge, terminal_faces};
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
 use crate::refine::steps::{Proposal, View};

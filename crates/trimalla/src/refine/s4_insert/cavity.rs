@@ -5,8 +5,8 @@
 
 use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::Point;
+use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 use crate::refine::steps::InsertStep;
 
 /// Step 4, `cavity`.

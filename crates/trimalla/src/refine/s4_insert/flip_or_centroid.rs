@@ -6,8 +6,8 @@
 
 use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::{BoundingBox, Point};
+use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
-use crate::mesh::{HalfEdgeId, UndoLog, VertexId};
 use crate::refine::lepp::longest_edge;
 use crate::refine::ruler::Ruler;
 use crate::refine::steps::{InsertStep, Proposal, View};

@@ -28,7 +28,7 @@ pub enum MeshFault {
     /// A column of attributes or markers is neither empty nor as long as its elements need.
     #[error("column '{column}' has {found} entries instead of {expected}")]
     ColumnLength {
-        /// Name of the field of [`IndexedMesh`](crate::triangulation::IndexedMesh).
+        /// Name of the field of [`IndexedMesh`](crate::drawing::IndexedMesh).
         column: &'static str,
         /// Its length.
         found: usize,

@@ -13,12 +13,10 @@
 
 mod fault;
 mod overlap;
-mod sides;
 
 pub use fault::{MeshFault, MeshVertex};
-pub(crate) use sides::{Side, Sides, is_sound};
 
-use super::IndexedMesh;
+use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{CircleSide, Orientation, Point, in_circle, lexicographic, orient2d};
 
 /// Every fault of a mesh except the circle test; empty for a sound mesh.
@@ -34,7 +32,8 @@ use crate::geometry::{CircleSide, Orientation, Point, in_circle, lexicographic, 
 /// # Examples
 /// ```
 /// use trimalla::geometry::Point;
-/// use trimalla::triangulation::{IndexedMesh, check_mesh};
+/// use trimalla::drawing::IndexedMesh;
+/// use trimalla::triangulation::check_mesh;
 ///
 /// let points = vec![Point::new(0.0, 0.0), Point::new(1.0, 0.0), Point::new(0.0, 1.0)];
 /// let mesh = IndexedMesh { points, triangles: vec![[0, 2, 1]], ..IndexedMesh::default() };

@@ -23,7 +23,8 @@ use core::cmp::Ordering;
 use core::ops::Bound::{Excluded, Unbounded};
 use std::collections::BTreeSet;
 
-use super::{IndexedMesh, MeshFault, Side, Sides, ends};
+use super::{MeshFault, ends};
+use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{
     Orientation, Point, SegmentContact, lexicographic, lexicographically_less, orient2d, segment_contact,
 };

@@ -1,6 +1,6 @@
 //! Star: the faces of a cavity away, a fan around a new vertex in their place.
 
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 /// An edge of a cavity's rim, as it was before: what the face on it needs to know. It ends where the next one starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Carve: everything outside the domain away, ghosts along its border.
 
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 /// The border between the faces of a domain and what is outside.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,6 @@
 //! Unsplits: a vertex of degree three or four taken out again.
 
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal};
 
 impl HalfEdgeMesh {
     /// Takes out the origin of `h`, a vertex with exactly three faces: they become one.

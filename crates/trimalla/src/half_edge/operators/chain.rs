@@ -11,7 +11,7 @@
 //! A vertex between two others is [`split_edge`](HalfEdgeMesh::split_edge), taken out again by
 //! [`unsplit_edge`](HalfEdgeMesh::unsplit_edge).
 
-use crate::mesh::{HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 const INF: VertexId = VertexId::INFINITE;
 

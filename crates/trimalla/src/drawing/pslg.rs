@@ -1,6 +1,6 @@
 //! The planar straight-line graph a mesh is made from.
 
-use super::error::DomainError;
+use super::error::DrawingError;
 use crate::geometry::Point;
 
 /// A region seed: the region around it gets an attribute and, where given, an area bound.
@@ -42,12 +42,15 @@ pub struct Pslg {
 
 impl Pslg {
     /// How many attributes a vertex has: none where the column is empty, whatever it is said to hold.
-    pub(super) fn attribute_width(&self) -> usize {
+    pub(crate) fn attribute_width(&self) -> usize {
         if self.point_attributes.is_empty() { 0 } else { self.attributes_per_point }
     }
 
-    /// Column lengths and seeds; points and segments are checked where they are triangulated.
-    pub(super) fn validate(&self) -> Result<(), DomainError> {
+    /// Checks the lengths of columns, and that seeds are finite. Points and segments are checked where they are triangulated.
+    ///
+    /// # Errors
+    /// [`DrawingError`] names the first fault.
+    pub fn validate(&self) -> Result<(), DrawingError> {
         let columns = [
             ("the column of point markers", self.point_markers.len(), self.points.len(), true),
             (
@@ -60,13 +63,13 @@ impl Pslg {
         ];
         for (what, found, expected, may_be_empty) in columns {
             if found != expected && !(may_be_empty && found == 0) {
-                return Err(DomainError::Column { what, found, expected });
+                return Err(DrawingError::Column { what, found, expected });
             }
         }
         let holes = self.holes.iter().enumerate().map(|(i, &p)| ("hole", i, p));
         let regions = self.regions.iter().enumerate().map(|(i, r)| ("region", i, r.seed));
         match holes.chain(regions).find(|(_, _, p)| !p.is_finite()) {
-            Some((what, seed, at)) => Err(DomainError::SeedNotFinite { what, seed, at }),
+            Some((what, seed, at)) => Err(DrawingError::SeedNotFinite { what, seed, at }),
             None => Ok(()),
         }
     }

@@ -1,6 +1,6 @@
 //! The sides of the triangles of an indexed mesh, found by their ends.
 
-use crate::triangulation::IndexedMesh;
+use super::indexed::IndexedMesh;
 
 /// A directed side of a triangle, which lies to its left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +76,17 @@ impl Sides {
     pub(crate) fn find(&self, origin: u32, dest: u32) -> Option<&Side> {
         let from = self.from(origin);
         from.get(from.partition_point(|s| s.dest < dest)).filter(|s| s.dest == dest)
+    }
+
+    /// The side from one vertex to another, where there is just one.
+    pub(super) fn only(&self, origin: u32, dest: u32) -> Option<&Side> {
+        let from = self.from(origin);
+        let first = from.partition_point(|s| s.dest < dest);
+        match &from[first..] {
+            [one, next, ..] if one.dest == dest && next.dest != dest => Some(one),
+            [one] if one.dest == dest => Some(one),
+            _ => None,
+        }
     }
 
     /// Whether two vertices are joined by an edge.

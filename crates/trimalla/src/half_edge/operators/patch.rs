@@ -1,6 +1,6 @@
 //! Patches: triangles for a region beside an edge, before they are faces of a mesh.
 
-use crate::mesh::{FaceId, HalfEdgeId};
+use crate::half_edge::{FaceId, HalfEdgeId};
 
 /// Triangles that fill a region beside an edge, the *base*; they know nothing of the mesh that they are meant for.
 ///

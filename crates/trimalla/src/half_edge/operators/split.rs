@@ -1,6 +1,6 @@
 //! Splits: a vertex inside a face, a vertex on an edge.
 
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 impl HalfEdgeMesh {
     /// Puts unused vertex `q` inside face `f`: one face becomes three.

@@ -1,6 +1,6 @@
 //! Flip: the other diagonal of a quadrilateral.
 
-use crate::mesh::{HalfEdgeId, HalfEdgeMesh, Journal};
+use crate::half_edge::{HalfEdgeId, HalfEdgeMesh, Journal};
 
 impl HalfEdgeMesh {
     /// Replaces edge `e` by the other diagonal of its two faces.

@@ -1,7 +1,7 @@
 //! Refill: other faces in the same cavity.
 
 use super::patch::Patch;
-use crate::mesh::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 /// One half of a cavity that an edge parts.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,6 @@
 //! A vertex outside the hull, or off the line of a chain.
 
-use crate::mesh::{HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
+use crate::half_edge::{HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
 impl HalfEdgeMesh {
     /// Joins unused vertex `p` to a run of ghosts: each becomes a real face, two ghosts are added.

@@ -1,0 +1,15 @@
+//! Drawings and meshes as plain arrays: what callers and files say, and what they get.
+//!
+//! A [`Pslg`] is a drawing: points, segments between them, hole and region seeds. An [`IndexedMesh`] is a mesh. Neither is
+//! checked before it is used, and neither needs a triangulation.
+
+mod error;
+mod indexed;
+mod pslg;
+mod rings;
+mod sides;
+
+pub use error::DrawingError;
+pub use indexed::IndexedMesh;
+pub use pslg::{Pslg, Region};
+pub(crate) use sides::{Side, Sides, is_sound};
