@@ -153,7 +153,7 @@ TEXT
     cat <<'TEXT'
 
 The sources of `off-center` and `circumcenter` insert by Lawson's flips (`flip`); ours insert by cavities (`cavity`), which is faster. Both make the same
-mesh, vertex by vertex, and a test says so (`flips_and_cavities_agree` in `crates/trimalla/tests/steps.rs`).
+mesh, vertex by vertex, and a test says so (`flips_and_cavities_agree` in `crates/trimalla/tests/laws/steps.rs`).
 
 What we see. At small angles off-centers need the fewest vertices. On A centroids of terminal triangles need fewer from 28 degrees
 on; on the other two off-centers stay ahead as long as they end. Circumcenters need more vertices than off-centers nearly everywhere. At 37 degrees only

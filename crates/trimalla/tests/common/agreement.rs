@@ -6,8 +6,8 @@ use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
 use trimalla::triangulation::Triangulation;
 
-use crate::alike::alike;
-use crate::verdict::none;
+use super::alike::alike;
+use super::verdict::none;
 
 /// Every algorithm gives the same triangles, edges, duplicates and dimension, and a clean check.
 pub(crate) fn agreed(points: &[Point]) -> Result<Triangulation, String> {

@@ -35,7 +35,7 @@ use feet::Footed;
 use profile::{Facing, Sample, profile};
 use sizes::Sizes;
 
-/// Growth of the size per distance. This and the following constants are fitted to the runs of `tests/forecast.rs`.
+/// Growth of the size per distance. This and the following constants are fitted to the runs of `tests/laws/forecast.rs`.
 const GRADING: f64 = 0.7;
 /// Triangles per unit of the integral at 30 degrees.
 const TRIANGLES: f64 = 4.1;
@@ -148,7 +148,7 @@ impl fmt::Display for Feature {
 /// |---|---|---|---|---|
 /// | 0.49 to 1.14 | 0.96 to 1.56 | 1.81 | 0.98 to 1.49 | 1.00 to 1.65 |
 ///
-/// `cargo test -p trimalla --test forecast -- --nocapture` measures them again.
+/// `cargo test -p trimalla --test laws -- --nocapture forecast` measures them again.
 ///
 /// # Complexity
 /// O(n log n) and one insertion a foot, in a copy of the triangulation: near linear where segments see few vertices each.

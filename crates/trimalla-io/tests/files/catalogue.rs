@@ -3,9 +3,7 @@
 //! E03 is in `damage.rs`, E10 in `paths.rs`, E11 in the tests of the program, where the memory of a process can be bounded.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
-use common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
+use crate::common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
 use trimalla::geometry::Point;
 use trimalla_io::{IoError, area, edge, ele, meshsuite, neigh, node, poly, soup};
 

@@ -1,16 +1,10 @@
 //! The points of every shared real input: both algorithms, one clean result.
 
-#[path = "common/agreement.rs"]
-mod agreement;
-#[path = "common/alike.rs"]
-mod alike;
-#[path = "common/verdict.rs"]
-mod verdict;
-
+use crate::common::verdict::demand;
+use crate::common::{agreement, alike};
 use trimalla_testkit::oracles::{covers_hull, delaunay_triangle_count};
 use trimalla_testkit::readers::all_inputs;
 use trimalla_testkit::shared_data_or_skip;
-use verdict::demand;
 
 /// Points up to which the exact area of all triangles is compared with that of the hull.
 const AREA_LIMIT: usize = 2000;

@@ -5,23 +5,16 @@
 //! 2. Small sets: the result is what the definition says, by brute force.
 //! 3. The order of the points does not matter: those of a shuffled set, renamed, are the same.
 
-#[path = "common/agreement.rs"]
-mod agreement;
-#[path = "common/alike.rs"]
-mod alike;
-#[path = "common/verdict.rs"]
-mod verdict;
-
 use std::collections::BTreeSet;
 
-use agreement::{agreed, renamed};
-use alike::{alike, same};
+use crate::common::agreement::{agreed, renamed};
+use crate::common::alike::{alike, same};
+use crate::common::verdict::{Verdict, demand};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 use trimalla_testkit::oracles::{brute_force_delaunay, representatives};
-use verdict::{Verdict, demand};
 
 /// How many sets there are.
 const SETS: usize = 1000;

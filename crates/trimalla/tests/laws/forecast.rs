@@ -1,7 +1,7 @@
 //! The forecast held against real refinements.
 //!
 //! Each row is a drawing meshed with off-centers at 10, 20, 26, 30 and 33 degrees; the forecast must be right within
-//! a factor of 3. The factors, forecast over outcome, that `cargo test -p trimalla --test forecast -- --nocapture`
+//! a factor of 3. The factors, forecast over outcome, that `cargo test -p trimalla --test laws -- --nocapture forecast`
 //! prints in full:
 //!
 //! | drawings | at 20° | at 30° | at all five |

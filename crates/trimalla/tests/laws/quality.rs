@@ -1,9 +1,6 @@
 //! Statistics against counts by hand and by the testkit, bounds at their limits, meshes against inputs.
 
-#[path = "common/meshes.rs"]
-mod meshes;
-
-use meshes::{delaunay_mesh, mesh, points};
+use crate::common::meshes::{delaunay_mesh, mesh, points};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Angle, Point, Triangle};
 use trimalla::quality::{Bins, Histogram, InputFault, Spread, Statistics, against_input, aspect_ratio, below_bound};

@@ -17,10 +17,7 @@
 //!
 //! A failing drawing is reduced and printed as Rust.
 
-#[path = "common/court.rs"]
-mod court;
-
-use court::{Court, Verdict, equal, none};
+use crate::common::court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings, Filling, Provenance};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::drawing::Pslg;

@@ -16,15 +16,11 @@
 //! Where a claim fails the edits that led there are printed as Rust.
 
 #![allow(clippy::print_stdout, reason = "tables for those who look")]
-#[path = "common/alike.rs"]
-mod alike;
-#[path = "common/editing.rs"]
-mod editing;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
-use editing::{Plan, Subject, Tally, drive};
+use crate::common::editing::{Plan, Subject, Tally, drive};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
 use trimalla::delaunay::{BuildError, Inserted};
 use trimalla::geometry::Point;
@@ -367,7 +363,7 @@ impl Subject for Edited {
     }
 
     fn is_alike(&self, other: &Self) -> bool {
-        alike::alike(&self.cdt, &other.cdt).is_ok()
+        crate::common::alike::alike(&self.cdt, &other.cdt).is_ok()
     }
 }
 

@@ -17,12 +17,10 @@
 //! With `--nocapture` a table is printed: vertices, triangles, leftovers by reason, milliseconds.
 
 #![allow(clippy::print_stdout, reason = "tables for those who look")]
-#[path = "common/court.rs"]
-mod court;
 
 use std::time::Instant;
 
-use court::{Verdict, equal, guarded, none};
+use crate::common::court::{Verdict, equal, guarded, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{self, DomainError, DomainRule};

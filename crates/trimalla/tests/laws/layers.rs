@@ -4,14 +4,11 @@
 //! manifest of the workspace. An arrow that points upward fails, and so do a room and a crate that
 //! are not listed here: whoever builds one says where it stands.
 
-#[path = "common/paths.rs"]
-mod paths;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use paths::{rooms_named, test_files};
+use crate::common::paths::{rooms_named, test_files};
 
 /// The rooms of the library, the lowest tier first; rooms of one tier do not know each other.
 ///

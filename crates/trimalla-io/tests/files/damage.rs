@@ -1,9 +1,7 @@
 //! Damaged files: cut off anywhere, any bit flipped, random words. Nothing panics, and every fault has a place in the file.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
-use common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
+use crate::common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
 use proptest::prelude::*;
 use trimalla_io::{IoError, area, edge, ele, meshsuite, neigh, node, poly, soup};
 

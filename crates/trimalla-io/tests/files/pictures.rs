@@ -1,9 +1,7 @@
 //! Pictures: well-formed, the same every time, small, and possible for every mesh.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
-use common::{POLY, grid, hard_mesh, hard_pslg, read_poly};
+use crate::common::{POLY, grid, hard_mesh, hard_pslg, read_poly};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
 use trimalla_io::SvgOptions;

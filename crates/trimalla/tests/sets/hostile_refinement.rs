@@ -17,12 +17,10 @@
 //! 6. Refining the result again adds nothing.
 
 #![allow(clippy::print_stdout, reason = "tables for those who look")]
-#[path = "common/court.rs"]
-mod court;
 
 use std::cell::RefCell;
 
-use court::{Court, Verdict, equal, none};
+use crate::common::court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainError, DomainRule, build};

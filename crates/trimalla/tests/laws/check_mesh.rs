@@ -1,9 +1,6 @@
 //! The checker of meshes from anywhere: silent on sound ones, right about broken ones, never a panic.
 
-#[path = "common/meshes.rs"]
-mod meshes;
-
-use meshes::{delaunay_mesh, mesh, points};
+use crate::common::meshes::{delaunay_mesh, mesh, points};
 use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::{Orientation, Point, SegmentContact};
 use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};

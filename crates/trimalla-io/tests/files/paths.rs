@@ -1,13 +1,11 @@
 //! Paths: which files belong together, what is no file, and output that appears whole or not at all.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
 use std::fs;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 
-use common::{ELE, NODE, POLY, grid, names_in, scratch};
+use crate::common::{ELE, NODE, POLY, grid, names_in, scratch};
 use trimalla_io::{Format, IoError, WriteOptions, files_of_mesh, read_mesh, read_pslg, write_mesh, write_pslg};
 
 fn options() -> WriteOptions {
@@ -168,7 +166,7 @@ fn links_stay_and_permissions_are_kept() {
     fs::set_permissions(dir.join("real/m.poly"), fs::Permissions::from_mode(0o640)).unwrap();
     symlink("real/m.poly", dir.join("link.poly")).unwrap();
     symlink("real/new.poly", dir.join("dangling.poly")).unwrap();
-    let pslg = common::read_poly(POLY.as_bytes(), "p").unwrap();
+    let pslg = crate::common::read_poly(POLY.as_bytes(), "p").unwrap();
     for name in ["link.poly", "dangling.poly"] {
         write_pslg(dir.join(name), &pslg, &options()).unwrap();
         assert!(fs::symlink_metadata(dir.join(name)).unwrap().is_symlink());
@@ -182,7 +180,7 @@ fn links_stay_and_permissions_are_kept() {
 fn many_writers_leave_one_whole_file() {
     let dir = scratch("writers");
     let path = dir.join("m.poly");
-    let pslg = common::read_poly(POLY.as_bytes(), "p").unwrap();
+    let pslg = crate::common::read_poly(POLY.as_bytes(), "p").unwrap();
     std::thread::scope(|scope| {
         for _ in 0..8 {
             scope.spawn(|| write_pslg(&path, &pslg, &options()).unwrap());

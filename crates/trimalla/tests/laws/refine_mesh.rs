@@ -12,10 +12,7 @@
 //! 4. A start that is not Delaunay is flipped first, unless the recipe flips nothing: then its edges stay.
 //! 5. Attributes come from the triangle that holds the new one; area bounds hold by place.
 
-#[path = "common/court.rs"]
-mod court;
-
-use court::{Court, Verdict, equal, none};
+use crate::common::court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, Crossings, Provenance};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainError, DomainRule, MeshError, Warning, build, from_mesh};

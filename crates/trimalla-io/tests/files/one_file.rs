@@ -2,11 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 #![allow(clippy::print_stderr, reason = "a skipped test says so")]
 
-mod common;
-
 use std::fs;
 
-use common::{AREA, HARD, MESHSUITE, SOUP, bits, grid, hard_mesh, hard_pslg, scratch, shared_data};
+use crate::common::{AREA, HARD, MESHSUITE, SOUP, bits, grid, hard_mesh, hard_pslg, scratch, shared_data};
 use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Point;
 use trimalla_io::area::Areas;

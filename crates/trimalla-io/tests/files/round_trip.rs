@@ -1,9 +1,7 @@
 //! What is written reads back to the same bits, in both numberings.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
-use common::{bits, grid, hard_mesh, hard_pslg, scratch};
+use crate::common::{bits, grid, hard_mesh, hard_pslg, scratch};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{
     Format, VertexRange, WriteOptions, edge, neigh, read_mesh_numbered, read_pslg_numbered, write_mesh, write_mesh_to,
@@ -59,7 +57,7 @@ fn a_mesh_as_one_poly_file_is_a_drawing() {
     let mesh = grid(2);
     let mut bytes = Vec::new();
     write_mesh_to(&mut bytes, Format::Poly, &mesh, &WriteOptions::default()).unwrap();
-    let pslg = common::read_poly(&bytes, "p").unwrap();
+    let pslg = crate::common::read_poly(&bytes, "p").unwrap();
     assert_eq!((pslg.points, pslg.segments), (mesh.points, mesh.segments));
 }
 
@@ -123,7 +121,7 @@ fn what_cannot_be_written_is_refused() {
         for format in Format::ALL {
             let _ = write_mesh_to(&mut Vec::new(), format, &mesh, &WriteOptions::default());
         }
-        assert!(common::names_in(&directory).is_empty(), "{what}");
+        assert!(crate::common::names_in(&directory).is_empty(), "{what}");
     }
     let options = WriteOptions::default().with_first_index(2);
     assert!(write_mesh_to(&mut Vec::new(), Format::Node, &hard_mesh(), &options).is_err());

@@ -15,12 +15,9 @@
 
 #![allow(clippy::print_stdout, reason = "sizes with and without, for whoever asks with --nocapture")]
 
-#[path = "common/court.rs"]
-mod court;
-
 use std::cell::Cell;
 
-use court::{Court, Verdict, equal, none};
+use crate::common::court::{Court, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};

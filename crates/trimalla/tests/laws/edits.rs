@@ -6,15 +6,10 @@
 //! included; rollback restores every array; at the end the triangulation is the one that is built
 //! at once from the points that are left.
 
-#[path = "common/alike.rs"]
-mod alike;
-#[path = "common/editing.rs"]
-mod editing;
-
 use std::cell::Cell;
 use std::rc::Rc;
 
-use editing::{Plan, Subject, Tally, drive};
+use crate::common::editing::{Plan, Subject, Tally, drive};
 use trimalla::delaunay::{Algorithm, Delaunay, DivideAndConquer, Incremental, Inserted};
 use trimalla::geometry::Point;
 use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
@@ -128,7 +123,7 @@ impl Subject for Edited {
     }
 
     fn is_alike(&self, other: &Self) -> bool {
-        alike::alike(&self.delaunay, &other.delaunay).is_ok()
+        crate::common::alike::alike(&self.delaunay, &other.delaunay).is_ok()
     }
 }
 

@@ -2,12 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 #![allow(clippy::print_stderr, reason = "a skipped test says so")]
 
-mod common;
-
 use std::fs;
 use std::path::PathBuf;
 
-use common::{bits, scratch, shared_data};
+use crate::common::{bits, scratch, shared_data};
 use trimalla_io::{WriteOptions, read_mesh_numbered, read_pslg, read_pslg_numbered, write_mesh, write_pslg};
 
 /// The files of the family with one ending, or nothing (and a line that says so) without the shared data.

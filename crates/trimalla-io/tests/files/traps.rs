@@ -1,9 +1,7 @@
 //! Traps in text files, one row each: what is accepted, and for what is not, the whole message.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-mod common;
-
-use common::{ELE, NODE, POLY, read_poly, sample_nodes};
+use crate::common::{ELE, NODE, POLY, read_poly, sample_nodes};
 use trimalla_io::{IoError, edge, ele, neigh, node, poly};
 
 fn message<T: std::fmt::Debug>(result: Result<T, IoError>) -> String {

@@ -1,0 +1,11 @@
+//! Every format, whole and damaged, and outputs that are all there or none.
+
+mod catalogue;
+mod common;
+mod damage;
+mod one_file;
+mod paths;
+mod pictures;
+mod round_trip;
+mod shared_data;
+mod traps;

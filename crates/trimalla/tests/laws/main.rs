@@ -1,0 +1,20 @@
+//! What holds always: the laws of each room, of the layers, of the errors.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod angle_floor;
+mod check_mesh;
+mod constrained_edits;
+mod edits;
+mod fill;
+mod forecast;
+mod layers;
+mod library_errors;
+mod operators;
+mod predicates;
+mod quality;
+mod references;
+mod refine_mesh;
+mod regions;
+mod steps;
