@@ -133,6 +133,11 @@ impl Test {
     }
 
     /// The same with a test of the caller's own.
+    /// The caller's own test, if there is one.
+    pub(super) fn asked(&self) -> Option<Arc<UserTest>> {
+        self.asked.clone()
+    }
+
     pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
         Self { asked: Some(asked), ..self }
     }

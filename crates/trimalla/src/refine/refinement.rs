@@ -4,11 +4,11 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Asked, Test, sorted};
+use super::bad_triangles::{Asked, Test, UserTest, sorted};
 use super::encroachment::Region;
 use super::event::Event;
 use super::fill::FillStage;
-use super::history::History;
+use super::history::{History, Picked};
 use super::improvement::Improvement;
 use super::joints::Joints;
 use super::mirror::has_small_wedge;
@@ -110,7 +110,7 @@ pub struct Refinement {
     /// The triangle to be treated until it is gone.
     current: Option<Claim>,
     /// Triangles that the caller picked.
-    picked: VecDeque<(FaceId, [VertexId; 3])>,
+    picked: VecDeque<Picked>,
     /// Vertices that the mesh would have now.
     pub(super) vertices: usize,
     /// Vertices inserted in all, those deleted or taken back included.
@@ -311,6 +311,7 @@ impl Refinement {
     /// The same with a step 2 of the caller's own.
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
+        self.record_change();
         self.is_manual = select.is_manual();
         self.select = Arc::new(select);
         self.ask_steps();
@@ -323,6 +324,7 @@ impl Refinement {
     /// The same with a step 3 of the caller's own; [`Steps`] shows one.
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
+        self.record_change();
         self.point = Arc::new(point);
         self.ask_steps();
         self.walks_prove_places = false;
@@ -332,6 +334,7 @@ impl Refinement {
     /// The same with a step 4 of the caller's own.
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
+        self.record_change();
         self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
         self.longest_walk = View::longest_walk(&insert);
         self.insert = Arc::new(insert);
@@ -368,7 +371,12 @@ impl Refinement {
     /// ```
     #[must_use]
     pub fn with_test(mut self, test: impl Fn(Asked) -> bool + Send + Sync + 'static) -> Self {
-        self.test = self.test.clone().with_asked(Arc::new(test));
+        self.record_change();
+        self.with_user_test(Arc::new(test))
+    }
+
+    pub(super) fn with_user_test(mut self, test: Arc<UserTest>) -> Self {
+        self.test = self.test.clone().with_asked(test);
         self.improvement = Improvement::UNWATCHED;
         if self.is_open() && !self.is_filling() {
             self.look_at_everything();
@@ -512,8 +520,7 @@ impl Refinement {
         if !self.is_manual {
             return self.queue.pop(&self.cdt, self.facts.takes_oldest);
         }
-        let there =
-            |&(f, name): &(FaceId, [VertexId; 3])| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
+        let there = |&(f, name): &Picked| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
         while let Some(picked) = self.picked.pop_front() {
             if there(&picked) {
                 return Some(picked.0);
@@ -529,9 +536,15 @@ impl Refinement {
     pub fn pick(&mut self, face: FaceId) -> bool {
         let is_there = face.index() < self.cdt.face_slots() && self.cdt.is_real(face);
         if is_there {
-            self.picked.push_back((face, sorted(self.cdt.face_vertices(face))));
+            let picked = (face, sorted(self.cdt.face_vertices(face)));
+            self.put_picked(picked);
+            self.record_pick(picked);
         }
         is_there
+    }
+
+    pub(super) fn put_picked(&mut self, picked: Picked) {
+        self.picked.push_back(picked);
     }
 
     /// Deletions make room again, so insertions are counted too: no run goes on for ever.

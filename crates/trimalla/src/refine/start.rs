@@ -1,6 +1,10 @@
-//! What a refinement starts from.
+//! What a refinement starts from, and going on under other options.
 
+use super::options::{OptionError, RefineOptions};
+use super::refinement::Refinement;
+use super::report::Report;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
+use crate::triangulation::Triangulation;
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain
 /// ([`domain::build`](crate::domain::build)), or a mesh that was taken up ([`domain::from_mesh`](crate::domain::from_mesh())),
@@ -31,5 +35,37 @@ impl From<ConstrainedDelaunay> for Start {
 impl From<ConstrainedTriangulation> for Start {
     fn from(cdt: ConstrainedTriangulation) -> Self {
         Self { cdt, work: Workspace::default(), is_delaunay: false }
+    }
+}
+
+impl Refinement {
+    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria. A test of the
+    /// caller's own stays; what was picked does not. [`back`](Self::back) leads to the old options, too.
+    ///
+    /// # Errors
+    /// [`OptionError`]; nothing has changed then.
+    ///
+    /// # Complexity
+    /// Linear.
+    pub fn change_options(&mut self, options: RefineOptions) -> Result<(), OptionError> {
+        options.validate()?;
+        self.record_change();
+        self.claim_segments();
+        let nothing = ConstrainedTriangulation::new(Triangulation::default());
+        let start = Start {
+            cdt: std::mem::replace(&mut self.cdt, nothing),
+            work: std::mem::take(&mut self.work),
+            is_delaunay: self.insert.keeps_delaunay(),
+        };
+        let mut changed = Self::timed(start, options, None)?;
+        changed.stopwatch = self.stopwatch;
+        changed.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.report) };
+        (changed.insertions, changed.steps_told) = (self.insertions, self.steps_told);
+        changed.history = self.history.take();
+        *self = match self.test.asked() {
+            Some(asked) => changed.with_user_test(asked),
+            None => changed,
+        };
+        Ok(())
     }
 }

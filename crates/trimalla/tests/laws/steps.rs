@@ -15,6 +15,7 @@ use trimalla::refine::{
     RefineOptions, Refinement, Report, Select, StepOutcome,
 };
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
+use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
 use trimalla_testkit::readers::read_poly;
 
@@ -321,6 +322,64 @@ fn steps_tell_what_they_did_and_are_taken_back() {
             refinement.run_until(|_| false);
             assert!(refinement.triangulation() == &states[states.len() - 1].0, "{name}, {preset}");
         }
+    }
+}
+
+/// What the caller does between steps is taken back with them: picks, other options, a test of his own.
+#[test]
+fn steps_are_taken_back_past_picks_and_other_options() {
+    let mut random = SplitMix64::new(5);
+    for (name, drawing) in small_shapes() {
+        for select in [Select::Manual, Select::ShortestEdge, Select::First] {
+            let mut options = RefineOptions::of(Preset::LeppCentroid).with_min_angle_deg(25.0).with_max_vertices(400);
+            options.recipe.select = select;
+            let mut refinement = begun(&drawing, options);
+            let mut before = Vec::new();
+            for _ in 0..120 {
+                refinement = interfered(refinement, options, &mut random);
+                before.push(refinement.triangulation().clone());
+                refinement.step();
+                // Back and forth in between, too.
+                if random.below(6) == 0 {
+                    let steps = 1 + random.below(before.len());
+                    go_back(&mut refinement, &mut before, steps, name);
+                }
+            }
+            let steps = before.len();
+            go_back(&mut refinement, &mut before, steps, name);
+            assert!(!refinement.back(), "{name}: nothing is left");
+        }
+    }
+}
+
+/// Picks a triangle, changes options or adds a test, or does nothing.
+fn interfered(mut refinement: Refinement, options: RefineOptions, random: &mut SplitMix64) -> Refinement {
+    match random.below(16) {
+        0..=7 => {
+            let faces: Vec<FaceId> = refinement.triangulation().real_faces().collect();
+            assert!(refinement.pick(faces[random.below(faces.len())]));
+            refinement
+        }
+        8 => {
+            let angle = [20.0, 25.0, 30.0][random.below(3)];
+            refinement.change_options(options.with_min_angle_deg(angle)).expect("good options");
+            refinement
+        }
+        9 => {
+            let most = 0.05 + 0.1 * random.below(4) as f64;
+            refinement.with_test(move |asked: Asked| asked.triangle.area() > most)
+        }
+        _ => refinement,
+    }
+}
+
+/// Takes steps back one by one; each state is the one before its step.
+fn go_back(refinement: &mut Refinement, before: &mut Vec<ConstrainedTriangulation>, steps: usize, name: &str) {
+    for _ in 0..steps {
+        let was = before.pop().expect("a step");
+        assert_eq!(refinement.steps_made() as usize, before.len() + 1, "{name}");
+        assert!(refinement.back(), "{name}: step {}", before.len());
+        assert!(*refinement.triangulation() == was, "{name}: step {} restores another mesh", before.len());
     }
 }
 
