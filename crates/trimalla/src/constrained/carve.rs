@@ -1,6 +1,8 @@
 //! Carving: what is outside away, in one change that can be taken back.
 
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
+use super::flat_hull::leave_out;
 use super::outside::Outside;
 use crate::half_edge::{FaceId, Journal};
 use crate::triangulation::Closure;
@@ -36,6 +38,16 @@ impl<J: Journal> Edit<'_, J> {
         true
     }
 
+    /// Makes the convex hull the domain, without the flat triangles at it; says whether the triangulation is closed by a domain now.
+    /// See [`ConstrainedDelaunay::carve_hull`](super::ConstrainedDelaunay::carve_hull).
+    pub fn carve_hull(&mut self) -> bool {
+        if self.closure() == Closure::Domain {
+            return true;
+        }
+        let kept = self.faces_within_hull();
+        self.carve_real(&kept)
+    }
+
     /// Makes boundary edges that no segment runs along segments of their own, named after all others in the order of
     /// their vertices, each from its lower end on: they are split and meet others like segments of the input.
     fn constrain_boundary(&mut self, ghosts: &[FaceId]) {
@@ -47,5 +59,16 @@ impl<J: Journal> Edit<'_, J> {
             let mark = self.data.begin_segment(ends, self.j);
             self.data.set_mark(g, mark, self.j);
         }
+    }
+}
+
+impl ConstrainedTriangulation {
+    /// The real faces (one entry a face slot) without the flat ones at the hull.
+    pub(crate) fn faces_within_hull(&self) -> Vec<bool> {
+        let mut outside: Vec<bool> = (0..self.face_slots()).map(|f| !self.is_real(FaceId::from_index(f))).collect();
+        if self.dimension() == 2 {
+            leave_out(self, &mut outside);
+        }
+        outside.into_iter().map(|is_outside| !is_outside).collect()
     }
 }

@@ -326,6 +326,46 @@ impl ConstrainedDelaunay {
         self.edit(j).carve(keep)
     }
 
+    /// Makes the convex hull the domain: what refinement needs, and [`build`](crate::domain::build()) does to a drawing without
+    /// segments.
+    ///
+    /// ```text
+    ///        c                       c            A hull is exactly convex, and the middle of a–b, rounded, lies beside a–b:
+    ///       ╱ ╲         ──>        ╔═╗            no vertex can split a–b. The boundary of a domain claims no convexity;
+    ///      a───b                   a═b            its edges are constrained, and can be split where rounding allows it.
+    /// ```
+    ///
+    /// Returns whether the triangulation is closed by a domain now. One that was already stays as it is, and so does one without
+    /// triangles, which is refused.
+    ///
+    /// # Guarantees
+    /// Half-edges of triangles keep their ids. Each edge of the hull that no segment runs along becomes a segment of its own, named
+    /// after all others. All vertices stay. Flat triangles at the hull, those whose vertices lie within 16 last places of one
+    /// side, are left out, and the boundary runs through their vertices. From then on a point outside is refused with
+    /// [`BuildError::OutsideDomain`]. A rollback takes all of it back.
+    ///
+    /// # Complexity
+    /// Linear, and O(n log n) in the sides of the hull.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::constrained::ConstrainedDelaunay;
+    /// use trimalla::delaunay::Delaunay;
+    /// use trimalla::geometry::Point;
+    /// use trimalla::half_edge::NoJournal;
+    /// use trimalla::triangulation::Closure;
+    ///
+    /// let corners = [[0.1, 0.0], [1.0, 0.1], [0.9, 1.0], [0.0, 0.9]].map(Point::from);
+    /// let mut t = ConstrainedDelaunay::from_delaunay(Delaunay::new(&corners)?);
+    /// assert_eq!(t.closure(), Closure::Hull);
+    /// assert!(t.carve_hull(&mut NoJournal));
+    /// assert_eq!(t.closure(), Closure::Domain);
+    /// # Ok::<(), trimalla::delaunay::BuildError>(())
+    /// ```
+    pub fn carve_hull<J: Journal>(&mut self, j: &mut J) -> bool {
+        self.edit(j).carve_hull()
+    }
+
     /// Takes back what was noted since a checkpoint.
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         self.data.rollback(log, to);

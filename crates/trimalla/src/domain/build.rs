@@ -1,12 +1,11 @@
 //! From a drawing to a carved triangulation.
 
 use super::error::{DomainError, OpenEnd, Warning};
-use super::flat_hull;
 use super::flood::{depths, flood};
 use super::left_out::left_out;
 use super::near_misses::nearest_outside;
 use super::{regions, seeds};
-use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, leave_out};
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::geometry::{Point, Segment};
@@ -91,7 +90,7 @@ pub fn build(
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     let (cdt, warnings) = triangulate(pslg, crossings, algorithm)?;
-    carved(cdt, warnings, pslg, rule, flat_hull::leave_out)
+    carved(cdt, warnings, pslg, rule, leave_out)
 }
 
 /// Triangulates a drawing and carves out its domain exactly: where that is the convex hull, up to the hull.

@@ -19,7 +19,6 @@ mod chains;
 mod contours;
 mod course;
 mod error;
-mod flat_hull;
 mod flood;
 mod from_mesh;
 mod given;

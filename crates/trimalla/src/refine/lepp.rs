@@ -14,14 +14,15 @@
 //! `[Rivara97]`; `[Valenzuela09]` sections 3.4 and 6.1; `[MeshSuite]` 2.5.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 use super::recipe::Row;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::geometry::{Point, Vector, math};
-use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, Journal, NoJournal, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::triangulation::Triangulation;
+use crate::triangulation::{Closure, Triangulation};
 
 /// Areas above this, in the ruler's squared units, lose nothing to underflow when they weigh lengths.
 const LEAST_AREA: f64 = 1e-140;
@@ -250,6 +251,9 @@ pub fn edge_midpoint(t: &Triangulation, h: HalfEdgeId) -> Point {
 
 impl ConstrainedTriangulation {
     /// The longest-edge propagation path of a real face.
+    ///
+    /// # Complexity
+    /// Linear in the vertices, for the box around them; [`lepp()`] with a [`Ruler`] that is kept takes the length of the path.
     #[must_use]
     pub fn lepp(&self, face: FaceId, rule: LeppRule) -> Lepp {
         lepp(self, Ruler::for_box(self.bounding_box()), face, rule)
@@ -259,22 +263,69 @@ impl ConstrainedTriangulation {
 impl ConstrainedDelaunay {
     /// Inserts the point that a terminal edge stands for, and keeps the triangulation constrained Delaunay.
     ///
-    /// A constrained terminal edge is halved; otherwise a constrained second-longest edge of a terminal triangle, that
-    /// of the half-edge's own face first; otherwise the centroid of the two triangles goes in, or with `None` the
-    /// middle of the edge. `None` is returned where rounding leaves no room.
+    /// With t1 the triangle of the half-edge and t2 that of its twin:
+    ///
+    /// 1. A constrained terminal edge is halved.
+    /// 2. Else a constrained second-longest edge is halved: that of t1 if it is constrained, otherwise that of t2.
+    /// 3. Else the centroid of the two triangles goes in, or with `centroid = None` the middle of the terminal edge. Where a
+    ///    constrained edge lies between t1 and that point, as it may beside an input angle, that edge is halved instead.
+    ///
+    /// # Guarantees
+    /// A triangulation that is still closed by its convex hull, as [`from_delaunay`](Self::from_delaunay) and [`new`](Self::new) make
+    /// it, is closed by a domain first: [`carve_hull`](Self::carve_hull) says what that changes. Edges of the boundary are
+    /// constrained then, as in the source, where a path ends at the boundary. If the terminal edge bounds a flat triangle that
+    /// this leaves out, the terminal edge of the triangle behind it takes its place.
+    ///
+    /// `None` is returned where rounding leaves no room for the point, and for a half-edge that is not of a finite edge.
+    ///
+    /// # Complexity
+    /// Linear in the vertices, for the box around them.
     ///
     /// # Source
-    /// `leppInsert`, `selectPoint` and `selectPointCentroid` of `[Valenzuela09]`, section 6.1.
+    /// `leppInsert` of `[Valenzuela09]`, section 6.1. `selectPoint` (6.1.1) is printed whole, and `centroid = None` is it. Of
+    /// `selectPointCentroid` (6.1.2) the part for a constrained second-longest edge, `SelectConstrainedQuad`, is named but not printed:
+    /// halving that edge, as `selectPoint` does, is our choice.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::constrained::ConstrainedDelaunay;
+    /// use trimalla::delaunay::{Delaunay, DivideAndConquer};
+    /// use trimalla::geometry::{Point, Triangle};
+    /// use trimalla::refine::{Centroid, LeppRule};
+    ///
+    /// // Section 6.2 of the source: triangulate points, and refine until no angle is below 32 degrees.
+    /// let points = [[0.0, 0.0], [9.0, 1.0], [10.0, 9.0], [1.0, 10.0], [2.0, 1.0]].map(Point::from);
+    /// let mut t = ConstrainedDelaunay::from_delaunay(Delaunay::with::<DivideAndConquer>(&points)?);
+    /// let is_bad = |[a, b, c]: [Point; 3]| Triangle::new(a, b, c).min_angle().degrees() < 32.0;
+    /// loop {
+    ///     let Some(bad) = t.real_faces().find(|&f| is_bad(t.face_points(f))) else { break };
+    ///     let path = t.lepp(bad, LeppRule::StopAtBorder);
+    ///     t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).ok_or("rounding leaves no room")?;
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn lepp_insert(&mut self, terminal_edge: HalfEdgeId, centroid: Option<Centroid>) -> Option<VertexId> {
+        self.lepp_insert_with(terminal_edge, centroid, &mut NoJournal)
+    }
+
+    /// [`lepp_insert`](Self::lepp_insert), noting what is overwritten: one rollback takes the point back, and the carving of
+    /// the hull where there was one.
+    pub fn lepp_insert_with<J: Journal>(
+        &mut self,
+        terminal_edge: HalfEdgeId,
+        centroid: Option<Centroid>,
+        j: &mut J,
+    ) -> Option<VertexId> {
         let ruler = Ruler::for_box(self.bounding_box());
+        let terminal_edge = self.within_domain(ruler, terminal_edge, j)?;
         let splits = |t: &Self, h: HalfEdgeId| t.is_marked(h) || t.is_ghost(t.twin(h).face());
         if splits(self, terminal_edge) {
-            return self.halve(terminal_edge);
+            return self.halve(terminal_edge, j);
         }
         let seconds = terminal_faces(self, terminal_edge).into_iter().flatten();
         let second = seconds.map(|f| second_longest_edge(self, ruler, f)).find(|&s| splits(self, s));
         if let Some(second) = second {
-            return self.halve(second);
+            return self.halve(second, j);
         }
         let point = match centroid {
             Some(kind) => quadrilateral_centroid(self, ruler, terminal_edge, kind),
@@ -282,15 +333,52 @@ impl ConstrainedDelaunay {
         };
         match self.walk_within(terminal_edge.face(), point) {
             Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => {
-                Some(self.edit(&mut NoJournal).insert_vertex_at(point, locus))
+                Some(self.edit(j).insert_vertex_at(point, locus))
             }
             Walk::Arrived(_) => None,
-            Walk::Blocked(h) => self.halve(h),
+            Walk::Blocked(h) => self.halve(h, j),
         }
     }
 
-    fn halve(&mut self, h: HalfEdgeId) -> Option<VertexId> {
-        let (point, provenance) = self.point_on_subsegment(h, 0.5);
-        self.edit(&mut NoJournal).split_subsegment(h, point, provenance).ok()
+    /// A terminal edge, as a half-edge of a triangle, once the triangulation is closed by a domain; `None` where there is no
+    /// such edge.
+    fn within_domain<J: Journal>(&mut self, ruler: Ruler, h: HalfEdgeId, j: &mut J) -> Option<HalfEdgeId> {
+        if !self.is_alive(h.face()) {
+            return None;
+        }
+        let h = if self.is_real(h.face()) { h } else { self.twin(h) };
+        if !self.is_real(h.face()) {
+            return None;
+        }
+        if self.closure() == Closure::Domain {
+            return Some(h);
+        }
+        let kept = self.faces_within_hull();
+        let behind = if kept[h.face().index()] { None } else { Some(face_behind(self, ruler, h.face(), &kept)?) };
+        self.carve(&kept, j).then(|| match behind {
+            None => h,
+            Some(face) => terminal_edge(self, ruler, face, LeppRule::StopAtBorder),
+        })
     }
+
+    fn halve<J: Journal>(&mut self, h: HalfEdgeId, j: &mut J) -> Option<VertexId> {
+        let (point, provenance) = self.point_on_subsegment(h, 0.5);
+        self.edit(j).split_subsegment(h, point, provenance).ok()
+    }
+}
+
+/// The kept face at the longest edge between kept faces and those around `flat` that are not kept.
+fn face_behind(t: &Triangulation, ruler: Ruler, flat: FaceId, kept: &[bool]) -> Option<FaceId> {
+    let (mut seen, mut stack, mut longest) = (BTreeSet::from([flat]), vec![flat], None);
+    // Each face that is not kept joins the stack once.
+    while let Some(f) = stack.pop() {
+        for h in f.half_edges().map(|h| t.twin(h)).into_iter().filter(|h| t.is_real(h.face())) {
+            if !kept[h.face().index()] {
+                stack.extend(seen.insert(h.face()).then_some(h.face()));
+            } else if longest.is_none_or(|known| compare_edges(t, ruler, known, h).is_lt()) {
+                longest = Some(h);
+            }
+        }
+    }
+    longest.map(HalfEdgeId::face)
 }

@@ -206,7 +206,7 @@ impl RefineOptions {
     }
 }
 
-/// An option outside its range.
+/// An option outside its range, or a triangulation that there is nothing to refine of.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptionError {
@@ -222,4 +222,7 @@ pub enum OptionError {
     /// Lengths are not negative.
     #[error("the length floor must not be negative or infinite, not {0}")]
     LengthFloor(f64),
+    /// Fewer than three points, or all on one line.
+    #[error("there is no triangle to refine")]
+    NoTriangles,
 }

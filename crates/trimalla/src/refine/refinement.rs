@@ -25,7 +25,7 @@ use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedTriangulation, Edit, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson, max_points};
 use crate::geometry::BoundingBox;
-use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
@@ -163,8 +163,12 @@ pub enum StepOutcome {
 }
 
 impl Refinement {
-    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build) or taken over by
+    /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build), or taken over by
     /// [`domain::from_mesh`](crate::domain::from_mesh()).
+    ///
+    /// One that is still closed by its convex hull, as [`from_delaunay`](ConstrainedDelaunay::from_delaunay) and
+    /// [`ConstrainedDelaunay::new`] make it, is closed by a domain first: [`carve_hull`](ConstrainedDelaunay::carve_hull) says what that
+    /// changes. Its convex hull is refined then, whatever its segments enclose.
     ///
     /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
     ///
@@ -193,9 +197,12 @@ impl Refinement {
         steps: Steps,
         clock: Option<Clock>,
     ) -> Result<Self, OptionError> {
-        let Start { cdt, work, is_delaunay } = start.into();
+        let Start { mut cdt, mut work, is_delaunay } = start.into();
         let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
+        if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
+            return Err(OptionError::NoTriangles);
+        }
         // No budget is larger than what the indices of half-edges can name.
         options.limits.max_vertices = options.limits.max_vertices.min(max_points());
         let bounds = cdt.bounding_box();

@@ -7,7 +7,7 @@
 //!
 //! A mesh leaves them out: the domain then ends at a–c–b. A Delaunay triangulation keeps them, as it is exact.
 
-use crate::constrained::ConstrainedTriangulation;
+use super::constrained_triangulation::ConstrainedTriangulation;
 use crate::geometry::{Segment, math};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
@@ -21,7 +21,7 @@ const ON_HULL_ULPS: f64 = 16.0;
 ///
 /// # Complexity
 /// O(n log n) in the sides of the hull, and linear.
-pub(super) fn leave_out(cdt: &ConstrainedTriangulation, outside: &mut [bool]) {
+pub(crate) fn leave_out(cdt: &ConstrainedTriangulation, outside: &mut [bool]) {
     let mut bounds = vec![false; cdt.points().len()];
     let mut sides: Vec<([VertexId; 2], HalfEdgeId)> = Vec::new();
     for h in cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|ghost| cdt.twin(ghost)) {
