@@ -92,6 +92,46 @@ impl HalfEdgeMesh {
         self.edges_around(v).count()
     }
 
+    /// Whether a ghost lies at `v`: on the hull, or on the boundary of a domain. Not so for a vertex without edges.
+    ///
+    /// # Complexity
+    /// The degree of `v`.
+    #[must_use]
+    pub fn is_boundary_vertex(&self, v: VertexId) -> bool {
+        self.star(v).any(|h| self.is_ghost(h.face()))
+    }
+
+    /// The boundary half-edge that starts at `v`, the domain on its left; `None` for inner vertices, and for those without faces.
+    ///
+    /// Where the boundary passes through `v` several times, it is the first one counter-clockwise from
+    /// [`outgoing`](Self::outgoing).
+    ///
+    /// The source keeps this half-edge as that of every vertex on the hull, "whenever possible". Here the vertex keeps any of its
+    /// half-edges, since flips and insertions are faster so, and the boundary one is found when it is asked for.
+    ///
+    /// # Complexity
+    /// The degree of `v`.
+    ///
+    /// # Source
+    /// Section 2.3 of `[Valenzuela09]`.
+    #[must_use]
+    pub fn boundary_half_edge(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.star(v).find(|&h| self.is_boundary(h))
+    }
+
+    /// The vertices on the hull or the boundary, by id.
+    ///
+    /// # Complexity
+    /// Linear in the face slots, and O(n log n) in the boundary.
+    #[must_use]
+    pub fn boundary_vertices(&self) -> Vec<VertexId> {
+        let ends = self.ghost_faces().flat_map(|f| self.face_vertices(f)).filter(|v| v.is_finite());
+        let mut vertices: Vec<VertexId> = ends.collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
     /// The boundary half-edge that follows boundary half-edge `h`, the domain on the left.
     ///
     /// ```text

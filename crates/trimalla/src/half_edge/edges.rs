@@ -1,9 +1,30 @@
-//! Every edge once.
+//! Every edge once, and every half-edge.
 
 use super::half_edges::{HalfEdge, HalfEdgeMesh};
-use super::ids::{FaceId, HalfEdgeId, VertexId};
+use super::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 
 impl HalfEdgeMesh {
+    /// Both half-edges of every finite edge, oldest slot first; on the boundary the outer one lies in a ghost face.
+    ///
+    /// # Source
+    /// Section 2.4 of `[Valenzuela09]`: iterators over all vertices, edges, half-edges and faces.
+    pub fn half_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
+        let is_finite = |h: HalfEdgeId| {
+            let (a, b) = (self.origin(h), self.dest(h));
+            a != VertexId::DEAD && a.is_finite() && b.is_finite()
+        };
+        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(move |&h| is_finite(h))
+    }
+
+    /// The edge that a half-edge is a side of: the same one for its twin. `None` for the half-edges of no finite edge.
+    #[must_use]
+    pub fn edge_of(&self, h: HalfEdgeId) -> Option<EdgeId> {
+        if !self.is_alive(h.face()) {
+            return None;
+        }
+        [h, self.twin(h)].into_iter().find(|&h| self.stands_for_edge(h)).map(|h| EdgeId(h.0))
+    }
+
     /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
     pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))

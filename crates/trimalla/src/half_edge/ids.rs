@@ -58,6 +58,21 @@ id_type! {
     FaceId, "f"
 }
 
+id_type! {
+    /// An edge, whatever its direction: the index of that one of its two half-edges by which
+    /// [`edges`](super::HalfEdgeMesh::edges) names it.
+    EdgeId, "e"
+}
+
+impl EdgeId {
+    /// The half-edge that stands for the edge; its twin is the other one.
+    #[must_use]
+    #[inline]
+    pub const fn half_edge(self) -> HalfEdgeId {
+        HalfEdgeId(self.0)
+    }
+}
+
 impl VertexId {
     /// The vertex at infinity, third corner of every ghost face.
     pub const INFINITE: Self = Self(u32::MAX);

@@ -34,9 +34,10 @@ mod tests;
 
 pub use circulators::{BoundaryLoop, Star};
 pub use half_edges::HalfEdgeMesh;
-pub use ids::{FaceId, HalfEdgeId, VertexId};
+pub use ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use journal::{Room, columns};
+pub use operators::FaceError;
 pub(crate) use operators::{Border, Half, Patch, RimEdge, Side, Triangle};
 pub(crate) use push_if::push_if;
 pub use side_table::SideTable;

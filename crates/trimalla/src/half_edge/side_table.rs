@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-/// A value for every vertex, half-edge or face, kept beside the mesh.
+/// A value for every vertex, half-edge, edge or face, kept beside the mesh.
 ///
 /// Reads beyond the stored length give the default, so a table needs no care while the mesh grows.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,13 @@ impl TableIndex for super::VertexId {
 }
 
 impl TableIndex for super::HalfEdgeId {
+    fn position(self) -> usize {
+        self.index()
+    }
+}
+
+/// A table of edges is as long as one of half-edges.
+impl TableIndex for super::EdgeId {
     fn position(self) -> usize {
         self.index()
     }

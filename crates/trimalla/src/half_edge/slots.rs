@@ -14,6 +14,12 @@ impl HalfEdgeMesh {
             }
             return f;
         }
+        self.take_new_face(j)
+    }
+
+    /// A new face slot at the end.
+    #[inline(always)]
+    pub(super) fn take_new_face<J: Journal>(&mut self, j: &mut J) -> FaceId {
         let f = FaceId::from_index(self.face_slots());
         self.half_edges.extend([HalfEdge::DEAD; 3]);
         self.note_appended([f], j);

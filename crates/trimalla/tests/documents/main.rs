@@ -1,6 +1,7 @@
 //! What the five documents under this library ask for, each passage as it is printed there: docs/documents.md lists them all.
 
 mod flow;
+mod mesh;
 
 use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::{Point, Triangle};

@@ -70,7 +70,7 @@ impl HalfEdgeMesh {
     }
 
     /// Ghost (b,a,∞) on border half-edge `h` = a→b.
-    fn hang_ghost<J: Journal>(&mut self, h: HalfEdgeId, mark: u32, j: &mut J) -> FaceId {
+    pub(super) fn hang_ghost<J: Journal>(&mut self, h: HalfEdgeId, mark: u32, j: &mut J) -> FaceId {
         let ghost = self.take_face(j);
         let (a, b) = (self.origin(h), self.dest(h));
         self.set_face(ghost, [b, a, VertexId::INFINITE], j);

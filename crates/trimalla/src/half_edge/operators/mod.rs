@@ -9,6 +9,7 @@
 //! | [`extend_chain`](HalfEdgeMesh::extend_chain) | chain → longer chain | [`shorten_chain`](HalfEdgeMesh::shorten_chain) |
 //! | [`attach_outside`](HalfEdgeMesh::attach_outside) | a run of ghosts → real faces around a new vertex | [`detach_outside`](HalfEdgeMesh::detach_outside) |
 //! | [`carve`](HalfEdgeMesh::carve) | faces outside the domain → ghosts along its border | rollback |
+//! | [`add_face`](HalfEdgeMesh::add_face) | 0 → 1 face, checked | [`remove_face`](HalfEdgeMesh::remove_face) |
 //! | [`refill`](HalfEdgeMesh::refill) | a cavity's faces → others with the same rim | rollback |
 //! | [`fill_star`](HalfEdgeMesh::fill_star) | a cavity's faces → a fan around a new vertex | rollback |
 //!
@@ -20,6 +21,7 @@ use super::HalfEdgeMesh;
 
 mod carve;
 mod chain;
+mod faces;
 mod flip;
 mod outside;
 mod patch;
@@ -29,6 +31,7 @@ mod star;
 mod unsplit;
 
 pub(crate) use carve::Border;
+pub use faces::FaceError;
 pub(crate) use patch::{Patch, Side, Triangle};
 pub(crate) use refill::Half;
 pub(crate) use star::RimEdge;
