@@ -7,6 +7,22 @@ use crate::delaunay::{AlgorithmKey, along_curve};
 use crate::geometry::{Orientation, Point, Ring, lexicographic};
 use crate::half_edge::{FaceId, NoJournal, VertexId};
 
+/// In which order contours, their edges and the other points go in; the triangulation is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ContourOrder {
+    /// As suits the algorithm. With the incremental one the vertices of all contours go in first, then the edges, the outer contour's
+    /// first, and then the other points; with divide and conquer all points, then the edges.
+    #[default]
+    ByAlgorithm,
+    /// Holes first, then the outer contour, vertex and edge alternating, and then the other points: each edge crosses few
+    /// triangles, and keeps flips on its side from then on. Points go in one by one, whatever the algorithm.
+    ///
+    /// # Source
+    /// `CDTFace` of `[Vigo97]`, section 5. No super-triangle is needed here: points outside the hull can be inserted.
+    HolesFirst,
+}
+
 /// An outer contour and holes, as lists of vertices.
 ///
 /// # Shape
@@ -21,25 +37,29 @@ pub struct Contours {
     pub outer: Option<Vec<VertexId>>,
     /// Holes, clockwise.
     pub holes: Vec<Vec<VertexId>>,
+    /// The order in which all goes in.
+    pub order: ContourOrder,
 }
 
 impl Contours {
     /// Triangulates the points with the contours as constraints and carves away what lies to their right.
     ///
     /// With the incremental algorithm the contours go in first, and the other points after them: each segment then
-    /// crosses few triangles. With divide and conquer they go in last. The result is the same.
+    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] has another order to choose. The
+    /// triangulation is the same; its segments are numbered as [`segments`](Self::segments) lists them.
     ///
     /// # Errors
-    /// [`DomainError`]: a contour that is flat or runs the wrong way, a hole that removes nothing, and what
-    /// [`build`](super::build()) refuses.
+    /// [`DomainError`]: a contour that is flat or runs the wrong way; a hole that removes nothing, since it lies outside the
+    /// outer contour or in another hole; and what [`build`](super::build()) refuses.
     ///
     /// # Complexity
     /// That of the triangulation, and linear.
     pub fn triangulate(&self, points: &[Point], algorithm: AlgorithmKey) -> Result<ConstrainedDelaunay, DomainError> {
         self.validate(points)?;
-        let mut cdt = match algorithm {
-            AlgorithmKey::Incremental => self.contours_first(points)?,
-            AlgorithmKey::DivideAndConquer => {
+        let mut cdt = match (self.order, algorithm) {
+            (ContourOrder::HolesFirst, _) => self.holes_first(points)?,
+            (ContourOrder::ByAlgorithm, AlgorithmKey::Incremental) => self.contours_first(points)?,
+            (ContourOrder::ByAlgorithm, AlgorithmKey::DivideAndConquer) => {
                 ConstrainedDelaunay::with_algorithm(points, &self.segments(), Crossings::Refuse, algorithm)?
             }
         };
@@ -59,21 +79,35 @@ impl Contours {
     fn idle_hole(&self, cdt: &ConstrainedTriangulation, keep: &[bool]) -> Option<usize> {
         let mut segment = 0;
         let first_hole = usize::from(self.outer.is_some());
-        for (contour, ring) in self.rings().enumerate() {
+        let mut idle: Option<usize> = None;
+        for (contour, ring) in self.rings_in_order() {
             let mut edges = (segment..segment + ring.len() as u32).flat_map(|s| cdt.chain(s));
             segment += ring.len() as u32;
             let bounds_kept = edges.any(|h| cdt.is_real(h.face()) && keep[h.face().index()]);
-            if contour >= first_hole && !bounds_kept {
-                return Some(contour);
+            if contour >= first_hole && !bounds_kept && idle.is_none_or(|known| contour < known) {
+                idle = Some(contour);
             }
         }
-        None
+        idle
     }
 
-    /// The contours as segments, ring after ring, the outer one first.
+    /// The contours as segments, ring after ring in the order in which they go in: the outer one first, or with
+    /// [`HolesFirst`](ContourOrder::HolesFirst) last.
     #[must_use]
     pub fn segments(&self) -> Vec<[u32; 2]> {
-        self.rings().flat_map(|ring| (0..ring.len()).map(|i| [ring[i].0, ring[(i + 1) % ring.len()].0])).collect()
+        let sides = |ring: &[VertexId]| -> Vec<[u32; 2]> {
+            (0..ring.len()).map(|i| [ring[i].0, ring[(i + 1) % ring.len()].0]).collect()
+        };
+        self.rings_in_order().into_iter().flat_map(|(_, ring)| sides(ring)).collect()
+    }
+
+    /// The rings in the order in which they go in, each with its number among [`rings`](Self::rings).
+    fn rings_in_order(&self) -> Vec<(usize, &[VertexId])> {
+        let mut rings: Vec<(usize, &[VertexId])> = self.rings().enumerate().collect();
+        if self.order == ContourOrder::HolesFirst && self.outer.is_some() {
+            rings.rotate_left(1);
+        }
+        rings
     }
 
     fn rings(&self) -> impl Iterator<Item = &[VertexId]> {
@@ -130,6 +164,25 @@ impl Contours {
         Ok(cdt)
     }
 
+    /// The holes, then the outer contour, vertex and edge alternating; then all other points along a curve.
+    fn holes_first(&self, points: &[Point]) -> Result<ConstrainedDelaunay, DomainError> {
+        let lowest = LowestAt::of(points, self.rings().flatten().copied());
+        let t = AlgorithmKey::Incremental.triangulate(points, Some(&[])).map_err(ConstraintError::from)?;
+        let mut cdt = ConstrainedDelaunay::from_triangulation(t);
+        for (_, ring) in self.rings_in_order() {
+            let ring: Vec<VertexId> = ring.iter().map(|&v| lowest.name(points[v.index()], v)).collect();
+            // The error names all that cross, as it does where all edges go in together.
+            alternate(&mut cdt, &ring).or_else(|one| self.contours_first(points).and(Err(one.into())))?;
+        }
+        for v in along_curve(points) {
+            if !cdt.is_used(v) {
+                cdt.use_vertex(v);
+            }
+        }
+        cdt.sort_duplicates();
+        Ok(cdt)
+    }
+
     /// The faces right of a contour, and what they reach without crossing one.
     fn right_of_contours(&self, cdt: &ConstrainedTriangulation) -> Vec<bool> {
         let mut right = vec![false; cdt.face_slots()];
@@ -140,6 +193,24 @@ impl Contours {
             flood(cdt, cdt.ghost_faces(), &mut right);
         }
         right
+    }
+}
+
+/// Inserts the vertices of a ring, each with the edge from the one before, and at last the edge that closes it.
+fn alternate(cdt: &mut ConstrainedDelaunay, ring: &[VertexId]) -> Result<(), ConstraintError> {
+    for (i, &v) in ring.iter().enumerate() {
+        if !cdt.is_used(v) {
+            cdt.use_vertex(v);
+        }
+        if i > 0 {
+            cdt.insert_segment_with(ring[i - 1], v, Crossings::Refuse, &mut NoJournal)?;
+        }
+    }
+    match (ring.last(), ring.first()) {
+        (Some(&last), Some(&first)) => {
+            cdt.insert_segment_with(last, first, Crossings::Refuse, &mut NoJournal).map(|_| ())
+        }
+        _ => Ok(()),
     }
 }
 

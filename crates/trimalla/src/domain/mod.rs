@@ -26,6 +26,7 @@ mod indexed;
 mod left_out;
 mod mesh_error;
 mod near_misses;
+mod parity;
 mod regions;
 mod seeds;
 mod shells;
@@ -34,7 +35,7 @@ mod tests;
 
 pub(crate) use build::build_conforming;
 pub use build::{DomainRule, build, build_exactly, triangulate};
-pub use contours::Contours;
+pub use contours::{ContourOrder, Contours};
 pub(crate) use course::{Adjacency, Course, Courses, Leg};
 pub use error::{DomainError, NearFeature, OpenEnd, Warning};
 pub use from_mesh::{FromMesh, from_mesh};

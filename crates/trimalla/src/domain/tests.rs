@@ -80,8 +80,11 @@ fn contours_agree_with_nesting_whatever_the_algorithm() {
     let mut points = pslg.points.clone();
     points.extend((0..60).map(|i| Point::new(f64::from(i % 8) - 3.5, f64::from(i / 8) - 3.25)));
     points.push(points[2]);
-    let contours =
-        Contours { outer: Some((0..4).map(VertexId).collect()), holes: vec![(4..8).rev().map(VertexId).collect()] };
+    let contours = Contours {
+        outer: Some((0..4).map(VertexId).collect()),
+        holes: vec![(4..8).rev().map(VertexId).collect()],
+        ..Contours::default()
+    };
     let a = contours.triangulate(&points, AlgorithmKey::Incremental).unwrap();
     let b = contours.triangulate(&points, AlgorithmKey::DivideAndConquer).unwrap();
     let (c, _) = build(
@@ -97,7 +100,7 @@ fn contours_agree_with_nesting_whatever_the_algorithm() {
     assert_eq!(a.duplicates(), b.duplicates());
     let holes_only = Contours { outer: None, ..contours.clone() };
     assert_eq!(holes_only.triangulate(&points, AlgorithmKey::Incremental).unwrap().canonical(), a.canonical());
-    let wrong = Contours { outer: Some((0..4).rev().map(VertexId).collect()), holes: Vec::new() };
+    let wrong = Contours { outer: Some((0..4).rev().map(VertexId).collect()), ..Contours::default() };
     assert!(matches!(
         wrong.triangulate(&points, AlgorithmKey::Incremental),
         Err(DomainError::ContourOrientation { contour: 0, .. })

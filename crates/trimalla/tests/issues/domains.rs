@@ -118,8 +118,9 @@ fn a_hole_that_removes_nothing_is_refused() {
     let points = [square(0.0, 0.0, 8.0), square(1.0, 1.0, 4.0), square(9.0, 1.0, 4.0), square(2.0, 2.0, 1.0)].concat();
     let ring = |i: u32| (4 * i..4 * i + 4).map(VertexId).collect::<Vec<_>>();
     let hole = |i: u32| ring(i).into_iter().rev().collect::<Vec<_>>();
-    let made =
-        |holes: Vec<Vec<VertexId>>, algorithm| Contours { outer: Some(ring(0)), holes }.triangulate(&points, algorithm);
+    let made = |holes: Vec<Vec<VertexId>>, algorithm| {
+        Contours { outer: Some(ring(0)), holes, ..Contours::default() }.triangulate(&points, algorithm)
+    };
     for algorithm in AlgorithmKey::ALL {
         assert!(made(vec![hole(1)], algorithm).is_ok());
         for (holes, contour) in [(vec![hole(2)], 1), (vec![hole(1), hole(2)], 2), (vec![hole(3), hole(1)], 1)] {
