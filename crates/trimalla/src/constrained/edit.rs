@@ -133,6 +133,11 @@ impl<'a, J: Journal> Edit<'a, J> {
         self.data.add_vertex(p, provenance, self.j)
     }
 
+    /// Puts the duplicates that [`use_vertex`](Self::use_vertex) has noted in order.
+    pub(crate) fn sort_duplicates(&mut self) {
+        self.data.triangulation_mut().sort_duplicates();
+    }
+
     /// Inserts an input vertex that was left unused so far; a duplicate of a used vertex is noted as such.
     pub(crate) fn use_vertex(&mut self, v: VertexId) {
         let p = self.point(v);

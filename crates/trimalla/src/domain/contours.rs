@@ -154,13 +154,7 @@ impl Contours {
         let t = AlgorithmKey::Incremental.triangulate(points, Some(&on_contour)).map_err(ConstraintError::from)?;
         let mut cdt = ConstrainedDelaunay::from_delaunay_triangulation(t);
         cdt.insert_segments(&segments, Crossings::Refuse)?;
-        let mut journal = NoJournal;
-        let mut edit = cdt.edit(&mut journal);
-        for v in along_curve(points) {
-            if on_contour.binary_search(&v).is_err() {
-                edit.use_vertex(v);
-            }
-        }
+        use_vertices(&mut cdt, along_curve(points));
         Ok(cdt)
     }
 
@@ -168,18 +162,13 @@ impl Contours {
     fn holes_first(&self, points: &[Point]) -> Result<ConstrainedDelaunay, DomainError> {
         let lowest = LowestAt::of(points, self.rings().flatten().copied());
         let t = AlgorithmKey::Incremental.triangulate(points, Some(&[])).map_err(ConstraintError::from)?;
-        let mut cdt = ConstrainedDelaunay::from_triangulation(t);
+        let mut cdt = ConstrainedDelaunay::from_delaunay_triangulation(t);
         for (_, ring) in self.rings_in_order() {
             let ring: Vec<VertexId> = ring.iter().map(|&v| lowest.name(points[v.index()], v)).collect();
             // The error names all that cross, as it does where all edges go in together.
             alternate(&mut cdt, &ring).or_else(|one| self.contours_first(points).and(Err(one.into())))?;
         }
-        for v in along_curve(points) {
-            if !cdt.is_used(v) {
-                cdt.use_vertex(v);
-            }
-        }
-        cdt.sort_duplicates();
+        use_vertices(&mut cdt, along_curve(points));
         Ok(cdt)
     }
 
@@ -196,11 +185,23 @@ impl Contours {
     }
 }
 
+/// Inserts those vertices that are not used so far, in their order.
+fn use_vertices(cdt: &mut ConstrainedDelaunay, vertices: Vec<VertexId>) {
+    let mut journal = NoJournal;
+    let mut edit = cdt.edit(&mut journal);
+    for v in vertices {
+        if !edit.is_used(v) {
+            edit.use_vertex(v);
+        }
+    }
+    edit.sort_duplicates();
+}
+
 /// Inserts the vertices of a ring, each with the edge from the one before, and at last the edge that closes it.
 fn alternate(cdt: &mut ConstrainedDelaunay, ring: &[VertexId]) -> Result<(), ConstraintError> {
     for (i, &v) in ring.iter().enumerate() {
         if !cdt.is_used(v) {
-            cdt.use_vertex(v);
+            cdt.edit(&mut NoJournal).use_vertex(v);
         }
         if i > 0 {
             cdt.insert_segment_with(ring[i - 1], v, Crossings::Refuse, &mut NoJournal)?;

@@ -105,6 +105,34 @@ impl Triangle {
         view.frame.point(Vector::new((u.x + v.x) / 3.0, (u.y + v.y) / 3.0))
     }
 
+    /// The center of the inscribed circle, rounded: the mean of the corners, each weighed by the length of the edge opposite.
+    ///
+    /// # Guarantees
+    /// Finite for finite corners. The result does not depend on the order of the corners. It may lie on the boundary of a
+    /// triangle that is thin within rounding.
+    ///
+    /// # Source
+    /// Section 2.2 of `[MeshSuite]`, figure 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::geometry::{Point, Triangle};
+    ///
+    /// let [a, b, c] = [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]].map(Point::from);
+    /// assert_eq!(Triangle::new(a, b, c).incenter(), Point::new(1.0, 1.0));
+    /// ```
+    #[must_use]
+    pub fn incenter(&self) -> Point {
+        let view = View::of(self);
+        let [u, v, w] = [view.u, view.v, view.opposite()].map(|edge| edge.length_sq().sqrt());
+        let perimeter = u + v + w;
+        if perimeter == 0.0 {
+            return self.corners[0];
+        }
+        let (at_u, at_v) = (view.u.scaled(v / perimeter), view.v.scaled(u / perimeter));
+        view.frame.point(Vector::new(at_u.x + at_v.x, at_u.y + at_v.y))
+    }
+
     /// The center of the circle through the corners, rounded.
     ///
     /// # Guarantees

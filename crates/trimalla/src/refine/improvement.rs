@@ -18,6 +18,7 @@
 
 use super::forecast::forecast;
 use super::options::RefineOptions;
+use super::recipe::PlacePoint;
 use super::refinement::Refinement;
 
 /// Bounds up to this one, in degrees, are met in practice.
@@ -44,9 +45,10 @@ impl Improvement {
     }
 }
 
-/// Whether the bound on angles is one that refinements need not meet.
+/// Whether the bound on angles is one that refinements need not meet: incenters meet none.
 fn is_unproved(options: &RefineOptions) -> bool {
-    options.criteria.effective_min_angle().degrees() > UNPROVED_DEG
+    let bound = options.criteria.effective_min_angle().degrees();
+    bound > UNPROVED_DEG || bound > 0.0 && options.recipe.point == PlacePoint::Incenter
 }
 
 impl Refinement {

@@ -130,7 +130,9 @@ step! {
     /// Step 3: the point proposed for a bad triangle.
     PlacePoint, 3, "point", OffCenter, {
         OffCenter = "off-center", "the circumcenter, or nearer the shortest edge the point that makes its triangle just good", "Ungor09";
+        OffCenterExact = "off-center-exact", "as off-center, but at 100 % of the way at which its angle is the bound, for 95 %", "Ungor09";
         Circumcenter = "circumcenter", "the center of the circumcircle", "Ruppert95";
+        Incenter = "incenter", "the center of the inscribed circle, which halves every angle: for area bounds", "MeshSuite";
         LeppMidpoint = "lepp-midpoint", "the middle of the path's terminal edge", "Rivara97";
         LeppCentroid = "lepp-centroid", "the centroid of the path's two terminal triangles", "RivaraCalderon10";
         LeppCircumcenter = "lepp-circumcenter", "the circumcenter of a terminal triangle: see terminal", "MeshSuite";

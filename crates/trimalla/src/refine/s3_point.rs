@@ -9,6 +9,7 @@
 //! ```
 
 mod circumcenter;
+mod incenter;
 mod lepp_centroid;
 mod lepp_circumcenter;
 mod lepp_midpoint;
@@ -21,6 +22,7 @@ use std::sync::Arc;
 use super::recipe::{PlacePoint, Recipe};
 use super::steps::PointStep;
 use circumcenter::Circumcenter;
+use incenter::Incenter;
 use lepp_centroid::LeppCentroid;
 use lepp_circumcenter::LeppCircumcenter;
 use lepp_midpoint::LeppMidpoint;
@@ -32,7 +34,9 @@ pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send 
     let (rule, second, terminal) = (recipe.lepp_rule, recipe.constrained_second, recipe.terminal);
     match recipe.point {
         PlacePoint::OffCenter => Arc::new(OffCenter::new(min_angle)),
+        PlacePoint::OffCenterExact => Arc::new(OffCenter::exact(min_angle)),
         PlacePoint::Circumcenter => Arc::new(Circumcenter),
+        PlacePoint::Incenter => Arc::new(Incenter),
         PlacePoint::LeppMidpoint => Arc::new(LeppMidpoint { rule, second }),
         PlacePoint::LeppCentroid => Arc::new(LeppCentroid { kind: recipe.centroid, rule, second }),
         PlacePoint::LeppCircumcenter => Arc::new(LeppCircumcenter { terminal, rule }),
@@ -43,7 +47,9 @@ pub(super) fn step(recipe: &Recipe, min_angle: f64) -> Arc<dyn PointStep + Send 
 #[cfg(test)]
 super::conformance::conforms!(point, point: PlacePoint {
     off_center => OffCenter,
+    off_center_exact => OffCenterExact,
     circumcenter => Circumcenter,
+    incenter => Incenter,
     lepp_midpoint => LeppMidpoint,
     lepp_centroid => LeppCentroid,
     lepp_circumcenter => LeppCircumcenter,

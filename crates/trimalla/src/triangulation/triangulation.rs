@@ -237,12 +237,17 @@ impl Triangulation {
         (self.points, self.mesh.into_triangles())
     }
 
-    /// Notes that an unused vertex lies on a used one.
+    /// Notes that an unused vertex lies on a used one; [`sort_duplicates`](Self::sort_duplicates) is to follow.
     pub(crate) fn note_duplicate<J: Journal>(&mut self, duplicate: VertexId, representative: VertexId, j: &mut J) {
         if J::ACTIVE {
             j.note(columns::DUPLICATE_NOTED, duplicate.0, 0);
         }
-        self.put_duplicate((duplicate, representative));
+        self.duplicates.push((duplicate, representative));
+    }
+
+    /// Puts the duplicates that were noted in order.
+    pub(crate) fn sort_duplicates(&mut self) {
+        self.duplicates.sort_unstable();
     }
 
     /// Makes room for so many more vertices.

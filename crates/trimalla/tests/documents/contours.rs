@@ -2,8 +2,8 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::drawing::Pslg;
 use trimalla::domain::{ContourOrder, Contours, DomainError, DomainRule, build_exactly};
+use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Ring, Triangle};
 use trimalla::half_edge::{NoJournal, VertexId};
 use trimalla_testkit::generators::SplitMix64;

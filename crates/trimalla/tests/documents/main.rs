@@ -1,7 +1,9 @@
 //! What the five documents under this library ask for, each passage as it is printed there: docs/documents.md lists them all.
 
+mod contours;
 mod flow;
 mod mesh;
+mod points;
 
 use trimalla::constrained::ConstrainedDelaunay;
 use trimalla::geometry::{Point, Triangle};

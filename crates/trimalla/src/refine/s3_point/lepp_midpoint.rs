@@ -1,7 +1,8 @@
 //! `lepp-midpoint`: the middle of the terminal edge.
 //!
 //! # Source
-//! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.
+//! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.1, which is this step with `constrained-second = always` and
+//! `lepp-stop = border`.
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;

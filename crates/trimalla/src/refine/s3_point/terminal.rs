@@ -13,7 +13,7 @@
 //!
 //! | rule | split s instead, where |
 //! |---|---|
-//! | always (Valenzuela's code) | s is constrained |
+//! | always (Valenzuela's code) | s is constrained: that of the first terminal triangle on the path before that of the other |
 //! | never (bisection) | — |
 //! | S1 | … and the terminal triangle's smallest angle is below the bound |
 //! | S2 | S1, or the triangle of s and the new point would have an angle below the bound |
@@ -39,7 +39,8 @@ pub(super) fn unsplit_terminal_edge(
     (!is_split).then_some(h)
 }
 
-/// The constrained second-longest edge to split instead of inserting `point`: the longest, if there are two.
+/// The constrained second-longest edge to split instead of inserting `point`. If there are two it is the longer one, but under
+/// [`Always`](ConstrainedSecond::Always) that of the triangle of `h`, as `selectPoint` of `[Valenzuela09]` 6.1.1 has it.
 pub(super) fn second_to_split(
     rule: ConstrainedSecond,
     view: View<'_>,
@@ -65,7 +66,11 @@ pub(super) fn second_to_split(
     };
     let faces = terminal_faces(t, h).into_iter().flatten();
     let seconds = faces.map(|f| (f, edges_by_length(t, view.ruler, f)[1])).filter(|&(_, s)| t.is_marked(s));
-    seconds.filter(must).map(|(_, s)| s).max_by(|&s, &r| compare_edges(t, view.ruler, s, r))
+    let mut chosen = seconds.filter(must).map(|(_, s)| s);
+    match rule {
+        ConstrainedSecond::Always => chosen.next(),
+        _ => chosen.max_by(|&s, &r| compare_edges(t, view.ruler, s, r)),
+    }
 }
 
 /// The terminal triangle whose center is taken.

@@ -1,0 +1,43 @@
+//! `incenter`: the center of the inscribed circle.
+//!
+//! ```text
+//!          c                   c
+//!         ╱ ╲                 ╱│╲         with --insert partition: the three triangles a b i, b c i and c a i
+//!        ╱   ╲      ──>      ╱ i ╲
+//!       a ─── b             a ─── b
+//! ```
+//!
+//! The trivial way to more triangles where they are wanted. Every angle is halved, which is why the source shows it: whoever bounds
+//! angles should not use it, and a refinement that does ends when it no longer improves. For areas it does its work.
+//!
+//! # Source
+//! `[MeshSuite]` 2.2, figure 1.
+
+use crate::geometry::{Containment, Triangle};
+use crate::half_edge::FaceId;
+use crate::locate::Locus;
+use crate::refine::steps::{PointStep, Proposal, View};
+
+/// Step 3, `incenter`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Incenter;
+
+impl PointStep for Incenter {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+        let [a, b, c] = view.cdt.corners(face);
+        let triangle = Triangle::new(a, b, c);
+        let point = triangle.incenter();
+        // Rounding leaves thin triangles no inner point.
+        if triangle.locate(point) == Containment::Inside {
+            places.push(Proposal::Free { point, locus: Locus::Face(face) });
+        }
+    }
+
+    fn minds_encroachment(&self) -> bool {
+        false
+    }
+
+    fn shells_at_every_joint(&self) -> bool {
+        false
+    }
+}
