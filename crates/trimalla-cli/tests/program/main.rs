@@ -8,6 +8,7 @@
 mod checks;
 mod common;
 mod compare;
+mod documents;
 mod domains;
 mod endless;
 mod faults;
