@@ -69,8 +69,12 @@ ratios() { # a row each drawing: vertices at 37 degrees, and how many times thos
         END { print row }' "$temporary/table.csv"
 }
 
-random_sets() { # twenty files of 50 random points each, the same on every machine: a linear congruential generator within 2^53
-    for set in $(seq -w 1 20); do
+random_sets() { # twenty files of 50 random points with 84 triangles each, as mesh C has: random-01.node, …, random-20.node
+    set=0
+    found=0
+    while [ "$found" -lt 20 ]; do
+        set=$((set + 1))
+        # The same on every machine: a linear congruential generator within 2^53.
         awk -v state="$set" 'BEGIN {
             print "50 2 0 0"
             for (i = 0; i < 20; i++) state = (state * 1103515 + 12345) % 2147483648
@@ -78,8 +82,44 @@ random_sets() { # twenty files of 50 random points each, the same on every machi
                 state = (state * 1103515 + 12345) % 2147483648
                 if (i % 2) printf "%d %.9f %.9f\n", (i - 1) / 2, x, state / 2147483648; else x = state / 2147483648
             }
-        }' >"$temporary/random-$set.node"
+        }' >"$temporary/set.node"
+        case $("${CARGO_TARGET_DIR:-target}/release/trimalla" triangulate "$temporary/set.node" --json --quiet -o "$temporary/made.ele") in
+        *'"triangles":84,'*)
+            found=$((found + 1))
+            mv "$temporary/set.node" "$temporary/random-$(printf %02d "$found").node"
+            ;;
+        esac
     done
+}
+ended() { # a row each angle: for each preset how many runs ended, and the mean of their vertices
+    names=$(printf '%s' "$1" | tr , ' ')
+    printf '| angle |'
+    printf ' %s |' $names
+    printf '\n|---:|'
+    printf -- '---:|%.0s' $names
+    printf '\n'
+    awk -F, -v presets="$1" '
+        NR == 1 { next }
+        !($3 in seen) { seen[$3] = 1; angles[++n] = $3 }
+        { runs[$2, $3]++; if ($4 == "done") { done[$2, $3]++; sum[$2, $3] += $5 } }
+        END {
+            count = split(presets, preset, ",")
+            for (i = 1; i <= n; i++) {
+                printf "| %s° |", angles[i]
+                for (k = 1; k <= count; k++) {
+                    d = done[preset[k], angles[i]]
+                    printf " %d of %d%s |", d, runs[preset[k], angles[i]], d ? sprintf(": %.0f", sum[preset[k], angles[i]] / d) : ""
+                }
+                print ""
+            }
+        }' "$temporary/table.csv"
+}
+picture() { # a mesh by lepp-circumcenter, with its command: drawing, angle, name of the picture, what it shows
+    "${CARGO_TARGET_DIR:-target}/release/trimalla" mesh "$1" --algorithm lepp-circumcenter --min-angle "$2" \
+        --json --quiet -o "$out/$3.svg" >"$temporary/report.json"
+    counts=$(sed 's/.*"triangles":\([0-9]*\),.*"vertices":\([0-9]*\),"warnings.*/\2 vertices, \1 triangles/' "$temporary/report.json")
+    printf '%s at %s degrees: %s.\n\n    trimalla mesh %s --algorithm lepp-circumcenter --min-angle %s -o %s.svg\n\n![%s at %s degrees](experiments/%s.svg)\n\n' \
+        "$4" "$2" "$counts" "$(basename "$1")" "$2" "$3" "$4" "$2" "$3"
 }
 terminals() { # a row each angle: runs that ended with the larger and with the last terminal triangle, and how their vertices compare where both did
     printf '| angle | circumcenter, larger | circumcenter, last | vertices | off-center, larger | off-center, last | vertices |\n'
@@ -131,8 +171,9 @@ vertices; ND says that it gave no mesh within them. Only counts are here, so tha
 times, call `trimalla compare --jobs 1` without `--no-times`.
 
 The drawings: *A*, the letter of Shewchuk's Triangle (29 points, one hole), which is mesh A of [MeshSuite]; and two of our own,
-`mesh-b` (72 points, four holes) and `mesh-b-points` (the same and 50 points scattered inside). They stand in for MeshSuite's
-meshes B and C, of which no file is to be found: their counts are not comparable with those of B and C, only what happens to them is.
+`mesh-b` (72 points, four holes) and `mesh-b-points` (the same and 50 points scattered inside). No file of MeshSuite's meshes B and C is to be
+found. `mesh-b` stands in for B. Mesh C is 50 random points with 84 triangles, so 14 of them lie on the hull; twenty sets like it, without segments,
+stand in for C in a [section of their own](#mesh-c). Counts are not comparable with those of B and C, only what happens is.
 
 ## All presets
 
@@ -158,6 +199,18 @@ mesh, vertex by vertex, and a test says so (`flips_and_cavities_agree` in `crate
 What we see. At small angles off-centers need the fewest vertices. On A centroids of terminal triangles need fewer from 28 degrees
 on; on the other two off-centers stay ahead as long as they end. Circumcenters need more vertices than off-centers nearly everywhere. At 37 degrees only
 placements along longest-edge paths end, and the 50 scattered points make it harder for them too.
+
+## Mesh C
+
+Twenty sets of 50 random points with 84 triangles, as mesh C has: how many ended, and the mean of their vertices.
+
+TEXT
+    random_sets
+    compare "$temporary"/random-*.node --algorithms "$presets" --angles 20,25,30,33,35,36,37 --csv "$temporary/table.csv"
+    ended "$presets"
+    cat <<'TEXT'
+
+MeshSuite's mesh C at 37 degrees has 1972 vertices and 3673 triangles, by `lepp-circumcenter`.
 
 ## Does the order matter?
 
@@ -206,7 +259,7 @@ not need them should not ask for them.
 
 `lepp-circumcenter` and `lepp-off-center` take the center of one of the two terminal triangles: the last one of the path (`--terminal last`, the
 default), or the one with the larger circumcircle (`larger`). How many runs ended, and how many more vertices `last` needs where both did; first on the
-drawings above and the star, then on twenty sets of 50 random points without segments:
+drawings above and the star, then on the twenty sets that stand in for mesh C:
 
 TEXT
     recipes=$out/recipes/lepp-circumcenter-larger.toml,$out/recipes/lepp-circumcenter-last.toml
@@ -214,14 +267,25 @@ TEXT
     compare "$@" data/shapes/star.poly --recipes "$recipes" --angles 30,33,35,36,37 --csv "$temporary/table.csv"
     terminals
     echo
-    random_sets
     compare "$temporary"/random-*.node --recipes "$recipes" --angles 30,33,35,36,37 --csv "$temporary/table.csv"
     terminals
     cat <<'TEXT'
 
-Up to 36 degrees both end everywhere and the larger one needs fewer vertices; at 37 the last one ends nearly everywhere, the larger one seldom, and without
-segments hardly ever. So the last one is the default.
+Up to 36 degrees both end everywhere and the larger one needs fewer vertices; at 37 the last one ends nearly everywhere, the larger one seldom. So the
+last one is the default.
 TEXT
+    cat <<'TEXT'
+
+## Pictures at 36 and 37 degrees
+
+What MeshSuite shows in its figures 35 to 37 and appendix D, by the default `--terminal last`; for C the first of the
+twenty sets that ends with fewer than 2500 vertices. The script makes the files of these sets as it runs.
+
+TEXT
+    if [ -f "$a" ]; then picture "$a" 37 lepp-circumcenter-A-37 "Mesh A"; fi
+    picture "$b" 36 lepp-circumcenter-mesh-b-36 "The stand-in for mesh B"
+    first=$(awk -F, '$2 ~ /^lepp-circumcenter-last/ && $3 == 37 && $4 == "done" && $5 < 2500 { print $1; exit }' "$temporary/table.csv")
+    picture "$temporary/$(basename "$first" .node).node" 37 lepp-circumcenter-mesh-c-37 "A stand-in for mesh C"
     if [ -f "$soup" ]; then
         cat <<'TEXT'
 

@@ -598,7 +598,7 @@ def mesh_b(name="mesh-b", *notes):
 
 def mesh_b_points():
     """The same with points scattered inside."""
-    d = mesh_b("mesh-b-points", "With 50 points scattered inside, as mesh C has, marker 6.")
+    d = mesh_b("mesh-b-points", "With 50 points scattered inside, marker 6.")
     scatter, at, room = random.Random(50), list(d.points), 1.25 * SCALE
     while len(d.points) < 72 + 50:
         p = (round(scatter.uniform(-60, 60) * SCALE), round(scatter.uniform(-60, 60) * SCALE))

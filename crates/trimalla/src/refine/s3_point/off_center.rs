@@ -65,6 +65,8 @@ impl OffCenter {
 
 /// The point at that share of the way at which the edge is seen at the bound; where rounding has made the angle smaller, the first
 /// point nearer by some last places at which it is not.
+#[cold] // Out of the way of the default.
+#[inline(never)]
 fn just_good([p, q]: [Point; 2], [middle, center]: [Point; 2], share: f64, cos_sq: f64) -> Point {
     let nearer = |i: u32| Point::lerp(middle, center, share * (1.0 - f64::from(i * i) * f64::EPSILON));
     let is_good = |&point: &Point| angle_at_least(point, p, q, cos_sq);
