@@ -217,3 +217,33 @@ fn a_triangulation_without_triangles_is_refused() {
         assert_eq!(refused, Err(OptionError::NoTriangles), "{count} points");
     }
 }
+
+/// Hostile points: the loop may find no room, but what it leaves is sound, and refinement ends.
+#[test]
+fn no_points_are_too_hostile() {
+    for (i, kind) in PointSetKind::ALL.into_iter().enumerate() {
+        for size in [3, 6, 17, 40] {
+            let points = point_set(kind, size, i as u64);
+            let start = hull_of(&points);
+            let mut t = start.clone();
+            for _ in 0..150 {
+                let Some(bad) = bad_triangle(&t, BOUND_DEG) else { break };
+                let path = t.lepp(bad, LeppRule::StopAtBorder);
+                if t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).is_none() {
+                    break;
+                }
+            }
+            assert_eq!(t.check(), [], "{} {size}", kind.key());
+            for preset in [Preset::OffCenter, Preset::LeppCentroid] {
+                let options = RefineOptions::of(preset).with_max_vertices(400);
+                let Ok(mut refinement) = Refinement::new(start.clone(), options) else {
+                    assert!(start.dimension() < 2, "{} {size}", kind.key());
+                    continue;
+                };
+                let stop = refinement.run(&mut CancelAt { asked: 0, most: 100_000 });
+                assert_ne!(stop, StopReason::Cancelled, "{} {size} {preset}", kind.key());
+                assert_eq!(refinement.finish().0.check(), [], "{} {size} {preset}", kind.key());
+            }
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Points of MeshSuite that the presets do not use: the off-center of figure 15, and the incenter of figure 1.
+//! Points of `MeshSuite` that the presets do not use: the off-center of figure 15, and the incenter of figure 1.
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
