@@ -47,6 +47,9 @@ pub(super) fn second_to_split(
     h: HalfEdgeId,
     point: Point,
 ) -> Option<HalfEdgeId> {
+    if rule == ConstrainedSecond::Always {
+        return first_constrained_second(view, h);
+    }
     let t = view.cdt;
     let cos_sq = view.criteria.min_angle.cos_sq();
     let is_bad = |f: FaceId| {
@@ -66,11 +69,15 @@ pub(super) fn second_to_split(
     };
     let faces = terminal_faces(t, h).into_iter().flatten();
     let seconds = faces.map(|f| (f, edges_by_length(t, view.ruler, f)[1])).filter(|&(_, s)| t.is_marked(s));
-    let mut chosen = seconds.filter(must).map(|(_, s)| s);
-    match rule {
-        ConstrainedSecond::Always => chosen.next(),
-        _ => chosen.max_by(|&s, &r| compare_edges(t, view.ruler, s, r)),
-    }
+    seconds.filter(must).map(|(_, s)| s).max_by(|&s, &r| compare_edges(t, view.ruler, s, r))
+}
+
+/// A constrained second-longest edge of a terminal triangle: that of the triangle of `h`, if there are two.
+#[cold] // No preset asks for it.
+#[inline(never)]
+fn first_constrained_second(view: View<'_>, h: HalfEdgeId) -> Option<HalfEdgeId> {
+    let faces = terminal_faces(view.cdt, h).into_iter().flatten();
+    faces.map(|f| edges_by_length(view.cdt, view.ruler, f)[1]).find(|&s| view.cdt.is_marked(s))
 }
 
 /// The terminal triangle whose center is taken.
