@@ -66,7 +66,8 @@ fn contours(case: &Case, tally: &mut Tally) -> Verdict {
     }
     let mut rings = rings.into_iter();
     let outer = if case.more & 3 == 0 { None } else { rings.next() };
-    let contours = Contours { outer, holes: rings.collect() };
+    let order = if case.more & 4 == 0 { ContourOrder::default() } else { ContourOrder::HolesFirst };
+    let contours = Contours { outer, holes: rings.collect(), order };
     let made = AlgorithmKey::ALL.map(|a| contours.triangulate(&drawing.points, a));
     match made {
         [Ok(one), Ok(other)] => {
