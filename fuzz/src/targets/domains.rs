@@ -2,7 +2,7 @@
 
 use trimalla::DomainOptions;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{self, Contours};
+use trimalla::domain::{self, ContourOrder, Contours};
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Orientation;
 use trimalla::half_edge::VertexId;
