@@ -1,5 +1,6 @@
 //! Samples, scratch directories and comparison by bits.
 #![allow(dead_code, reason = "every test program uses a part of it")]
+#![allow(clippy::unwrap_used, reason = "a broken fixture should stop the test where it is noticed")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
