@@ -370,7 +370,7 @@ impl ConstrainedTriangulation {
         self.is_on_border(h).then(|| [self.origin(h), self.dest(h)])
     }
 
-    /// [`border_ends`](Self::border_ends) for [`note_split`](Self::note_split), which asks for them only where the outside is
+    /// [`border_ends`](Self::border_ends) for [`note_split`](Edit::note_split), which asks for them only where the outside is
     /// kept in triangles.
     #[inline]
     pub(super) fn noted_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {

@@ -258,7 +258,7 @@ impl<J: Journal> Edit<'_, J> {
         Some(gaps)
     }
 
-    /// [`covered`](Self::covered); a segment that overlapped none so far becomes a line first.
+    /// [`covered`](ConstrainedTriangulation::covered); a segment that overlapped none so far becomes a line first.
     fn covered_by_any(&mut self, at: VertexId, ends: [VertexId; 2]) -> Option<(u32, VertexId)> {
         let h = self.overlap_at(at, ends)?;
         if let Class::List(&[alone]) = self.class(self.mark(h)) {

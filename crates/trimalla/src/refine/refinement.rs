@@ -166,8 +166,8 @@ impl Refinement {
     /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build), or taken over by
     /// [`domain::from_mesh`](crate::domain::from_mesh()).
     ///
-    /// One that is still closed by its convex hull, as [`from_delaunay`](ConstrainedDelaunay::from_delaunay) and
-    /// [`ConstrainedDelaunay::new`] make it, is closed by a domain first: [`carve_hull`](ConstrainedDelaunay::carve_hull) says what that
+    /// One that is still closed by its convex hull, as [`from_delaunay`](crate::constrained::ConstrainedDelaunay::from_delaunay) and
+    /// [`new`](crate::constrained::ConstrainedDelaunay::new) make it, is closed by a domain first: [`carve_hull`](crate::constrained::ConstrainedDelaunay::carve_hull) says what that
     /// changes. Its convex hull is refined then, whatever its segments enclose.
     ///
     /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
