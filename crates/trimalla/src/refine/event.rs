@@ -139,26 +139,26 @@ impl Refinement {
 
     /// One step of a run, told to an observer.
     pub(super) fn told(&mut self, observer: &mut dyn Observer) -> StepOutcome {
-        self.steps_told += 1;
-        let event = self.advance_with_event(self.steps_told);
+        self.ledger.steps_told += 1;
+        let event = self.advance_with_event(self.ledger.steps_told);
         observer.event(&event, &self.cdt);
         event.outcome
     }
 
     fn advance_with_event(&mut self, number: u64) -> Event {
-        self.event = Some(Box::new(Event { number, ..Event::default() }));
-        let given_up = self.given_up.len();
+        self.ledger.event = Some(Box::new(Event { number, ..Event::default() }));
+        let given_up = self.agenda.given_up.len();
         let outcome = self.advance();
-        let mut event = *self.event.take().unwrap_or_default();
+        let mut event = *self.ledger.event.take().unwrap_or_default();
         event.outcome = outcome;
-        event.given_up = self.given_up.get(given_up).map(|g| g.1);
+        event.given_up = self.agenda.given_up.get(given_up).map(|g| g.1);
         (event.destroyed, event.made) = self.changed_faces();
         event
     }
 
     /// Adds to the event, where there is one.
     pub(super) fn note(&mut self, add: impl FnOnce(&mut Event)) {
-        if let Some(event) = &mut self.event {
+        if let Some(event) = &mut self.ledger.event {
             add(event);
         }
     }
@@ -166,7 +166,7 @@ impl Refinement {
     /// Adds to the event, where there is one, which triangle is to be treated.
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_selected(&mut self, face: FaceId) {
-        if self.event.is_some() {
+        if self.ledger.event.is_some() {
             self.tell_selected(face);
         }
     }
@@ -180,7 +180,7 @@ impl Refinement {
             Badness::Area => Why::Area,
             Badness::Asked => Why::Asked,
         });
-        let path = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule);
+        let path = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule);
         let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
         let (selected, faces) = ((name(face), why), path.faces.iter().map(|&f| name(f)).collect());
         let terminal = self.ends(path.terminal_edge);
@@ -192,7 +192,7 @@ impl Refinement {
     /// Adds to the event, where there is one, what became of a place.
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
-        if self.event.is_some() {
+        if self.ledger.event.is_some() {
             self.tell_candidate(place, tried);
         }
     }
@@ -211,7 +211,7 @@ impl Refinement {
 
     /// Counts a vertex that is in to stay, and notes it.
     pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
-        self.report.inserted[kind as usize] += 1;
+        self.ledger.report.inserted[kind as usize] += 1;
         let point = self.cdt.point(vertex);
         self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
     }
@@ -225,7 +225,7 @@ impl Refinement {
     fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
         let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
         // The oldest entry of a half-edge is what stood there before the step: later ones overwrite, so go backwards.
-        for entry in self.log.entries().rev().filter(|e| e.column == columns::ORIGIN) {
+        for entry in self.scratch.log.entries().rev().filter(|e| e.column == columns::ORIGIN) {
             let (face, corner) = (entry.index / 3, (entry.index % 3) as usize);
             let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));
             name[corner] = VertexId(u32::try_from(entry.old).unwrap_or(u32::MAX));

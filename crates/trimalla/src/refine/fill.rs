@@ -96,8 +96,10 @@ impl Nodes {
 impl Refinement {
     /// Where the filling begins.
     pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> FillStage {
-        let is_delaunay = self.insert.keeps_delaunay() && self.options.recipe.initial != Initial::Given;
-        let is_asked = self.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.is_manual;
+        let is_delaunay =
+            self.strategy.steps.insert.keeps_delaunay() && self.problem.options.recipe.initial != Initial::Given;
+        let is_asked =
+            self.problem.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.strategy.is_manual;
         let bounds = bounds.filter(|_| is_asked);
         let is_wanted = |bounds: &BoundingBox| {
             let faces = self.large_faces(*bounds);
@@ -115,7 +117,7 @@ impl Refinement {
                 self.filling = if is_on { FillStage::Segments(bounds) } else { self.planned(bounds) };
             }
             FillStage::Nodes(mut nodes) => {
-                self.stopwatch.enter(Part::Insert);
+                self.ledger.stopwatch.enter(Part::Insert);
                 if self.try_next_of(&mut nodes) {
                     self.filling = FillStage::Nodes(nodes);
                 } else {
@@ -146,12 +148,12 @@ impl Refinement {
 
     /// The lattice for a face, if it is too large, and nodes that keep clear keep the length floor.
     fn lattice_for(&self, f: FaceId, bounds: BoundingBox) -> Option<Lattice> {
-        let bound = self.test.doubled_area_bound(self.cdt.region_rule(f));
+        let bound = self.problem.test.doubled_area_bound(self.cdt.region_rule(f));
         if self.doubled_area(f) <= bound {
             return None;
         }
-        let least = |lattice: &Lattice| CLEARANCE * lattice.spacing() * self.ruler.scale();
-        Lattice::for_area(bounds, 0.5 * bound).filter(|lattice| least(lattice).powi(2) >= self.floor_sq)
+        let least = |lattice: &Lattice| CLEARANCE * lattice.spacing() * self.problem.ruler.scale();
+        Lattice::for_area(bounds, 0.5 * bound).filter(|lattice| least(lattice).powi(2) >= self.problem.floors.floor_sq)
     }
 
     /// Queues the subsegments that are too long; says whether there is any that can be split.
@@ -190,7 +192,7 @@ impl Refinement {
 
     /// Whether as many nodes as these triangles hold fit into the limits, and so does the work to find them.
     fn has_room_for(&self, faces: &[(FaceId, Lattice)]) -> bool {
-        let room = self.options.limits.max_vertices.saturating_sub(self.vertices) as f64;
+        let room = self.problem.options.limits.max_vertices.saturating_sub(self.ledger.vertices) as f64;
         let nodes = |&(f, lattice): &(FaceId, Lattice)| lattice.nodes_in_area(0.5 * self.doubled_area(f));
         let rows = |&(f, lattice): &(FaceId, Lattice)| lattice.rows_across(self.cdt.corners(f));
         faces.iter().map(nodes).sum::<f64>() < room && faces.iter().map(rows).sum::<f64>() < room + faces.len() as f64
@@ -204,7 +206,7 @@ impl Refinement {
             return FillStage::Done;
         }
         let degrees = self.degrees();
-        let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
+        let room = self.problem.options.limits.max_vertices.saturating_sub(self.ledger.vertices);
         let (mut points, mut part_of, mut parts) = (Vec::new(), Vec::new(), Vec::new());
         for (f, lattice) in faces {
             let planned = lattice.try_for_each_node_in(self.cdt.corners(f), |node| {
@@ -244,21 +246,21 @@ impl Refinement {
         let Some((p, part)) = nodes.take() else { return false };
         let there = near.and_then(|near| self.way_to(p, near)).or_else(|| self.way_from(part.known, p));
         if there.is_some_and(|locus| {
-            self.cdt.find_cavity(&mut self.cavity, p, locus) && self.is_clear(p, part.clearance_sq)
+            self.cdt.find_cavity(&mut self.scratch.cavity, p, locus) && self.is_clear(p, part.clearance_sq)
         }) {
-            self.insertions += 1;
+            self.ledger.insertions += 1;
             part.known = self.fill_cavity(p);
-            nodes.near = Some(self.cavity.lowest_face());
+            nodes.near = Some(self.scratch.cavity.lowest_face());
         }
         true
     }
 
     /// Looks at everything, with an empty queue: only bad triangles are put in order.
     fn look_at_all_bad(&mut self, bounds: BoundingBox) {
-        self.stopwatch.enter(Part::Prepare);
+        self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
-        self.stopwatch.enter(Part::Select);
-        self.queue = self.empty_queue(Some(bounds), self.vertices);
+        self.ledger.stopwatch.enter(Part::Select);
+        self.agenda.queue = self.empty_queue(Some(bounds), self.ledger.vertices);
         let mut bad: Vec<FaceId> = self.cdt.real_faces().filter(|&f| self.badness(f).is_some()).collect();
         self.put_in_order(&mut bad);
         bad.into_iter().for_each(|f| self.look_at_bad(f));
@@ -290,7 +292,7 @@ impl Refinement {
     /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none upon
     /// which the point encroaches.
     fn is_clear(&self, p: Point, clearance_sq: f64) -> bool {
-        let (rim, starts) = (self.cavity.rim(), self.cavity.rim_starts());
+        let (rim, starts) = (self.scratch.cavity.rim(), self.scratch.cavity.rim_starts());
         let is_near = starts.iter().fold(false, |near, &q| near | ((q - p).length_sq() < clearance_sq));
         let marks = rim.iter().fold(0, |marks, edge| marks | edge.mark);
         !is_near && (marks == 0 || self.subsegments_are_clear(p, clearance_sq))
@@ -298,9 +300,10 @@ impl Refinement {
 
     #[cold]
     fn subsegments_are_clear(&self, p: Point, clearance_sq: f64) -> bool {
-        let (rim, starts) = (self.cavity.rim(), self.cavity.rim_starts());
+        let (rim, starts) = (self.scratch.cavity.rim(), self.scratch.cavity.rim_starts());
         let is_clear = |a: Point, b: Point| {
-            Segment::new(a, b).distance(p).powi(2) >= clearance_sq && !self.region.holds(a, b, p, self.ruler)
+            Segment::new(a, b).distance(p).powi(2) >= clearance_sq
+                && !self.problem.region.holds(a, b, p, self.problem.ruler)
         };
         rim.iter().zip(starts.windows(2)).all(|(edge, ends)| edge.mark == 0 || is_clear(ends[0], ends[1]))
     }

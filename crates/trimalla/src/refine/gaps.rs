@@ -26,7 +26,9 @@ impl Refinement {
     #[inline]
     pub(super) fn across_gap(&self, f: FaceId) -> Option<(Reason, bool)> {
         let [a, b, c] = self.cdt.corners(f);
-        let is_close = |p: Point, q: Point| ((p.x - q.x).abs() < self.precision) & ((p.y - q.y).abs() < self.precision);
+        let is_close = |p: Point, q: Point| {
+            ((p.x - q.x).abs() < self.problem.floors.precision) & ((p.y - q.y).abs() < self.problem.floors.precision)
+        };
         if is_close(a, b) | is_close(b, c) | is_close(c, a) { self.across_gap_if_any(f) } else { None }
     }
 
@@ -36,21 +38,21 @@ impl Refinement {
     fn across_gap_if_any(&self, f: FaceId) -> Option<(Reason, bool)> {
         let shortest = self.shortest_edge(f);
         let ends @ [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
-        let width_sq = self.ruler.length_sq(self.cdt.point(p), self.cdt.point(q));
-        if width_sq >= self.precision_sq || ends.into_iter().any(|v| self.cdt.provenance(v).is_free()) {
+        let width_sq = self.problem.ruler.length_sq(self.cdt.point(p), self.cdt.point(q));
+        if width_sq >= self.problem.floors.precision_sq || ends.into_iter().any(|v| self.cdt.provenance(v).is_free()) {
             return None;
         }
         let reason = if self.joins_wedge(ends) { Reason::AcrossSmallInputAngle } else { Reason::InputGap };
-        let (half, side_sq) = (0.5 * width_sq.sqrt(), self.precision_sq);
+        let (half, side_sq) = (0.5 * width_sq.sqrt(), self.problem.floors.precision_sq);
         let best = [[0.0, -half], [(side_sq - half * half).sqrt(), 0.0], [0.0, half]].map(Point::from);
-        Some((reason, self.test.is_misshapen(best)))
+        Some((reason, self.problem.test.is_misshapen(best)))
     }
 
     /// Whether two vertices are on, or at the ends of, two pieces of segments that meet elsewhere, at an angle that is bad itself.
     fn joins_wedge(&self, [p, q]: [VertexId; 2]) -> bool {
         let apexes =
             self.pieces_at(p).flat_map(|one| self.pieces_at(q).filter_map(move |other| common_end(one, other)));
-        let is_bad = |apex: VertexId| self.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v)));
+        let is_bad = |apex: VertexId| self.problem.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v)));
         apexes.into_iter().any(|apex| apex != p && apex != q && is_bad(apex))
     }
 
@@ -75,9 +77,9 @@ impl Refinement {
     fn is_crack_outside(&self, h: HalfEdgeId) -> bool {
         let ends = self.cdt.edge_points(h);
         self.cdt.apex_outside(h).is_some_and(|apex| {
-            let [along, to_apex] = [ends[1], apex].map(|p| self.ruler.vector(ends[0], p));
+            let [along, to_apex] = [ends[1], apex].map(|p| self.problem.ruler.vector(ends[0], p));
             let cross = along.cross(to_apex);
-            cross * cross < self.precision_sq * along.length_sq()
+            cross * cross < self.problem.floors.precision_sq * along.length_sq()
         })
     }
 
@@ -123,7 +125,8 @@ impl Refinement {
         }
         let has_room = |&p: &Point| {
             let ends = self.cdt.edge_points(h);
-            !self.is_crowded_beside(h, p) && ends.into_iter().all(|end| self.ruler.length_sq(p, end) >= self.floor_sq)
+            !self.is_crowded_beside(h, p)
+                && ends.into_iter().all(|end| self.problem.ruler.length_sq(p, end) >= self.problem.floors.floor_sq)
         };
         self.possible_place(h, place).filter(has_room).or_else(|| self.staggered_place(h).filter(has_room))
     }
@@ -131,8 +134,9 @@ impl Refinement {
     /// Whether a point of `h` is nearer to a vertex opposite `h` than the length floor allows.
     #[inline]
     pub(super) fn is_crowded_beside(&self, h: HalfEdgeId, point: Point) -> bool {
-        let is_near =
-            |apex: VertexId| apex.is_finite() && self.ruler.length_sq(point, self.cdt.point(apex)) < self.floor_sq;
+        let is_near = |apex: VertexId| {
+            apex.is_finite() && self.problem.ruler.length_sq(point, self.cdt.point(apex)) < self.problem.floors.floor_sq
+        };
         is_near(self.cdt.apex(h)) || is_near(self.cdt.apex(self.cdt.twin(h)))
     }
 
@@ -145,7 +149,7 @@ impl Refinement {
     pub(super) fn staggered_place(&self, h: HalfEdgeId) -> Option<Point> {
         let sides = [h, self.cdt.twin(h)].into_iter().filter(|&side| self.is_apex_within_rounding(side));
         let apexes: Vec<VertexId> = sides.map(|side| self.cdt.apex(side)).collect();
-        let piece = self.joints.whole_of(&self.cdt, h);
+        let piece = self.problem.joints.whole_of(&self.cdt, h);
         let lies_along = |&v: &VertexId| self.pieces_at(v).any(|other| self.are_within_rounding(piece, other));
         if apexes.is_empty() || !apexes.iter().all(lies_along) {
             return None;
@@ -162,8 +166,8 @@ impl Refinement {
     /// The parameter of the middle of the longest part of `h` between its ends and some vertices beside it.
     fn middle_between(&self, h: HalfEdgeId, vertices: &[VertexId]) -> f64 {
         let [a, b] = self.cdt.edge_points(h);
-        let along = self.ruler.vector(a, b);
-        let foot = |&v: &VertexId| along.dot(self.ruler.vector(a, self.cdt.point(v))) / along.length_sq();
+        let along = self.problem.ruler.vector(a, b);
+        let foot = |&v: &VertexId| along.dot(self.problem.ruler.vector(a, self.cdt.point(v))) / along.length_sq();
         let mut stops: Vec<f64> = vertices.iter().map(foot).chain([0.0, 1.0]).collect();
         stops.sort_unstable_by(f64::total_cmp);
         let parts = stops.windows(2).map(|part| (part[1] - part[0], 0.5 * (part[0] + part[1])));
@@ -174,10 +178,10 @@ impl Refinement {
     fn are_within_rounding(&self, one: Piece, other: Piece) -> bool {
         let is_beside = |piece: Piece, line: Piece| {
             let [a, b] = line.map(|v| self.cdt.point(v));
-            let along = self.ruler.vector(a, b);
+            let along = self.problem.ruler.vector(a, b);
             piece.into_iter().all(|v| {
-                let cross = along.cross(self.ruler.vector(a, self.cdt.point(v)));
-                cross * cross < self.precision_sq * along.length_sq()
+                let cross = along.cross(self.problem.ruler.vector(a, self.cdt.point(v)));
+                cross * cross < self.problem.floors.precision_sq * along.length_sq()
             })
         };
         is_beside(one, other) || is_beside(other, one)

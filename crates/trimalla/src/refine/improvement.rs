@@ -54,10 +54,13 @@ fn is_unproved(options: &RefineOptions) -> bool {
 impl Refinement {
     /// What to watch from the start on.
     pub(super) fn improvement_from_start(&self) -> Improvement {
-        if !is_unproved(&self.options) || self.is_manual || self.insert.keeps_small_angles() {
+        if !is_unproved(&self.problem.options)
+            || self.strategy.is_manual
+            || self.strategy.steps.insert.keeps_small_angles()
+        {
             return Improvement::UNWATCHED;
         }
-        let expected = forecast(&self.cdt, &self.options).vertices.max(self.vertices as f64);
+        let expected = forecast(&self.cdt, &self.problem.options).vertices.max(self.ledger.vertices as f64);
         // The cast saturates.
         #[allow(
             clippy::cast_possible_truncation,
@@ -72,10 +75,10 @@ impl Refinement {
     #[cold]
     pub(super) fn no_longer_improves(&mut self) -> bool {
         let bad = self.cdt.real_faces().filter(|&f| self.badness(f).is_some()).count();
-        if bad >= self.improvement.bad {
+        if bad >= self.ledger.improvement.bad {
             return true;
         }
-        self.improvement = Improvement { due: self.vertices.saturating_mul(2), bad };
+        self.ledger.improvement = Improvement { due: self.ledger.vertices.saturating_mul(2), bad };
         false
     }
 }

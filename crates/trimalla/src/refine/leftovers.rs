@@ -47,28 +47,28 @@ impl Refinement {
     /// Linear.
     #[must_use]
     pub fn finish(mut self) -> (ConstrainedTriangulation, Report) {
-        self.stopwatch.enter(Part::Recover);
-        if self.report.stop != StopReason::Cancelled {
+        self.ledger.stopwatch.enter(Part::Recover);
+        if self.ledger.report.stop != StopReason::Cancelled {
             self.open_fully();
         }
         self.claim_segments();
-        self.stopwatch.enter(Part::Rest);
-        self.given_up.sort_unstable();
+        self.ledger.stopwatch.enter(Part::Rest);
+        self.agenda.given_up.sort_unstable();
         let survey = self.survey();
-        let mut report = std::mem::take(&mut self.report);
+        let mut report = std::mem::take(&mut self.ledger.report);
         report.steiner_points = self.cdt.steiner_vertices();
         report.vertices = self.cdt.input_points() + report.steiner_points;
         report.triangles = survey.triangles;
         (report.min_angle_deg, report.max_angle_deg) = self.extreme_angles(&survey);
         report.leftovers = survey.leftovers;
-        self.stopwatch.enter(Part::Outside);
-        report.step_times = self.stopwatch.times();
+        self.ledger.stopwatch.enter(Part::Outside);
+        report.step_times = self.ledger.stopwatch.times();
         (self.cdt, report)
     }
 
     /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
-        let extremes = Extremes::new(self.ruler, self.test.sure_bounds(self.cdt.regions().rules()));
+        let extremes = Extremes::new(self.problem.ruler, self.problem.test.sure_bounds(self.cdt.regions().rules()));
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
         self.cdt.for_each_two_triangles(|two, count| {
             let are_plain = survey.extremes.are_plain(corners_of_two(two));
@@ -110,12 +110,12 @@ impl Refinement {
             return reason;
         }
         let name = sorted(self.cdt.face_vertices(f));
-        match self.given_up.binary_search_by_key(&name, |&(v, _)| v) {
-            Ok(i) => self.reason_of_given_up(f, self.given_up[i].1),
-            Err(_) => match self.report.stop {
+        match self.agenda.given_up.binary_search_by_key(&name, |&(v, _)| v) {
+            Ok(i) => self.reason_of_given_up(f, self.agenda.given_up[i].1),
+            Err(_) => match self.ledger.report.stop {
                 StopReason::Cancelled => Reason::Cancelled,
                 StopReason::Budget => Reason::Budget,
-                StopReason::Finished if self.options.recipe.select == Select::Manual => Reason::NotPicked,
+                StopReason::Finished if self.problem.options.recipe.select == Select::Manual => Reason::NotPicked,
                 StopReason::Finished | StopReason::NoLongerImproves => Reason::StrategyCannotImprove,
             },
         }
@@ -126,7 +126,7 @@ impl Refinement {
         // It is opposite the shortest edge.
         let shortest = self.shortest_edge(f);
         let is_between = self.is_input(shortest.next()) && self.is_input(shortest.prev());
-        is_between && self.joints.piece_of(&self.cdt, self.cdt.apex(shortest)).is_none()
+        is_between && self.problem.joints.piece_of(&self.cdt, self.cdt.apex(shortest)).is_none()
     }
 
     /// Whether an edge is part of an input segment, or of the hull that was made a border.
@@ -158,7 +158,7 @@ impl Refinement {
         let shortest = self.shortest_edge(f);
         let [p, q] = [self.cdt.origin(shortest), self.cdt.dest(shortest)];
         let apex = self.apex_of_shell(p, q)?;
-        let is_forced = self.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v)));
+        let is_forced = self.problem.test.is_misshapen([apex, p, q].map(|v| self.cdt.point(v)));
         is_forced.then_some(Reason::AcrossSmallInputAngle)
     }
 
@@ -174,10 +174,11 @@ impl Refinement {
     /// What the area loses to rounding is less than a tenth of what is between the two distances.
     #[inline]
     pub(super) fn may_be_within_rounding(&self, [a, b, c]: [Point; 3]) -> bool {
-        let (ab, ac, bc) = (self.ruler.vector(a, b), self.ruler.vector(a, c), self.ruler.vector(b, c));
+        let (ab, ac, bc) =
+            (self.problem.ruler.vector(a, b), self.problem.ruler.vector(a, c), self.problem.ruler.vector(b, c));
         let doubled_area = ab.cross(ac);
         let longest_sq = ab.length_sq().max(ac.length_sq()).max(bc.length_sq());
-        doubled_area * doubled_area <= 4.0 * self.precision_sq * longest_sq
+        doubled_area * doubled_area <= 4.0 * self.problem.floors.precision_sq * longest_sq
     }
 
     #[cold]
@@ -210,20 +211,20 @@ impl Refinement {
             return None;
         }
         let [a, b] = self.cdt.edge_points(h);
-        let (along, to_apex) = (self.ruler.vector(a, b), self.ruler.vector(a, self.cdt.point(apex)));
+        let (along, to_apex) = (self.problem.ruler.vector(a, b), self.problem.ruler.vector(a, self.cdt.point(apex)));
         let (length_sq, cross) = (along.length_sq(), along.cross(to_apex));
-        let is_near = cross * cross < self.precision_sq * length_sq;
+        let is_near = cross * cross < self.problem.floors.precision_sq * length_sq;
         if is_near && !self.cdt.provenance(apex).is_free() { Some(Place::of(along, to_apex)) } else { None }
     }
 
     /// Whether the vertex opposite `h` is on a piece of a segment that meets the piece of `h` at less than 90 degrees.
     fn lies_in_wedge(&self, h: HalfEdgeId) -> bool {
-        let (v, piece) = (self.cdt.apex(h), self.joints.whole_of(&self.cdt, h));
+        let (v, piece) = (self.cdt.apex(h), self.problem.joints.whole_of(&self.cdt, h));
         let meets = |other: Piece| {
             let Some(apex) = common_end(piece, other).filter(|&apex| apex != v) else { return false };
             let [from, one, other] =
                 [apex, if piece[0] == apex { piece[1] } else { piece[0] }, v].map(|v| self.cdt.point(v));
-            self.ruler.vector(from, one).dot(self.ruler.vector(from, other)) > 0.0
+            self.problem.ruler.vector(from, one).dot(self.problem.ruler.vector(from, other)) > 0.0
         };
         self.pieces_at(v).any(meets)
     }
@@ -231,14 +232,14 @@ impl Refinement {
     /// The pieces of segments inside which a vertex lies, or that end at it.
     pub(super) fn pieces_at(&self, v: VertexId) -> impl Iterator<Item = Piece> + '_ {
         let marked = self.cdt.edges_around(v).filter(|&h| self.is_input(h));
-        marked.map(|h| self.joints.whole_of(&self.cdt, h))
+        marked.map(|h| self.problem.joints.whole_of(&self.cdt, h))
     }
 
     /// The shortest edge of a face; of equal ones that with the lowest vertices.
     pub(super) fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
         let corners = self.cdt.face_vertices(f);
         let [a, b, c] = corners.map(|v| self.cdt.point(v));
-        let lengths = [(a, b), (b, c), (c, a)].map(|(p, q)| self.ruler.length_sq(p, q));
+        let lengths = [(a, b), (b, c), (c, a)].map(|(p, q)| self.problem.ruler.length_sq(p, q));
         let ends = |i: usize| {
             let (v, w) = (corners[i], corners[(i + 1) % 3]);
             (v.min(w), v.max(w))
@@ -251,12 +252,12 @@ impl Refinement {
     /// The common end of the two pieces of segments that two vertices lie inside, if those are on one circle around it,
     /// less than 60 degrees apart.
     fn apex_of_shell(&self, p: VertexId, q: VertexId) -> Option<VertexId> {
-        let [one, other] = [self.joints.piece_of(&self.cdt, p)?, self.joints.piece_of(&self.cdt, q)?];
+        let [one, other] = [self.problem.joints.piece_of(&self.cdt, p)?, self.problem.joints.piece_of(&self.cdt, q)?];
         let apex = common_end(one, other)?;
         let [at, p, q] = [apex, p, q].map(|v| self.cdt.point(v));
-        let (to_p, to_q) = (self.ruler.length_sq(at, p), self.ruler.length_sq(at, q));
+        let (to_p, to_q) = (self.problem.ruler.length_sq(at, p), self.problem.ruler.length_sq(at, q));
         let same = (to_p - to_q).abs() <= SAME_SHELL * to_q;
-        (same && self.ruler.length_sq(p, q) < to_p.max(to_q)).then_some(apex)
+        (same && self.problem.ruler.length_sq(p, q) < to_p.max(to_q)).then_some(apex)
     }
 
     /// The smallest and the largest angle in degrees, measured in the two triangles alone.

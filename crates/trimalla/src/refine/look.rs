@@ -138,39 +138,39 @@ impl Refinement {
         Looker {
             view: View {
                 cdt: &self.cdt,
-                criteria: &self.options.criteria,
-                ruler: self.ruler,
-                longest_walk: self.longest_walk,
+                criteria: &self.problem.options.criteria,
+                ruler: self.problem.ruler,
+                longest_walk: self.strategy.longest_walk,
             },
-            test: &self.test,
-            select: self.select.as_ref(),
-            is_manual: self.is_manual,
-            cavity: &self.cavity,
-            queue: &mut self.queue,
-            joined: &mut self.joined,
+            test: &self.problem.test,
+            select: self.strategy.steps.select.as_ref(),
+            is_manual: self.strategy.is_manual,
+            cavity: &self.scratch.cavity,
+            queue: &mut self.agenda.queue,
+            joined: &mut self.agenda.joined,
         }
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
     pub(super) fn look_at_everything(&mut self) {
-        let before = self.stopwatch.enter(Part::Prepare);
+        let before = self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
-        self.stopwatch.enter(Part::Select);
+        self.ledger.stopwatch.enter(Part::Select);
         let order = self.cdt.take_order_along_curve();
         self.looker().look_at_all(order);
-        self.stopwatch.enter(before);
+        self.ledger.stopwatch.enter(before);
     }
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
     pub(super) fn look_around(&mut self, v: VertexId) {
-        let before = self.stopwatch.enter(Part::Select);
-        let mut spokes = std::mem::take(&mut self.spokes);
+        let before = self.ledger.stopwatch.enter(Part::Select);
+        let mut spokes = std::mem::take(&mut self.scratch.spokes);
         spokes.clear();
         spokes.extend(self.cdt.star(v));
         // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
         let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
         spokes.rotate_left(first);
-        let mut subsegments = std::mem::take(&mut self.beside);
+        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         for &spoke in &spokes {
             let is_real = self.cdt.is_real(spoke.face());
             if is_real {
@@ -180,19 +180,19 @@ impl Refinement {
             subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
         }
         self.queue_encroached_of(&mut subsegments);
-        (self.spokes, self.beside) = (spokes, subsegments);
-        self.stopwatch.enter(before);
+        (self.scratch.spokes, self.scratch.beside) = (spokes, subsegments);
+        self.ledger.stopwatch.enter(before);
     }
 
     /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
-        let before = self.stopwatch.enter(Part::Select);
-        let mut bad = std::mem::take(&mut self.bad_in_fan);
-        let mut subsegments = std::mem::take(&mut self.beside);
+        let before = self.ledger.stopwatch.enter(Part::Select);
+        let mut bad = std::mem::take(&mut self.scratch.bad_in_fan);
+        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         self.looker().look_at_fan(v, p, &mut bad, &mut subsegments);
         self.queue_encroached_of(&mut subsegments);
-        (self.bad_in_fan, self.beside) = (bad, subsegments);
-        self.stopwatch.enter(before);
+        (self.scratch.bad_in_fan, self.scratch.beside) = (bad, subsegments);
+        self.ledger.stopwatch.enter(before);
     }
 
     /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
@@ -202,15 +202,15 @@ impl Refinement {
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
     pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
-        let before = self.stopwatch.enter(Part::Select);
-        let mut subsegments = std::mem::take(&mut self.beside);
+        let before = self.ledger.stopwatch.enter(Part::Select);
+        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         for &f in faces {
             self.look_at_bad(f);
             subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
         self.queue_encroached_of(&mut subsegments);
-        self.beside = subsegments;
-        self.stopwatch.enter(before);
+        self.scratch.beside = subsegments;
+        self.ledger.stopwatch.enter(before);
     }
 
     /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the list.
@@ -223,10 +223,10 @@ impl Refinement {
 
     #[inline(never)]
     fn queue_encroached_among(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
-        if !self.prepare.is_lasting() {
+        if !self.strategy.steps.prepare.is_lasting() {
             return subsegments.clear();
         }
-        let before = self.stopwatch.enter(Part::Prepare);
+        let before = self.ledger.stopwatch.enter(Part::Prepare);
         subsegments.retain(|&h| self.needs_split(h));
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
@@ -234,12 +234,12 @@ impl Refinement {
             // One that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);
         }
-        self.stopwatch.enter(before);
+        self.ledger.stopwatch.enter(before);
     }
 
     /// What is wrong with a face.
     pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
-        self.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
+        self.problem.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
     }
 
     /// Queues a face if it is bad.

@@ -107,7 +107,7 @@ impl Refinement {
     /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of less
     /// than a degree; `None` where no such vertex is beside it.
     pub(super) fn mirrored_place(&self, h: HalfEdgeId) -> Option<f64> {
-        if !self.has_small_wedge {
+        if !self.problem.has_small_wedge {
             return None;
         }
         let [left, right] = [h, self.cdt.twin(h)].map(|side| (self.cdt.apex(side), side));
@@ -124,15 +124,16 @@ impl Refinement {
         if in_diametral_disk(ends[0], ends[1], at) != CircleSide::Inside {
             return None;
         }
-        let piece = self.joints.whole_of(&self.cdt, h);
+        let piece = self.problem.joints.whole_of(&self.cdt, h);
         let spoke = side.prev();
         let beside = [
             self.first_marked(spoke, |spoke| self.cdt.cw(spoke)),
             self.first_marked(self.cdt.ccw(spoke), |spoke| self.cdt.ccw(spoke)),
         ];
-        let apex = beside.into_iter().flatten().find_map(|g| common_end(piece, self.joints.whole_of(&self.cdt, g)))?;
+        let apex =
+            beside.into_iter().flatten().find_map(|g| common_end(piece, self.problem.joints.whole_of(&self.cdt, g)))?;
         let wedge = Wedge { apex: self.cdt.point(apex), ends, vertex: at };
-        if wedge.is_below(SMALL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }
+        if wedge.is_below(SMALL_SINE_SQ, self.problem.ruler) { wedge.mirrored(self.problem.ruler) } else { None }
     }
 
     /// The first subsegment among a spoke and those that it is turned to, once around.

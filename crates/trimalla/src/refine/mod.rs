@@ -50,6 +50,7 @@ mod opening;
 mod options;
 mod outlook;
 mod overview;
+mod parts;
 mod queue;
 mod recipe;
 mod refinement;

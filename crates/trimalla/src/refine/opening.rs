@@ -44,34 +44,36 @@ pub(super) enum Opening {
 impl Refinement {
     /// Whether the loop is on, or may be.
     pub(super) fn is_open(&self) -> bool {
-        self.opening == Opening::Done
+        self.segments.opening == Opening::Done
     }
 
     /// Passes over what the recipe does not ask for; looks at everything if that is all there is to do.
     pub(super) fn begin_opening(&mut self) {
-        self.stopwatch.enter(Part::Rest);
+        self.ledger.stopwatch.enter(Part::Rest);
         self.skip();
-        if self.opening == Opening::Look {
+        if self.segments.opening == Opening::Look {
             self.open_further();
         }
-        self.stopwatch.enter(Part::Outside);
+        self.ledger.stopwatch.enter(Part::Outside);
     }
 
     /// Goes on from stages that the recipe does not ask for.
     fn skip(&mut self) {
-        let recipe = self.options.recipe;
+        let recipe = self.problem.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
-        if self.opening == Opening::Given && !(self.insert.keeps_delaunay() && recipe.initial != Initial::Given) {
-            self.opening = Opening::Release;
+        if self.segments.opening == Opening::Given
+            && !(self.strategy.steps.insert.keeps_delaunay() && recipe.initial != Initial::Given)
+        {
+            self.segments.opening = Opening::Release;
         }
-        if self.opening == Opening::Release && !is_conforming && self.recover.locks_segments() {
-            self.opening = Opening::Look;
+        if self.segments.opening == Opening::Release && !is_conforming && self.strategy.steps.recover.locks_segments() {
+            self.segments.opening = Opening::Look;
         }
-        if self.opening == Opening::Conform && !is_conforming {
-            self.opening = Opening::Look;
+        if self.segments.opening == Opening::Conform && !is_conforming {
+            self.segments.opening = Opening::Look;
         }
-        if self.opening == Opening::ReleaseAgain && self.recover.locks_segments() {
-            self.opening = Opening::Look;
+        if self.segments.opening == Opening::ReleaseAgain && self.strategy.steps.recover.locks_segments() {
+            self.segments.opening = Opening::Look;
         }
     }
 
@@ -79,10 +81,10 @@ impl Refinement {
     ///
     /// [`run`](Self::run) does it too. Before that, triangles of a mesh that is not Delaunay may still be flipped away.
     pub fn prepare(&mut self, observer: &mut dyn Observer) -> bool {
-        self.report.stop = StopReason::default();
-        while !self.is_open() || self.recovery.is_some() {
+        self.ledger.report.stop = StopReason::default();
+        while !self.is_open() || self.segments.recovery.is_some() {
             if !observer.progress(self.progress()) {
-                self.report.stop = StopReason::Cancelled;
+                self.ledger.report.stop = StopReason::Cancelled;
                 return false;
             }
             self.advance();
@@ -92,8 +94,8 @@ impl Refinement {
 
     /// All slices that are left, where nobody has made a step.
     pub(super) fn open_fully(&mut self) {
-        while !self.is_open() || self.recovery.is_some() {
-            self.log.clear();
+        while !self.is_open() || self.segments.recovery.is_some() {
+            self.scratch.log.clear();
             if !self.recover_on() {
                 self.open_further();
             }
@@ -102,20 +104,20 @@ impl Refinement {
 
     /// One slice.
     pub(super) fn open_further(&mut self) -> StepOutcome {
-        match self.opening {
+        match self.segments.opening {
             Opening::Given => {
-                self.illegal = self.cdt.illegal_edges();
-                self.opening = Opening::Legalising;
+                self.segments.illegal = self.cdt.illegal_edges();
+                self.segments.opening = Opening::Legalising;
             }
             Opening::Release | Opening::ReleaseAgain => {
-                (self.released, self.illegal) = self.edit().release_inner_segments();
-                let is_first = self.opening == Opening::Release;
-                self.opening = if is_first { Opening::Releasing } else { Opening::ReleasingAgain };
+                (self.segments.released, self.segments.illegal) = self.edit().release_inner_segments();
+                let is_first = self.segments.opening == Opening::Release;
+                self.segments.opening = if is_first { Opening::Releasing } else { Opening::ReleasingAgain };
             }
             _ => {}
         }
-        match self.opening {
-            Opening::Legalising => self.report.edges_flipped += self.flip_slice(Opening::Release),
+        match self.segments.opening {
+            Opening::Legalising => self.ledger.report.edges_flipped += self.flip_slice(Opening::Release),
             Opening::Releasing => {
                 self.flip_slice(Opening::Conform);
             }
@@ -124,11 +126,11 @@ impl Refinement {
             }
             Opening::Conform => {
                 self.begin_recovery();
-                self.opening = Opening::ReleaseAgain;
+                self.segments.opening = Opening::ReleaseAgain;
             }
             _ => {
                 self.begin(self.cdt.bounding_box());
-                self.opening = Opening::Done;
+                self.segments.opening = Opening::Done;
             }
         }
         self.skip();
@@ -137,8 +139,11 @@ impl Refinement {
 
     /// Flips some of the edges that wait, and goes on to the next stage if none waits any more; how many flips it took.
     fn flip_slice(&mut self, next: Opening) -> u64 {
-        let flips = self.cdt.edit(&mut self.work, &mut self.log).legalise_some(&mut self.illegal, SLICE);
-        self.opening = if self.illegal.is_done() { next } else { self.opening };
+        let flips = self
+            .cdt
+            .edit(&mut self.scratch.work, &mut self.scratch.log)
+            .legalise_some(&mut self.segments.illegal, SLICE);
+        self.segments.opening = if self.segments.illegal.is_done() { next } else { self.segments.opening };
         flips
     }
 }

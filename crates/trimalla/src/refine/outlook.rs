@@ -3,8 +3,8 @@
 use super::forecast::{Feature, Forecast, Gap, extent_of, forecast};
 use super::joints::{Joints, common_end};
 use super::options::{Protect, RefineOptions};
+use super::parts::precision_floor;
 use super::recipe::Preset;
-use super::refinement::precision_floor;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{Angle, Point, Segment};

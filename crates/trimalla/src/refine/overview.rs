@@ -25,7 +25,7 @@ impl Refinement {
     #[must_use]
     pub fn overview(&self) -> Overview {
         let nothing_is_bad = SureBounds { sine_sq: 0.0, doubled_area: f64::INFINITY };
-        let mut extremes = Extremes::new(self.ruler, nothing_is_bad);
+        let mut extremes = Extremes::new(self.problem.ruler, nothing_is_bad);
         let mut triangles = 0;
         self.cdt.for_each_two_triangles(|two, count| {
             let are_plain = extremes.are_plain(corners_of_two(two));
@@ -38,6 +38,6 @@ impl Refinement {
             let [a, b, c] = self.cdt.corners_from_newest(f);
             Triangle::new(a, b, c).min_angle().degrees()
         });
-        Overview { vertices: self.vertices, triangles, min_angle_deg: angle }
+        Overview { vertices: self.ledger.vertices, triangles, min_angle_deg: angle }
     }
 }

@@ -1,34 +1,25 @@
 //! The refinement loop.
 
-use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Asked, Test, UserTest, sorted};
-use super::encroachment::Region;
-use super::event::Event;
+use super::bad_triangles::{Asked, UserTest, sorted};
 use super::fill::FillStage;
 use super::history::{History, Picked};
 use super::improvement::Improvement;
-use super::joints::Joints;
-use super::mirror::has_small_wedge;
 use super::opening::Opening;
 use super::options::{OptionError, RefineOptions};
-use super::queue::{Claim, Patches, Queue};
-use super::report::{Observer, Progress, Reason, Report, StopReason};
-use super::ruler::Ruler;
-use super::s5_recover::UnderWay;
-use super::split_segments::Encroached;
+use super::parts::{Agenda, Ledger, Problem, Scratch, SegmentWork, Strategy};
+use super::queue::{Patches, Queue};
+use super::report::{Observer, Progress, Reason, StopReason};
 use super::start::Start;
-use super::steps::{InsertStep, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, StepFacts, Steps, View};
+use super::steps::{InsertStep, PointStep, SelectStep, Steps, View};
 use super::stopwatch::{Clock, Part, Stopwatch};
-use crate::constrained::{ConstrainedTriangulation, Edit, Released, Workspace};
-use crate::delaunay::{Cavity, Lawson, max_points};
+use crate::constrained::{ConstrainedTriangulation, Edit};
+use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
 
-/// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
-const BISECTIONS: f64 = 4.0;
 /// No more rounds than this for triangles that had no room.
 const MOST_RETRIES: u32 = 64;
 /// Steps and insertions between two calls of the observer.
@@ -43,88 +34,13 @@ const PROGRESS_EVERY: u64 = 128;
 #[derive(Clone)]
 pub struct Refinement {
     pub(super) cdt: ConstrainedTriangulation,
-    /// What changing it takes.
-    pub(super) work: Workspace,
-    /// The faces that the vertex at work replaces.
-    pub(super) cavity: Cavity,
-    pub(super) options: RefineOptions,
-    pub(super) prepare: Arc<dyn PrepareStep + Send + Sync>,
-    pub(super) select: Arc<dyn SelectStep + Send + Sync>,
-    /// Whether the caller picks.
-    pub(super) is_manual: bool,
-    pub(super) point: Arc<dyn PointStep + Send + Sync>,
-    /// Whether step 3 is of the library: what it proposes inside a face was found there by a walk.
-    pub(super) walks_prove_places: bool,
-    pub(super) facts: StepFacts,
-    pub(super) insert: Arc<dyn InsertStep + Send + Sync>,
-    pub(super) recover: Arc<dyn RecoverStep + Send + Sync>,
-    pub(super) region: Region,
-    pub(super) ruler: Ruler,
-    pub(super) test: Test,
-    /// Where segments are parted into pieces.
-    pub(super) joints: Joints,
-    /// Whether pieces meet at so small an angle somewhere that splits mirror the vertices of other pieces.
-    pub(super) has_small_wedge: bool,
-    /// How many triangles a walk may cross.
-    pub(super) longest_walk: usize,
-    /// The square of the shortest distance allowed between vertices, in the ruler's units.
-    pub(super) floor_sq: f64,
-    /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
-    pub(super) precision_sq: f64,
-    /// That distance in coordinate units.
-    pub(super) precision: f64,
-    /// What a distance below the floor is called.
-    pub(super) floor_reason: Reason,
-    /// Bisection stops at triangles with an edge shorter than this, squared.
-    pub(super) bisection_floor_sq: f64,
+    pub(super) problem: Problem,
+    pub(super) strategy: Strategy,
+    pub(super) agenda: Agenda,
+    pub(super) segments: SegmentWork,
     pub(super) filling: FillStage,
-    pub(super) queue: Queue,
-    pub(super) encroached: VecDeque<Encroached>,
-    /// Subsegments whose split failed although it had seemed possible.
-    pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
-    /// Triangles that were given up, and why.
-    pub(super) given_up: Vec<([VertexId; 3], Reason)>,
-    /// What comes before the loop, as far as it is not done.
-    pub(super) opening: Opening,
-    /// Edges that fail the circle test before the loop begins, or may.
-    pub(super) illegal: Lawson,
-    /// Pieces of segments that are not locked.
-    pub(super) released: Vec<Released>,
-    /// Such pieces on their way back.
-    pub(super) recovery: Option<Box<UnderWay>>,
-    /// Pieces that could not come back.
-    pub(super) lost: Vec<Released>,
-    /// Places proposed for the triangle at work.
-    pub(super) places: Vec<Proposal>,
-    pub(super) log: UndoLog,
-    /// The star of the vertex at work.
-    pub(super) spokes: Vec<HalfEdgeId>,
-    /// Room for the numbers of the bad triangles of a fan.
-    pub(super) bad_in_fan: Vec<usize>,
-    /// Room for the subsegments beside what is looked at.
-    pub(super) beside: Vec<HalfEdgeId>,
-    /// Whether it still improves, where that is watched.
-    pub(super) improvement: Improvement,
-    /// How many triangles joined the queue.
-    pub(super) joined: u64,
-    /// The triangle to be treated until it is gone.
-    current: Option<Claim>,
-    /// Triangles that the caller picked.
-    picked: VecDeque<Picked>,
-    /// Vertices that the mesh would have now.
-    pub(super) vertices: usize,
-    /// Vertices inserted in all, those deleted or taken back included.
-    pub(super) insertions: u64,
-    /// How many vertices had come and gone at the last retry, and how many retries there were.
-    changes_at_retry: u64,
-    retries: u32,
-    pub(super) report: Report,
-    /// What the step at work did, where somebody wants to know.
-    pub(super) event: Option<Box<Event>>,
-    /// Steps of runs told to an observer.
-    pub(super) steps_told: u64,
-    /// Time per step.
-    pub(super) stopwatch: Stopwatch,
+    pub(super) ledger: Ledger,
+    pub(super) scratch: Scratch,
     /// How to go back, where somebody may want to.
     pub(super) history: Option<History>,
 }
@@ -132,8 +48,8 @@ pub struct Refinement {
 impl fmt::Debug for Refinement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Refinement")
-            .field("options", &self.options)
-            .field("vertices", &self.vertices)
+            .field("options", &self.problem.options)
+            .field("vertices", &self.ledger.vertices)
             .finish_non_exhaustive()
     }
 }
@@ -183,8 +99,9 @@ impl Refinement {
     /// # Errors
     /// [`OptionError`].
     pub fn timed(start: impl Into<Start>, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
-        let refinement = Self::of_steps(start, options, Steps::of(&options), clock)?;
-        Ok(Self { walks_prove_places: true, ..refinement })
+        let mut refinement = Self::of_steps(start, options, Steps::of(&options), clock)?;
+        refinement.strategy.walks_prove_places = true;
+        Ok(refinement)
     }
 
     /// [`timed`](Self::timed) with steps of the caller's own in the place of the recipe's.
@@ -198,72 +115,24 @@ impl Refinement {
         clock: Option<Clock>,
     ) -> Result<Self, OptionError> {
         let Start { mut cdt, mut work, is_delaunay } = start.into();
-        let Steps { prepare, select, point, insert, recover } = steps;
         options.validate()?;
         if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
             return Err(OptionError::NoTriangles);
         }
         // No budget is larger than what the indices of half-edges can name.
         options.limits.max_vertices = options.limits.max_vertices.min(max_points());
-        let bounds = cdt.bounding_box();
-        let ruler = Ruler::for_box(bounds);
-        let (floor, floor_reason) = length_floor(bounds, &options, ruler);
-        let precision = precision_floor(bounds, ruler);
-        let region = Region::new(options.recipe.encroachment, &options.criteria);
+        let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
-        let recipe = options.recipe;
         let mut refinement = Self {
-            facts: StepFacts::of(select.as_ref(), point.as_ref(), insert.as_ref()),
-            prepare,
-            is_manual: select.is_manual(),
-            select,
-            point,
-            walks_prove_places: false,
-            longest_walk: View::longest_walk(insert.as_ref()),
-            bisection_floor_sq: bisection_floor_sq(&cdt, ruler, insert.as_ref(), precision * precision),
-            insert,
-            recover,
-            region,
-            ruler,
-            test: Test::new(&options.criteria, &cdt),
-            joints: Joints::of(&cdt),
-            has_small_wedge: has_small_wedge(&cdt, ruler),
-            floor_sq: floor * floor,
-            precision_sq: precision * precision,
-            precision: precision / ruler.scale(),
-            floor_reason,
+            problem: Problem::new(&cdt, options, steps.insert.as_ref()),
+            strategy: Strategy::of(steps),
+            agenda: Agenda::default(),
+            segments: SegmentWork { opening, ..SegmentWork::default() },
             filling: FillStage::Done,
-            queue: Queue::default(),
-            encroached: VecDeque::new(),
-            unsplittable: BTreeSet::new(),
-            given_up: Vec::new(),
-            opening: if is_delaunay { Opening::Release } else { Opening::Given },
-            illegal: Lawson::default(),
-            released: Vec::new(),
-            recovery: None,
-            lost: Vec::new(),
-            places: Vec::new(),
-            log: UndoLog::new(),
-            spokes: Vec::new(),
-            bad_in_fan: Vec::new(),
-            beside: Vec::new(),
-            improvement: Improvement::UNWATCHED,
-            joined: 0,
-            current: None,
-            picked: VecDeque::new(),
-            vertices,
-            insertions: 0,
-            changes_at_retry: 0,
-            retries: 0,
-            report: Report { recipe, ..Report::default() },
-            event: None,
-            steps_told: 0,
-            stopwatch: Stopwatch::new(clock),
+            ledger: Ledger::new(&options, vertices, Stopwatch::new(clock)),
+            scratch: Scratch { work, ..Scratch::default() },
             history: None,
             cdt,
-            work,
-            cavity: Cavity::default(),
-            options,
         };
         refinement.begin_opening();
         Ok(refinement)
@@ -271,9 +140,9 @@ impl Refinement {
 
     /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked at.
     pub(super) fn begin(&mut self, bounds: Option<BoundingBox>) {
-        let expected = self.vertices.saturating_add(self.vertices_for_area());
-        self.queue = self.empty_queue(bounds, expected);
-        self.improvement = self.improvement_from_start();
+        let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
+        self.agenda.queue = self.empty_queue(bounds, expected);
+        self.ledger.improvement = self.improvement_from_start();
         self.filling = self.fill_from_start(bounds);
         if self.is_filling() {
             drop(self.cdt.take_order_along_curve());
@@ -284,8 +153,8 @@ impl Refinement {
 
     /// An empty queue in the order of step 2 for so many vertices: by patches of the drawing's box, if it allows.
     pub(super) fn empty_queue(&self, bounds: Option<BoundingBox>, vertices: usize) -> Queue {
-        if self.select.works_by_patches() {
-            Queue::by_patches(Patches::new(bounds, vertices.min(self.options.limits.max_vertices)))
+        if self.strategy.steps.select.works_by_patches() {
+            Queue::by_patches(Patches::new(bounds, vertices.min(self.problem.options.limits.max_vertices)))
         } else {
             Queue::default()
         }
@@ -293,7 +162,7 @@ impl Refinement {
 
     /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's own.
     pub(super) fn has_area_bound(&self) -> bool {
-        self.test.sure_bounds(self.cdt.regions().rules()).doubled_area < f64::INFINITY
+        self.problem.test.sure_bounds(self.cdt.regions().rules()).doubled_area < f64::INFINITY
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
@@ -303,7 +172,7 @@ impl Refinement {
         }
         let parts = |f: FaceId| {
             let [a, b, c] = self.cdt.corners_from_newest(f);
-            (b - a).cross(c - a) / self.test.doubled_area_bound(self.cdt.region_rule(f))
+            (b - a).cross(c - a) / self.problem.test.doubled_area_bound(self.cdt.region_rule(f))
         };
         // The cast saturates.
         #[allow(
@@ -319,9 +188,8 @@ impl Refinement {
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.record_change();
-        self.is_manual = select.is_manual();
-        self.select = Arc::new(select);
-        self.ask_steps();
+        self.strategy.steps.select = Arc::new(select);
+        self.strategy = self.strategy.renewed();
         if self.is_open() {
             self.begin(self.cdt.bounding_box());
         }
@@ -332,9 +200,8 @@ impl Refinement {
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
         self.record_change();
-        self.point = Arc::new(point);
-        self.ask_steps();
-        self.walks_prove_places = false;
+        self.strategy.steps.point = Arc::new(point);
+        self.strategy = Strategy { walks_prove_places: false, ..self.strategy.renewed() };
         self
     }
 
@@ -342,19 +209,13 @@ impl Refinement {
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
         self.record_change();
-        self.bisection_floor_sq = bisection_floor_sq(&self.cdt, self.ruler, &insert, self.precision_sq);
-        self.longest_walk = View::longest_walk(&insert);
-        self.insert = Arc::new(insert);
-        self.ask_steps();
-        if self.insert.keeps_small_angles() {
-            self.improvement = Improvement::UNWATCHED;
+        self.problem.floors = self.problem.floors.for_insert(&self.cdt, self.problem.ruler, &insert);
+        self.strategy.steps.insert = Arc::new(insert);
+        self.strategy = self.strategy.renewed();
+        if self.strategy.steps.insert.keeps_small_angles() {
+            self.ledger.improvement = Improvement::UNWATCHED;
         }
         self
-    }
-
-    /// Asks the steps what they say of themselves.
-    fn ask_steps(&mut self) {
-        self.facts = StepFacts::of(self.select.as_ref(), self.point.as_ref(), self.insert.as_ref());
     }
 
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
@@ -383,8 +244,8 @@ impl Refinement {
     }
 
     pub(super) fn with_user_test(mut self, test: Arc<UserTest>) -> Self {
-        self.test = self.test.clone().with_asked(test);
-        self.improvement = Improvement::UNWATCHED;
+        self.problem.test = self.problem.test.clone().with_asked(test);
+        self.ledger.improvement = Improvement::UNWATCHED;
         if self.is_open() && !self.is_filling() {
             self.look_at_everything();
         }
@@ -400,7 +261,7 @@ impl Refinement {
     /// What changes the triangulation, noted in the log of the step.
     #[inline(always)]
     pub(super) fn edit(&mut self) -> Edit<'_, UndoLog> {
-        self.cdt.edit(&mut self.work, &mut self.log)
+        self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log)
     }
 
     /// Runs until nothing is left to do, a limit is met, or the observer cancels.
@@ -409,12 +270,12 @@ impl Refinement {
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
         self.history = None;
-        self.report.stop = StopReason::default();
-        self.stopwatch = self.stopwatch.or_clock(observer.clock());
+        self.ledger.report.stop = StopReason::default();
+        self.ledger.stopwatch = self.ledger.stopwatch.or_clock(observer.clock());
         let (mut steps, mut told_at) = (0, None);
         let stop = loop {
             // Steps count, too: many may pass without an insertion.
-            let work = steps + self.insertions;
+            let work = steps + self.ledger.insertions;
             if told_at.is_none_or(|told| work >= told + PROGRESS_EVERY) {
                 told_at = Some(work);
                 if !observer.progress(self.progress()) {
@@ -435,15 +296,15 @@ impl Refinement {
                 | StepOutcome::Retried => {}
             }
         };
-        self.report.stop = stop;
+        self.ledger.report.stop = stop;
         stop
     }
 
     pub(super) fn progress(&self) -> Progress {
         Progress {
-            vertices: self.vertices,
-            waiting: self.queue.len() + self.nodes_left(),
-            max_vertices: self.options.limits.max_vertices,
+            vertices: self.ledger.vertices,
+            waiting: self.agenda.queue.len() + self.nodes_left(),
+            max_vertices: self.problem.options.limits.max_vertices,
         }
     }
 
@@ -451,11 +312,11 @@ impl Refinement {
     ///
     /// The log holds what it changed, and nothing else.
     pub(super) fn advance(&mut self) -> StepOutcome {
-        self.stopwatch.enter(Part::Prepare);
-        self.log.clear();
+        self.ledger.stopwatch.enter(Part::Prepare);
+        self.scratch.log.clear();
         self.cdt.forget_undo_outside();
         let outcome = self.take_step();
-        self.stopwatch.enter(Part::Outside);
+        self.ledger.stopwatch.enter(Part::Outside);
         outcome
     }
 
@@ -467,10 +328,10 @@ impl Refinement {
             return self.open_further();
         }
         if self.is_exhausted() {
-            let waits = !self.encroached.is_empty() || self.queue.len() > 0 || self.is_filling();
+            let waits = !self.agenda.encroached.is_empty() || self.agenda.queue.len() > 0 || self.is_filling();
             return if waits { StepOutcome::Exhausted } else { StepOutcome::Finished };
         }
-        if self.improvement.is_due(self.vertices) && self.no_longer_improves() {
+        if self.ledger.improvement.is_due(self.ledger.vertices) && self.no_longer_improves() {
             return StepOutcome::Stalled;
         }
         if self.split_next_subsegment() {
@@ -479,21 +340,21 @@ impl Refinement {
         if self.fill_on() {
             return StepOutcome::Filled;
         }
-        self.stopwatch.enter(Part::Select);
+        self.ledger.stopwatch.enter(Part::Select);
         let Some(face) = self.next_face() else {
             if self.recover_segments() {
                 return StepOutcome::Recovered;
             }
             return if self.retry() { StepOutcome::Retried } else { StepOutcome::Finished };
         };
-        let claim = self.queue.claim(&self.cdt, face);
+        let claim = self.agenda.queue.claim(&self.cdt, face);
         self.note_selected(face);
-        self.stopwatch.enter(Part::Point);
+        self.ledger.stopwatch.enter(Part::Point);
         match self.treat(face) {
-            Ok(()) if self.options.recipe.until_destroyed => self.current = Some(claim),
-            Ok(()) if self.queue.is_valid(&self.cdt, claim) => self.look_at_bad(face),
+            Ok(()) if self.problem.options.recipe.until_destroyed => self.agenda.current = Some(claim),
+            Ok(()) if self.agenda.queue.is_valid(&self.cdt, claim) => self.look_at_bad(face),
             Ok(()) => {}
-            Err(reason) => self.given_up.push((sorted(self.cdt.face_vertices(face)), reason)),
+            Err(reason) => self.agenda.given_up.push((sorted(self.cdt.face_vertices(face)), reason)),
         }
         StepOutcome::Triangle
     }
@@ -504,31 +365,31 @@ impl Refinement {
     /// So a mesh that is refined again finds nothing left to do.
     fn retry(&mut self) -> bool {
         let had_no_room = |reason: Reason| matches!(reason, Reason::PrecisionFloor | Reason::InputGap);
-        let is_refused = self.given_up.iter().any(|g| had_no_room(g.1)) || !self.unsplittable.is_empty();
-        let is_worth_it = is_refused && self.retries < MOST_RETRIES;
-        let r = &self.report;
+        let is_refused = self.agenda.given_up.iter().any(|g| had_no_room(g.1)) || !self.agenda.unsplittable.is_empty();
+        let is_worth_it = is_refused && self.agenda.retries < MOST_RETRIES;
+        let r = &self.ledger.report;
         let changes = r.points_inserted + r.segments_split + r.vertices_deleted;
-        if !is_worth_it || changes == self.changes_at_retry {
+        if !is_worth_it || changes == self.agenda.changes_at_retry {
             return false;
         }
-        self.retries += 1;
-        self.changes_at_retry = changes;
-        self.given_up.clear();
-        self.unsplittable.clear();
+        self.agenda.retries += 1;
+        self.agenda.changes_at_retry = changes;
+        self.agenda.given_up.clear();
+        self.agenda.unsplittable.clear();
         self.look_at_everything();
         true
     }
 
     /// The triangle at work if it is still there, else the most urgent one.
     fn next_face(&mut self) -> Option<FaceId> {
-        if let Some(claim) = self.current.take().filter(|&claim| self.queue.is_valid(&self.cdt, claim)) {
+        if let Some(claim) = self.agenda.current.take().filter(|&claim| self.agenda.queue.is_valid(&self.cdt, claim)) {
             return Some(claim.face);
         }
-        if !self.is_manual {
-            return self.queue.pop(&self.cdt, self.facts.takes_oldest);
+        if !self.strategy.is_manual {
+            return self.agenda.queue.pop(&self.cdt, self.strategy.facts.takes_oldest);
         }
         let there = |&(f, name): &Picked| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
-        while let Some(picked) = self.picked.pop_front() {
+        while let Some(picked) = self.agenda.picked.pop_front() {
             if there(&picked) {
                 return Some(picked.0);
             }
@@ -551,56 +412,32 @@ impl Refinement {
     }
 
     pub(super) fn put_picked(&mut self, picked: Picked) {
-        self.picked.push_back(picked);
+        self.agenda.picked.push_back(picked);
     }
 
     /// Deletions make room again, so insertions are counted too: no run goes on for ever.
     fn is_exhausted(&self) -> bool {
-        let most = self.options.limits.max_vertices;
-        self.vertices >= most || self.insertions >= 16 * most as u64 + 1024
+        let most = self.problem.options.limits.max_vertices;
+        self.ledger.vertices >= most || self.ledger.insertions >= 16 * most as u64 + 1024
     }
 
     /// Whether the point strategy keeps clear of segments.
     pub(super) fn minds_encroachment(&self) -> bool {
-        self.facts.minds_encroachment
+        self.strategy.facts.minds_encroachment
     }
 
     pub(super) fn view(&self) -> View<'_> {
-        View { cdt: &self.cdt, criteria: &self.options.criteria, ruler: self.ruler, longest_walk: self.longest_walk }
+        View {
+            cdt: &self.cdt,
+            criteria: &self.problem.options.criteria,
+            ruler: self.problem.ruler,
+            longest_walk: self.strategy.longest_walk,
+        }
     }
-}
-
-/// The square of the length at which an insertion that keeps small angles stops; 0 for any other. Edges that are shorter
-/// than rounding leaves room for do not count.
-fn bisection_floor_sq(cdt: &ConstrainedTriangulation, ruler: Ruler, insert: &dyn InsertStep, precision_sq: f64) -> f64 {
-    if !insert.keeps_small_angles() {
-        return 0.0;
-    }
-    let length_sq = |h: HalfEdgeId| {
-        let [a, b] = cdt.edge_points(h);
-        ruler.length_sq(a, b)
-    };
-    let lengths = cdt.edges().map(length_sq).filter(|&length_sq| length_sq >= precision_sq);
-    lengths.fold(f64::INFINITY, f64::min) / (BISECTIONS * BISECTIONS)
 }
 
 /// The ends of an edge, the lower one first.
 pub(super) fn ends_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> [VertexId; 2] {
     let (a, b) = (cdt.origin(h), cdt.dest(h));
     [a.min(b), a.max(b)]
-}
-
-/// The length floor in the ruler's units, and the reason it is given as.
-pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let precision = precision_floor(bounds, ruler);
-    match options.limits.length_floor {
-        Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),
-        _ => (precision, Reason::PrecisionFloor),
-    }
-}
-
-/// The shortest distance at which rounding leaves room for vertices, in the ruler's units.
-pub(super) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
-    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
-    largest * ruler.scale() * 256.0 * f64::EPSILON
 }

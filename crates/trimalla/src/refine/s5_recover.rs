@@ -15,8 +15,9 @@ use std::sync::Arc;
 use super::event::InsertedKind;
 use super::joints::{Joints, Piece};
 use super::mirror::Mirrors;
+use super::parts::precision_floor;
 use super::recipe::{Recipe, Recover};
-use super::refinement::{Refinement, precision_floor};
+use super::refinement::Refinement;
 use super::report::StopReason;
 use super::ruler::Ruler;
 use super::steps::RecoverStep;
@@ -51,7 +52,7 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
 impl Refinement {
     /// Brings segments back that were let go, if the recipe does so; says whether the loop has to go on.
     pub(super) fn recover_segments(&mut self) -> bool {
-        if self.released.is_empty() || !self.recover.splits_back() {
+        if self.segments.released.is_empty() || !self.strategy.steps.recover.splits_back() {
             return false;
         }
         self.begin_recovery();
@@ -60,46 +61,46 @@ impl Refinement {
 
     /// Lets segments that are let go wait for [`recover_on`](Self::recover_on).
     pub(super) fn begin_recovery(&mut self) {
-        let recovery = Recovery::of(std::mem::take(&mut self.released));
-        self.recovery = Some(Box::new(UnderWay { recovery, pieces: self.joints.pieces(&self.cdt) }));
+        let recovery = Recovery::of(std::mem::take(&mut self.segments.released));
+        self.segments.recovery = Some(Box::new(UnderWay { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
     #[inline(always)] // Before each step.
     pub(super) fn recover_on(&mut self) -> bool {
         // Nearly always there is nothing to recover.
-        self.recovery.is_some() && self.recover_slice()
+        self.segments.recovery.is_some() && self.recover_slice()
     }
 
     #[inline(never)]
     fn recover_slice(&mut self) -> bool {
-        let Some(mut under_way) = self.recovery.take() else { return false };
+        let Some(mut under_way) = self.segments.recovery.take() else { return false };
         let UnderWay { recovery, pieces } = &mut *under_way;
-        let before = self.stopwatch.enter(Part::Recover);
-        let (ruler, floor_sq) = (self.ruler, self.floor_sq);
+        let before = self.ledger.stopwatch.enter(Part::Recover);
+        let (ruler, floor_sq) = (self.problem.ruler, self.problem.floors.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
-        let is_cancelled = self.report.stop == StopReason::Cancelled;
-        let room = self.options.limits.max_vertices.saturating_sub(self.vertices);
+        let is_cancelled = self.ledger.report.stop == StopReason::Cancelled;
+        let room = self.problem.options.limits.max_vertices.saturating_sub(self.ledger.vertices);
         let vertices = if is_cancelled { 0 } else { room };
-        let mirrors = Mirrors::new(&self.joints, pieces, ruler);
+        let mirrors = Mirrors::new(&self.problem.joints, pieces, ruler);
         let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
         let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
         let Changed { inserted, removed } =
-            self.cdt.edit(&mut self.work, &mut self.log).recover_some(recovery, &limits);
-        self.vertices = self.vertices + inserted - removed;
-        self.report.vertices_deleted += removed as u64;
-        self.insertions += inserted as u64;
-        self.report.segments_split += inserted as u64;
-        self.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
+            self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log).recover_some(recovery, &limits);
+        self.ledger.vertices = self.ledger.vertices + inserted - removed;
+        self.ledger.report.vertices_deleted += removed as u64;
+        self.ledger.insertions += inserted as u64;
+        self.ledger.report.segments_split += inserted as u64;
+        self.ledger.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
         if recovery.is_done() {
-            self.lost.extend(under_way.recovery.into_lost());
+            self.segments.lost.extend(under_way.recovery.into_lost());
             if self.is_open() {
                 self.look_at_everything();
             }
         } else {
-            self.recovery = Some(under_way);
+            self.segments.recovery = Some(under_way);
         }
-        self.stopwatch.enter(before);
+        self.ledger.stopwatch.enter(before);
         true
     }
 
@@ -109,15 +110,15 @@ impl Refinement {
     pub(super) fn claim_segments(&mut self) {
         self.recover_segments();
         while self.recover_on() {
-            self.log.clear();
+            self.scratch.log.clear();
         }
-        let mut missing = self.cdt.edit(&mut self.work, &mut NoJournal).mark_present(&self.released);
-        missing.append(&mut self.lost);
+        let mut missing = self.cdt.edit(&mut self.scratch.work, &mut NoJournal).mark_present(&self.segments.released);
+        missing.append(&mut self.segments.lost);
         let mut lost: Vec<u32> =
             missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
         lost.sort_unstable();
         lost.dedup();
-        self.report.lost_segments = lost;
+        self.ledger.report.lost_segments = lost;
     }
 }
 

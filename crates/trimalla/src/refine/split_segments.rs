@@ -41,11 +41,11 @@ impl Refinement {
     pub(super) fn queue_subsegment(&mut self, h: HalfEdgeId, forced: bool) -> Result<(), Reason> {
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
         let ends = [a.min(b), a.max(b)];
-        if self.unsplittable.contains(&ends) {
-            return Err(self.reason_of_refusal(h, self.floor_reason));
+        if self.agenda.unsplittable.contains(&ends) {
+            return Err(self.reason_of_refusal(h, self.problem.floors.floor_reason));
         }
         let found = self.may_cut(self.in_order(h)).map_err(|reason| self.reason_of_refusal(h, reason))?;
-        self.encroached.push_back(Encroached { ends, forced, found });
+        self.agenda.encroached.push_back(Encroached { ends, forced, found });
         Ok(())
     }
 
@@ -58,7 +58,7 @@ impl Refinement {
     /// rounding of it, since no split parts that from it.
     #[inline] // For each subsegment beside what is new; most need no split.
     pub(super) fn needs_split(&self, h: HalfEdgeId) -> bool {
-        self.prepare.needs_split(self.view(), h) && !self.is_encroached_within_rounding(h)
+        self.strategy.steps.prepare.needs_split(self.view(), h) && !self.is_encroached_within_rounding(h)
     }
 
     /// Whether an apex of `h` lies within rounding of it, and none in its disk does not.
@@ -98,17 +98,17 @@ impl Refinement {
 
     /// Splits the subsegment that waits longest, if it still needs it.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
-        let Some(Encroached { ends: [a, b], forced, found }) = self.encroached.pop_front() else { return false };
+        let Some(Encroached { ends: [a, b], forced, found }) = self.agenda.encroached.pop_front() else { return false };
         self.note(|event| event.subsegment = Some([a, b]));
         // The hull of a triangulation that was not carved carries no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_on_border(h);
         let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(is_subsegment);
-        if let Some(h) = there.filter(|_| !self.unsplittable.contains(&[a, b])) {
+        if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&[a, b])) {
             let found = Some(found).filter(|found| found.apexes == self.apexes(h));
             let is_needed = forced || found.is_some() || self.needs_split(h);
             if is_needed && !self.split(h, found) {
                 // It could be split when it was queued: do not try again for ever.
-                self.unsplittable.insert([a, b]);
+                self.agenda.unsplittable.insert([a, b]);
             }
         }
         true
@@ -121,22 +121,22 @@ impl Refinement {
     fn split(&mut self, h: HalfEdgeId, found: Option<Found>) -> bool {
         let acute = found.map_or_else(|| self.acute_ends(h), |found| found.acute);
         let cut = found.map(|found| found.cut);
-        if !self.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
+        if !self.problem.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
             return self.split_at_cut(h, acute, cut);
         }
         let ends = [self.cdt.origin(h), self.cdt.dest(h)];
-        let (here, deleted) = (self.log.checkpoint(), self.report.vertices_deleted);
+        let (here, deleted) = (self.scratch.log.checkpoint(), self.ledger.report.vertices_deleted);
         let looked_at = self.delete_free_vertices(h);
-        let deleted = self.report.vertices_deleted - deleted;
+        let deleted = self.ledger.report.vertices_deleted - deleted;
         if deleted == 0 {
             return self.split_at_cut(h, acute, cut);
         }
         if self.split_as_it_is(ends) {
             return true;
         }
-        self.cdt.rollback(&mut self.log, here);
-        self.report.vertices_deleted -= deleted;
-        self.vertices += deleted as usize;
+        self.cdt.rollback(&mut self.scratch.log, here);
+        self.ledger.report.vertices_deleted -= deleted;
+        self.ledger.vertices += deleted as usize;
         self.note(|event| event.deleted.clear());
         self.look_again(looked_at);
         self.split_as_it_is(ends)
@@ -170,14 +170,14 @@ impl Refinement {
     fn split_at_place(&mut self, h: HalfEdgeId, cut: Cut) -> bool {
         let provenance = self.provenance_of(h, cut);
         let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
-        let split = if self.facts.by_cavity {
+        let split = if self.strategy.facts.by_cavity {
             self.split_by_cavity(h, cut.point, provenance).ok().flatten()
         } else {
             self.split_and_look(h, cut.point, provenance).map(|v| (v, false))
         };
         let Some((v, is_fan)) = split else { return false };
-        self.vertices += 1;
-        self.report.segments_split += 1;
+        self.ledger.vertices += 1;
+        self.ledger.report.segments_split += 1;
         self.note_inserted(v, if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
         if is_fan {
             self.look_around_cavity(v, cut.point)
@@ -189,12 +189,12 @@ impl Refinement {
 
     /// Step 4 for a split; taken back if the new vertex is too near to another one.
     fn split_and_look(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
-        let here = self.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
-        let v = self.insert.split(&mut edit, h, p, provenance).ok()?;
-        self.insertions += 1;
+        let here = self.scratch.log.checkpoint();
+        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
+        let v = self.strategy.steps.insert.split(&mut edit, h, p, provenance).ok()?;
+        self.ledger.insertions += 1;
         if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.log, here);
+            self.cdt.rollback(&mut self.scratch.log, here);
             return None;
         }
         Some(v)
@@ -213,15 +213,15 @@ impl Refinement {
         p: Point,
         provenance: Provenance,
     ) -> Result<Option<(VertexId, bool)>, Reason> {
-        let found = self.cdt.find_split(&mut self.cavity, h, p).map_err(|_| Reason::PrecisionFloor)?;
-        self.insertions += 1;
+        let found = self.cdt.find_split(&mut self.scratch.cavity, h, p).map_err(|_| Reason::PrecisionFloor)?;
+        self.ledger.insertions += 1;
         let (crowds, _) = self.look_at_rim(p);
         if crowds {
             return Ok(None);
         }
-        let (work, cavity) = (&mut self.work, &mut self.cavity);
-        Ok(Some(if self.event.is_some() {
-            self.cdt.edit(work, &mut self.log).fill_split(cavity, found, p, provenance)
+        let (work, cavity) = (&mut self.scratch.work, &mut self.scratch.cavity);
+        Ok(Some(if self.ledger.event.is_some() {
+            self.cdt.edit(work, &mut self.scratch.log).fill_split(cavity, found, p, provenance)
         } else {
             self.cdt.edit(work, &mut NoJournal).fill_split(cavity, found, p, provenance)
         }))
@@ -246,7 +246,7 @@ impl Refinement {
     /// Where `h` is split if there is room, or why it must not be.
     fn cut_at(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<Cut, Reason> {
         let on_border = self.cdt.is_on_border(h);
-        let protected = match self.options.protect {
+        let protected = match self.problem.options.protect {
             Protect::None => false,
             Protect::Boundary => on_border,
             Protect::All => true,
@@ -262,15 +262,17 @@ impl Refinement {
             }
         }
         let [a, b] = self.cdt.edge_points(h);
-        if self.ruler.length_sq(a, point).min(self.ruler.length_sq(point, b)) < self.floor_sq {
-            return Err(self.floor_reason);
+        if self.problem.ruler.length_sq(a, point).min(self.problem.ruler.length_sq(point, b))
+            < self.problem.floors.floor_sq
+        {
+            return Err(self.problem.floors.floor_reason);
         }
         Ok(Cut { point, shell })
     }
 
     /// The point at a parameter of `h`, computed from the ends of its piece.
     pub(super) fn point_at(&self, h: HalfEdgeId, t: f64) -> Point {
-        match self.joints.piece_along(&self.cdt, h) {
+        match self.problem.joints.piece_along(&self.cdt, h) {
             Some(piece) => self.cdt.place_on_piece(h, piece, t),
             None => self.cdt.place_on_subsegment(h, t),
         }
@@ -293,7 +295,7 @@ impl Refinement {
     fn is_around_joint(&self, h: HalfEdgeId, cut: Cut) -> bool {
         let Some((_, around_dest)) = cut.shell else { return false };
         let apex = if around_dest { self.cdt.dest(h) } else { self.cdt.origin(h) };
-        self.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
+        self.problem.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
     }
 
     /// The parameter of the cut: the middle, or a circle around the one end where another segment joins; away from there,
@@ -311,7 +313,7 @@ impl Refinement {
             _ => return (self.mirrored_place(h).unwrap_or(0.5), None),
         };
         let [a, b] = self.cdt.edge_points(h);
-        let length = self.ruler.length_sq(a, b).sqrt();
+        let length = self.problem.ruler.length_sq(a, b).sqrt();
         if length.is_nan() || length < f64::MIN_POSITIVE {
             return (0.5, None); // Too short to measure: the length floor refuses it.
         }
@@ -327,7 +329,9 @@ impl Refinement {
         let t = self.cdt.twin(h);
         let meets = |g: HalfEdgeId, apex: VertexId, end: VertexId| {
             let finite = self.cdt.dest(g).is_finite() && self.cdt.origin(g).is_finite();
-            finite && self.cdt.is_marked(g) && (self.point.shells_at_every_joint() || self.is_sharp(h, apex, end))
+            finite
+                && self.cdt.is_marked(g)
+                && (self.strategy.steps.point.shells_at_every_joint() || self.is_sharp(h, apex, end))
         };
         let (origin, dest) = (self.cdt.origin(h), self.cdt.dest(h));
         let (left, right) = (self.cdt.apex(h), self.cdt.apex(t));
@@ -341,7 +345,7 @@ impl Refinement {
     fn is_sharp(&self, h: HalfEdgeId, apex: VertexId, end: VertexId) -> bool {
         let other = if end == self.cdt.origin(h) { self.cdt.dest(h) } else { self.cdt.origin(h) };
         let [end, other, apex] = [end, other, apex].map(|v| self.cdt.point(v));
-        let (u, v) = (self.ruler.vector(end, other), self.ruler.vector(end, apex));
+        let (u, v) = (self.problem.ruler.vector(end, other), self.problem.ruler.vector(end, apex));
         let dot = u.dot(v);
         dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
@@ -395,14 +399,14 @@ impl Refinement {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
-        let keeps_delaunay = self.facts.keeps_delaunay;
+        let keeps_delaunay = self.strategy.facts.keeps_delaunay;
         let link: Vec<VertexId> = if keeps_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
         if self.edit().remove(v).is_err() {
             return false;
         }
         self.note(|event| event.deleted.push((v, at)));
-        self.vertices -= 1;
-        self.report.vertices_deleted += 1;
+        self.ledger.vertices -= 1;
+        self.ledger.report.vertices_deleted += 1;
         let mut faces: Vec<FaceId> = if keeps_delaunay {
             self.hole_faces(&rim)
         } else {

@@ -54,15 +54,16 @@ impl Refinement {
         let nothing = ConstrainedTriangulation::new(Triangulation::default());
         let start = Start {
             cdt: std::mem::replace(&mut self.cdt, nothing),
-            work: std::mem::take(&mut self.work),
-            is_delaunay: self.insert.keeps_delaunay(),
+            work: std::mem::take(&mut self.scratch.work),
+            is_delaunay: self.strategy.steps.insert.keeps_delaunay(),
         };
         let mut changed = Self::timed(start, options, None)?;
-        changed.stopwatch = self.stopwatch;
-        changed.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.report) };
-        (changed.insertions, changed.steps_told) = (self.insertions, self.steps_told);
+        changed.ledger.stopwatch = self.ledger.stopwatch;
+        changed.ledger.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.ledger.report) };
+        changed.ledger.insertions = self.ledger.insertions;
+        changed.ledger.steps_told = self.ledger.steps_told;
         changed.history = self.history.take();
-        *self = match self.test.asked() {
+        *self = match self.problem.test.asked() {
             Some(asked) => changed.with_user_test(asked),
             None => changed,
         };

@@ -25,12 +25,12 @@ impl Refinement {
             return Err(reason);
         }
         self.count_path(face);
-        let mut places = std::mem::take(&mut self.places);
+        let mut places = std::mem::take(&mut self.scratch.places);
         places.clear();
-        self.point.propose(self.view(), face, &mut places);
-        self.stopwatch.enter(Part::Insert);
+        self.strategy.steps.point.propose(self.view(), face, &mut places);
+        self.ledger.stopwatch.enter(Part::Insert);
         // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never will.
-        let is_kept = self.facts.keeps_delaunay;
+        let is_kept = self.strategy.facts.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
         let taken = places.iter().any(|&place| {
@@ -39,13 +39,13 @@ impl Refinement {
             tried.map_err(|reason| refused = reason).is_ok()
         });
         let outcome = if taken { Ok(()) } else { Err(self.reason_of_refused_places(&places, refused)) };
-        self.places = places;
+        self.scratch.places = places;
         outcome
     }
 
     /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape is.
     fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
-        if !self.test.minds_shape() {
+        if !self.problem.test.minds_shape() {
             return None;
         }
         let reason = if let Some(reason) = self.hopeless_between_segments(face) {
@@ -62,9 +62,9 @@ impl Refinement {
 
     /// Counts the length of the path, where the strategy follows it.
     fn count_path(&mut self, face: FaceId) {
-        if self.facts.follows_path {
-            let length = lepp(&self.cdt, self.ruler, face, self.options.recipe.lepp_rule).len();
-            let lengths = &mut self.report.lepp_lengths;
+        if self.strategy.facts.follows_path {
+            let length = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule).len();
+            let lengths = &mut self.ledger.report.lepp_lengths;
             lengths.resize(lengths.len().max(length + 1), 0);
             lengths[length] += 1;
         }
@@ -72,12 +72,15 @@ impl Refinement {
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
     fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
-        let is_true =
-            if self.walks_prove_places { place.is_true_after_walk(&self.cdt) } else { place.is_true(&self.cdt) };
+        let is_true = if self.strategy.walks_prove_places {
+            place.is_true_after_walk(&self.cdt)
+        } else {
+            place.is_true(&self.cdt)
+        };
         if !is_true {
             return Err(Reason::StrategyCannotImprove);
         }
-        if let Some(h) = self.insert.flip_instead(self.view(), place) {
+        if let Some(h) = self.strategy.steps.insert.flip_instead(self.view(), place) {
             self.flip(h);
             return Ok(());
         }
@@ -91,8 +94,8 @@ impl Refinement {
     /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
     fn flip(&mut self, h: HalfEdgeId) {
         let h = self.edit().flip_edge(h);
-        self.insertions += 1;
-        self.report.flips_instead += 1;
+        self.ledger.insertions += 1;
+        self.ledger.report.flips_instead += 1;
         let mut faces = [h.face(), self.cdt.twin(h).face()];
         self.put_in_order(&mut faces);
         self.look_at_faces(&faces);
@@ -108,12 +111,12 @@ impl Refinement {
         }
         let length = |h: HalfEdgeId| {
             let [a, b] = self.cdt.edge_points(h);
-            self.ruler.length_sq(a, b)
+            self.problem.ruler.length_sq(a, b)
         };
         let mut order = subsegments.to_vec();
         order.sort_by(|&h, &g| {
             let shorter = length(h).total_cmp(&length(g));
-            let by_length = if self.region.is_lens() { shorter.reverse() } else { shorter };
+            let by_length = if self.problem.region.is_lens() { shorter.reverse() } else { shorter };
             by_length.then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g)))
         });
         let mut refused = Reason::PrecisionFloor;
@@ -129,19 +132,19 @@ impl Refinement {
     /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing is cut
     /// that would have to be taken back.
     fn try_cavity(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if !self.cdt.find_cavity(&mut self.cavity, point, locus) {
+        if !self.cdt.find_cavity(&mut self.scratch.cavity, point, locus) {
             return Err(Reason::PrecisionFloor);
         }
         let (crowds, marks) = self.look_at_rim(point);
         if crowds {
-            return Err(self.floor_reason);
+            return Err(self.problem.floors.floor_reason);
         }
-        self.insertions += 1;
+        self.ledger.insertions += 1;
         if marks != 0 && self.minds_encroachment() {
             let encroached = self.encroached_on_rim(point);
             if !encroached.is_empty() {
-                self.report.points_rejected += 1;
-                if let Some(event) = &mut self.event {
+                self.ledger.report.points_rejected += 1;
+                if let Some(event) = &mut self.ledger.event {
                     event.encroached = encroached.iter().map(|&h| ends_of(&self.cdt, h)).collect();
                 }
                 return self.split_instead(&encroached);
@@ -156,10 +159,11 @@ impl Refinement {
     /// no edge of the rim is a subsegment.
     #[inline(always)] // Before each insertion.
     pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
-        let cavity = &self.cavity;
+        let cavity = &self.scratch.cavity;
         let (mut crowds, mut marks) = (false, 0);
         for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
-            crowds |= edge.from.is_finite() & (self.ruler.length_sq(point, start) < self.floor_sq);
+            crowds |=
+                edge.from.is_finite() & (self.problem.ruler.length_sq(point, start) < self.problem.floors.floor_sq);
             marks |= edge.mark;
         }
         (crowds, marks)
@@ -167,56 +171,64 @@ impl Refinement {
 
     /// The subsegments on the rim of the cavity found last that a point encroaches upon.
     fn encroached_on_rim(&self, point: Point) -> Vec<HalfEdgeId> {
-        let rim = self.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
+        let rim = self.scratch.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
         let marked = rim.iter().filter(|e| e.mark != 0).map(|e| self.cdt.twin(e.outer));
         marked.filter(|&h| self.is_encroached(h, point)).collect()
     }
 
     /// Puts a free vertex into the cavity found last. Nobody takes it back; an event is told by what the log holds.
     pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
-        let v = if self.event.is_some() {
-            self.cdt.edit(&mut self.work, &mut self.log).fill_cavity(&mut self.cavity, point, Provenance::Free)
+        let v = if self.ledger.event.is_some() {
+            self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log).fill_cavity(
+                &mut self.scratch.cavity,
+                point,
+                Provenance::Free,
+            )
         } else {
-            self.cdt.edit(&mut self.work, &mut NoJournal).fill_cavity(&mut self.cavity, point, Provenance::Free)
+            self.cdt.edit(&mut self.scratch.work, &mut NoJournal).fill_cavity(
+                &mut self.scratch.cavity,
+                point,
+                Provenance::Free,
+            )
         };
-        self.vertices += 1;
-        self.report.points_inserted += 1;
+        self.ledger.vertices += 1;
+        self.ledger.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::Free);
         v
     }
 
     /// Inserts a free point; takes it back if it encroaches upon subsegments.
     fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if self.facts.by_cavity {
+        if self.strategy.facts.by_cavity {
             return self.try_cavity(point, locus);
         }
-        if self.nearest_sq(point, locus) < self.floor_sq {
-            return Err(self.floor_reason);
+        if self.nearest_sq(point, locus) < self.problem.floors.floor_sq {
+            return Err(self.problem.floors.floor_reason);
         }
-        let here = self.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
-        let v = self.insert.insert(&mut edit, point, locus).ok_or(Reason::PrecisionFloor)?;
-        self.insertions += 1;
+        let here = self.scratch.log.checkpoint();
+        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
+        let v = self.strategy.steps.insert.insert(&mut edit, point, locus).ok_or(Reason::PrecisionFloor)?;
+        self.ledger.insertions += 1;
         if !self.is_there(v) {
-            self.cdt.rollback(&mut self.log, here);
+            self.cdt.rollback(&mut self.scratch.log, here);
             return Err(Reason::StrategyCannotImprove);
         }
         if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.log, here);
-            return Err(self.floor_reason);
+            self.cdt.rollback(&mut self.scratch.log, here);
+            return Err(self.problem.floors.floor_reason);
         }
         let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
         if encroached.is_empty() {
-            self.vertices += 1;
-            self.report.points_inserted += 1;
+            self.ledger.vertices += 1;
+            self.ledger.report.points_inserted += 1;
             self.note_inserted(v, InsertedKind::Free);
             self.look_around(v);
             return Ok(());
         }
         let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
         self.note(|event| event.encroached.clone_from(&ends));
-        self.cdt.rollback(&mut self.log, here);
-        self.report.points_rejected += 1;
+        self.cdt.rollback(&mut self.scratch.log, here);
+        self.ledger.report.points_rejected += 1;
         let subsegments: Vec<HalfEdgeId> =
             ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
         self.split_instead(&subsegments)
@@ -224,33 +236,35 @@ impl Refinement {
 
     /// Splits an unconstrained edge.
     fn try_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
-        if self.nearest_sq(point, Locus::Edge(h)) < self.floor_sq {
-            return Err(self.floor_reason);
+        if self.nearest_sq(point, Locus::Edge(h)) < self.problem.floors.floor_sq {
+            return Err(self.problem.floors.floor_reason);
         }
-        if self.facts.by_cavity {
+        if self.strategy.facts.by_cavity {
             return self.try_cavity_on_edge(h, point);
         }
-        let here = self.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
-        let mut split = self.insert.split(&mut edit, h, point, Provenance::Free);
+        let here = self.scratch.log.checkpoint();
+        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
+        let mut split = self.strategy.steps.insert.split(&mut edit, h, point, Provenance::Free);
         if split.is_err() {
             let beside = self.places_beside_on_edge(h, point);
-            let mut edit = self.cdt.edit(&mut self.work, &mut self.log);
-            let beside = beside.into_iter().find_map(|p| self.insert.split(&mut edit, h, p, Provenance::Free).ok());
+            let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
+            let beside = beside
+                .into_iter()
+                .find_map(|p| self.strategy.steps.insert.split(&mut edit, h, p, Provenance::Free).ok());
             split = beside.map_or(split, Ok);
         }
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
-        self.insertions += 1;
+        self.ledger.insertions += 1;
         if !self.is_there(v) {
-            self.cdt.rollback(&mut self.log, here);
+            self.cdt.rollback(&mut self.scratch.log, here);
             return Err(Reason::StrategyCannotImprove);
         }
         if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.log, here);
-            return Err(self.floor_reason);
+            self.cdt.rollback(&mut self.scratch.log, here);
+            return Err(self.problem.floors.floor_reason);
         }
-        self.vertices += 1;
-        self.report.points_inserted += 1;
+        self.ledger.vertices += 1;
+        self.ledger.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::OnEdge);
         self.look_around(v);
         Ok(())
@@ -268,9 +282,9 @@ impl Refinement {
                 }
             }
         }
-        let Some((v, is_fan)) = split? else { return Err(self.floor_reason) };
-        self.vertices += 1;
-        self.report.points_inserted += 1;
+        let Some((v, is_fan)) = split? else { return Err(self.problem.floors.floor_reason) };
+        self.ledger.vertices += 1;
+        self.ledger.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::OnEdge);
         if is_fan {
             self.look_around_cavity(v, place)
@@ -288,7 +302,9 @@ impl Refinement {
     /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
     pub(super) fn crowds_a_neighbour(&self, v: VertexId) -> bool {
         let p = self.cdt.point(v);
-        self.cdt.neighbours(v).any(|w| self.ruler.length_sq(p, self.cdt.point(w)) < self.floor_sq)
+        self.cdt
+            .neighbours(v)
+            .any(|w| self.problem.ruler.length_sq(p, self.cdt.point(w)) < self.problem.floors.floor_sq)
     }
 
     /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
@@ -296,9 +312,13 @@ impl Refinement {
     fn is_beyond_help(&self, face: FaceId) -> bool {
         let shortest_sq = || {
             let [a, b, c] = self.cdt.corners(face);
-            self.ruler.length_sq(a, b).min(self.ruler.length_sq(b, c)).min(self.ruler.length_sq(c, a))
+            self.problem
+                .ruler
+                .length_sq(a, b)
+                .min(self.problem.ruler.length_sq(b, c))
+                .min(self.problem.ruler.length_sq(c, a))
         };
-        self.bisection_floor_sq > 0.0 && shortest_sq() < self.bisection_floor_sq
+        self.problem.floors.bisection_floor_sq > 0.0 && shortest_sq() < self.problem.floors.bisection_floor_sq
     }
 
     /// The square of the distance from a point to the nearest vertex of the faces it lies in.
@@ -308,7 +328,7 @@ impl Refinement {
                 .face_vertices(f)
                 .into_iter()
                 .filter(|v| v.is_finite())
-                .map(|v| self.ruler.length_sq(p, self.cdt.point(v)))
+                .map(|v| self.problem.ruler.length_sq(p, self.cdt.point(v)))
         };
         let least = |f: FaceId| corners(f).fold(f64::INFINITY, f64::min);
         match locus {
@@ -327,6 +347,6 @@ impl Refinement {
 
     fn is_encroached(&self, h: HalfEdgeId, p: Point) -> bool {
         let [a, b] = self.cdt.edge_points(h);
-        self.region.holds(a, b, p, self.ruler)
+        self.problem.region.holds(a, b, p, self.problem.ruler)
     }
 }

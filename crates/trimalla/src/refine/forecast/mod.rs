@@ -26,7 +26,7 @@ use std::fmt;
 use super::joints::Piece;
 use super::mirror::MIRRORED_DEG;
 use super::options::{Criteria, Limits, RefineOptions};
-use super::refinement::{length_floor, precision_floor};
+use super::parts::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedTriangulation, SegmentId};
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
