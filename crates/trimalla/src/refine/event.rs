@@ -2,15 +2,33 @@
 //!
 //! Events are made only for those who step; a run notes nothing.
 
-use std::collections::BTreeMap;
-
-use super::bad_triangles::{Badness, sorted};
-use super::lepp::lepp;
-use super::refinement::{Refinement, StepOutcome};
-use super::report::{Observer, Reason};
-use super::steps::Proposal;
+use super::report::Reason;
 use crate::geometry::Point;
-use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
+use crate::half_edge::VertexId;
+
+/// What one step did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StepOutcome {
+    /// A subsegment was looked at and split if it still needed it.
+    Subsegment,
+    /// A node of the lattice was looked at, and went in if there was room.
+    Filled,
+    /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
+    Triangle,
+    /// A part of what comes before the loop was done.
+    Prepared,
+    /// Segments that had been let go were brought back, or some of them.
+    Recovered,
+    /// Triangles for which there was no room wait once more, since there may be now.
+    Retried,
+    /// Nothing is left to do.
+    #[default]
+    Finished,
+    /// The vertex budget is used up.
+    Exhausted,
+    /// More vertices leave no fewer bad triangles: see [`StopReason::NoLongerImproves`](super::StopReason::NoLongerImproves).
+    Stalled,
+}
 
 /// What is wrong with a triangle that was selected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,120 +142,4 @@ pub struct Event {
     pub destroyed: Vec<Name>,
     /// Triangles that are new, ascending.
     pub made: Vec<Name>,
-}
-
-impl Refinement {
-    /// One step, and what it did; [`back`](Self::back) takes it back.
-    ///
-    /// # Complexity
-    /// That of the step; the first call remembers the triangulation as it is, and so does now and then another.
-    pub fn step(&mut self) -> Event {
-        self.remember();
-        let number = self.count_step();
-        self.advance_with_event(number)
-    }
-
-    /// One step of a run, told to an observer.
-    pub(super) fn told(&mut self, observer: &mut dyn Observer) -> StepOutcome {
-        self.ledger.steps_told += 1;
-        let event = self.advance_with_event(self.ledger.steps_told);
-        observer.event(&event, &self.cdt);
-        event.outcome
-    }
-
-    fn advance_with_event(&mut self, number: u64) -> Event {
-        self.ledger.event = Some(Box::new(Event { number, ..Event::default() }));
-        let given_up = self.agenda.given_up.len();
-        let outcome = self.advance();
-        let mut event = *self.ledger.event.take().unwrap_or_default();
-        event.outcome = outcome;
-        event.given_up = self.agenda.given_up.get(given_up).map(|g| g.1);
-        (event.destroyed, event.made) = self.changed_faces();
-        event
-    }
-
-    /// Adds to the event, where there is one.
-    pub(super) fn note(&mut self, add: impl FnOnce(&mut Event)) {
-        if let Some(event) = &mut self.ledger.event {
-            add(event);
-        }
-    }
-
-    /// Adds to the event, where there is one, which triangle is to be treated.
-    #[inline(always)] // For each triangle, and there is hardly ever an event.
-    pub(super) fn note_selected(&mut self, face: FaceId) {
-        if self.ledger.event.is_some() {
-            self.tell_selected(face);
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn tell_selected(&mut self, face: FaceId) {
-        let why = self.badness(face).map_or(Why::Picked, |b| match b {
-            Badness::Angle => Why::Angle,
-            Badness::AspectRatio => Why::AspectRatio,
-            Badness::Area => Why::Area,
-            Badness::Asked => Why::Asked,
-        });
-        let path = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule);
-        let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
-        let (selected, faces) = ((name(face), why), path.faces.iter().map(|&f| name(f)).collect());
-        let terminal = self.ends(path.terminal_edge);
-        self.note(|event| {
-            (event.selected, event.lepp, event.terminal_edge) = (Some(selected), faces, Some(terminal));
-        });
-    }
-
-    /// Adds to the event, where there is one, what became of a place.
-    #[inline(always)] // For each triangle, and there is hardly ever an event.
-    pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
-        if self.ledger.event.is_some() {
-            self.tell_candidate(place, tried);
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn tell_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
-        // Where it was taken the half-edge is another one now, but its ends are told by the event's other fields.
-        let (point, edge) = match place {
-            Proposal::Free { point, .. } => (Some(point), None),
-            Proposal::OnEdge { edge, point } => (Some(point), tried.is_err().then(|| self.ends(edge))),
-            Proposal::Split(h) => (None, Some(self.ends(h))),
-        };
-        self.note(|event| event.candidates.push(Candidate { point, edge, refused: tried.err() }));
-    }
-
-    /// Counts a vertex that is in to stay, and notes it.
-    pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
-        self.ledger.report.inserted[kind as usize] += 1;
-        let point = self.cdt.point(vertex);
-        self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
-    }
-
-    fn ends(&self, h: HalfEdgeId) -> [VertexId; 2] {
-        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        [a.min(b), a.max(b)]
-    }
-
-    /// The triangles that the log says are no more, and those that are new.
-    fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
-        let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
-        // The oldest entry of a half-edge is what stood there before the step: later ones overwrite, so go backwards.
-        for entry in self.scratch.log.entries().rev().filter(|e| e.column == columns::ORIGIN) {
-            let (face, corner) = (entry.index / 3, (entry.index % 3) as usize);
-            let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));
-            name[corner] = VertexId(u32::try_from(entry.old).unwrap_or(u32::MAX));
-        }
-        let is_real = |v: &Name| v.iter().all(|v| v.is_finite() && *v != VertexId::DEAD);
-        let mut before: Vec<Name> = slots.values().copied().filter(is_real).map(sorted).collect();
-        let now = slots.keys().map(|&f| FaceId(f)).filter(|&f| self.cdt.is_real(f));
-        let mut after: Vec<Name> = now.map(|f| sorted(self.cdt.face_vertices(f))).collect();
-        before.sort_unstable();
-        after.sort_unstable();
-        let destroyed = before.iter().filter(|t| after.binary_search(t).is_err()).copied().collect();
-        let made = after.iter().filter(|t| before.binary_search(t).is_err()).copied().collect();
-        (destroyed, made)
-    }
 }

@@ -1,9 +1,9 @@
 //! What can be said of a refinement before it begins.
 
+use super::floors::precision_floor;
 use super::forecast::{Feature, Forecast, Gap, extent_of, forecast};
 use super::joints::{Joints, common_end};
 use super::options::{Protect, RefineOptions};
-use super::parts::precision_floor;
 use super::recipe::Preset;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Provenance};

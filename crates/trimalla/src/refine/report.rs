@@ -2,10 +2,10 @@
 
 use std::fmt;
 
+use super::engine::Refinement;
 use super::event::{Event, InsertedKind};
 use super::outlook::Outlook;
 use super::recipe::Recipe;
-use super::refinement::Refinement;
 use super::stopwatch::{Clock, StepTimes};
 use crate::constrained::ConstrainedTriangulation;
 

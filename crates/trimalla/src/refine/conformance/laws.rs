@@ -11,8 +11,9 @@ use super::{Breach, MOST_STEPS, MOST_VERTICES, Subject, drawings, ensure};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
+use crate::refine::engine::Refinement;
 use crate::refine::event::Event;
-use crate::refine::refinement::{Refinement, StepOutcome};
+use crate::refine::event::StepOutcome;
 use crate::triangulation::Fault;
 
 /// Puts a strategy through the laws of refinement.

@@ -43,9 +43,9 @@ mod select;
 use std::fmt;
 use std::sync::Arc;
 
+use super::engine::Refinement;
 use super::options::RefineOptions;
 use super::recipe::{Recipe, Select};
-use super::refinement::Refinement;
 use super::ruler::Ruler;
 use super::steps::{Steps, View};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};

@@ -5,7 +5,8 @@ use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::geometry::Point;
 use crate::half_edge::HalfEdgeId;
-use crate::refine::refinement::{Refinement, StepOutcome};
+use crate::refine::engine::Refinement;
+use crate::refine::event::StepOutcome;
 use crate::refine::steps::PrepareStep;
 
 /// Puts a step 1 through its suite.

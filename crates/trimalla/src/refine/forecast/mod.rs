@@ -23,10 +23,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
+use super::engine::mirror::MIRRORED_DEG;
+use super::floors::{length_floor, precision_floor};
 use super::joints::Piece;
-use super::mirror::MIRRORED_DEG;
 use super::options::{Criteria, Limits, RefineOptions};
-use super::parts::{length_floor, precision_floor};
 use crate::constrained::{ConstrainedTriangulation, SegmentId};
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};

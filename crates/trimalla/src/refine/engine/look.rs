@@ -1,14 +1,14 @@
 //! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
 
-use super::bad_triangles::{Badness, Everywhere, Side, Test, sorted};
-use super::chains::Chains;
-use super::queue::Queue;
-use super::refinement::{Refinement, ends_of};
-use super::steps::{SelectStep, View};
-use super::stopwatch::Part;
+use super::{Refinement, ends_of};
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
+use crate::refine::bad_triangles::{Badness, Everywhere, Side, Test, sorted};
+use crate::refine::chains::Chains;
+use crate::refine::queue::Queue;
+use crate::refine::steps::{SelectStep, View};
+use crate::refine::stopwatch::Part;
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.

@@ -13,17 +13,17 @@
 //! # Source
 //! Our own, after the concentric shells of `[Ruppert95]` section 5.
 
-use super::joints::{Joints, Piece, common_end};
-use super::refinement::Refinement;
-use super::ruler::Ruler;
+use super::Refinement;
 use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
 use crate::half_edge::{HalfEdgeId, VertexId};
+use crate::refine::joints::{Joints, Piece, common_end};
+use crate::refine::ruler::Ruler;
 
 /// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle cost
 /// little, and the mesh is more even.
-pub(super) const MIRRORED_DEG: f64 = 1.000_000_02;
-pub(super) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
+pub(in crate::refine) const MIRRORED_DEG: f64 = 1.000_000_02;
+pub(in crate::refine) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
 /// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other piece.
 const SHELL_SINE_SQ: f64 = 0.75;
 

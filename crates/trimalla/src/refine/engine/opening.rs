@@ -9,10 +9,11 @@
 //! Where a recipe asks for none of this, as the default does not, everything is looked at when the refinement is made.
 //! Otherwise each slice is a step.
 
-use super::recipe::Initial;
-use super::refinement::{Refinement, StepOutcome};
-use super::report::{Observer, StopReason};
-use super::stopwatch::Part;
+use super::Refinement;
+use crate::refine::event::StepOutcome;
+use crate::refine::recipe::Initial;
+use crate::refine::report::{Observer, StopReason};
+use crate::refine::stopwatch::Part;
 
 /// Edges looked at in one slice.
 const SLICE: usize = 1 << 14;

@@ -3,29 +3,26 @@
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 
-use super::bad_triangles::Test;
-use super::encroachment::Region;
-use super::event::Event;
 use super::history::Picked;
 use super::improvement::Improvement;
-use super::joints::Joints;
 use super::mirror::has_small_wedge;
 use super::opening::Opening;
-use super::options::RefineOptions;
-use super::queue::{Claim, Queue};
-use super::report::{Reason, Report};
-use super::ruler::Ruler;
-use super::s5_recover::UnderWay;
+use super::recovery::UnderWay;
 use super::split_segments::Encroached;
-use super::steps::{InsertStep, Proposal, StepFacts, Steps, View};
-use super::stopwatch::Stopwatch;
 use crate::constrained::{ConstrainedTriangulation, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
-use crate::geometry::BoundingBox;
 use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
-
-/// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
-const BISECTIONS: f64 = 4.0;
+use crate::refine::bad_triangles::Test;
+use crate::refine::encroachment::Region;
+use crate::refine::event::Event;
+use crate::refine::floors::Floors;
+use crate::refine::joints::Joints;
+use crate::refine::options::RefineOptions;
+use crate::refine::queue::{Claim, Queue};
+use crate::refine::report::{Reason, Report};
+use crate::refine::ruler::Ruler;
+use crate::refine::steps::{InsertStep, Proposal, StepFacts, Steps, View};
+use crate::refine::stopwatch::Stopwatch;
 
 /// What is asked, and what of the input answers depend on. It stays as it is while points go in.
 #[derive(Clone)]
@@ -56,68 +53,6 @@ impl Problem {
             options,
         }
     }
-}
-
-/// The shortest lengths.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Floors {
-    /// The square of the shortest distance allowed between vertices, in the ruler's units.
-    pub(super) floor_sq: f64,
-    /// What a distance below it is called.
-    pub(super) floor_reason: Reason,
-    /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
-    pub(super) precision_sq: f64,
-    /// That distance in coordinate units.
-    pub(super) precision: f64,
-    /// Bisection stops at triangles with an edge shorter than this, squared; 0 for a step 4 that does not keep small angles.
-    pub(super) bisection_floor_sq: f64,
-}
-
-impl Floors {
-    fn of(cdt: &ConstrainedTriangulation, options: &RefineOptions, ruler: Ruler, insert: &dyn InsertStep) -> Self {
-        let bounds = cdt.bounding_box();
-        let (floor, floor_reason) = length_floor(bounds, options, ruler);
-        let precision = precision_floor(bounds, ruler);
-        let floors = Self {
-            floor_sq: floor * floor,
-            floor_reason,
-            precision_sq: precision * precision,
-            precision: precision / ruler.scale(),
-            bisection_floor_sq: 0.0,
-        };
-        floors.for_insert(cdt, ruler, insert)
-    }
-
-    /// The same for that step 4.
-    ///
-    /// Edges that are shorter than rounding leaves room for do not count.
-    pub(super) fn for_insert(self, cdt: &ConstrainedTriangulation, ruler: Ruler, insert: &dyn InsertStep) -> Self {
-        if !insert.keeps_small_angles() {
-            return Self { bisection_floor_sq: 0.0, ..self };
-        }
-        let length_sq = |h: HalfEdgeId| {
-            let [a, b] = cdt.edge_points(h);
-            ruler.length_sq(a, b)
-        };
-        let lengths = cdt.edges().map(length_sq).filter(|&length_sq| length_sq >= self.precision_sq);
-        let shortest_sq = lengths.fold(f64::INFINITY, f64::min);
-        Self { bisection_floor_sq: shortest_sq / (BISECTIONS * BISECTIONS), ..self }
-    }
-}
-
-/// The length floor in the ruler's units, and the reason it is given as.
-pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
-    let precision = precision_floor(bounds, ruler);
-    match options.limits.length_floor {
-        Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),
-        _ => (precision, Reason::PrecisionFloor),
-    }
-}
-
-/// The shortest distance at which rounding leaves room for vertices, in the ruler's units.
-pub(super) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
-    let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
-    largest * ruler.scale() * 256.0 * f64::EPSILON
 }
 
 /// How it is answered: the five steps, and what they say of themselves.

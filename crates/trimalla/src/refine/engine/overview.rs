@@ -1,9 +1,9 @@
 //! How large a triangulation under refinement is at the moment, and its smallest angle.
 
-use super::bad_triangles::SureBounds;
-use super::extremes::Extremes;
-use super::refinement::Refinement;
+use super::Refinement;
 use crate::geometry::Triangle;
+use crate::refine::bad_triangles::SureBounds;
+use crate::refine::extremes::Extremes;
 use crate::triangulation::corners_of_two;
 
 /// Size and smallest angle of a triangulation under refinement.

@@ -1,15 +1,15 @@
 //! What stayed bad, and why.
 
-use super::bad_triangles::{Badness, sorted};
-use super::extremes::Extremes;
-use super::joints::{Piece, common_end};
-use super::recipe::Select;
-use super::refinement::Refinement;
-use super::report::{Leftover, Reason, Report, StopReason};
-use super::stopwatch::Part;
+use super::Refinement;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
+use crate::refine::bad_triangles::{Badness, sorted};
+use crate::refine::extremes::Extremes;
+use crate::refine::joints::{Piece, common_end};
+use crate::refine::recipe::Select;
+use crate::refine::report::{Leftover, Reason, Report, StopReason};
+use crate::refine::stopwatch::Part;
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 
 /// What one look at every triangle tells.

@@ -1,24 +1,41 @@
 //! The refinement loop.
 
+mod fill;
+mod gaps;
+mod history;
+mod improvement;
+mod leftovers;
+mod look;
+pub(super) mod mirror;
+mod opening;
+pub(super) mod overview;
+mod parts;
+pub(super) mod recovery;
+mod split_segments;
+pub(super) mod start;
+mod tell;
+mod treat;
+
 use std::fmt;
 use std::sync::Arc;
 
-use super::bad_triangles::{Asked, UserTest, sorted};
-use super::fill::FillStage;
-use super::history::{History, Picked};
-use super::improvement::Improvement;
-use super::opening::Opening;
-use super::options::{OptionError, RefineOptions};
-use super::parts::{Agenda, Ledger, Problem, Scratch, SegmentWork, Strategy};
-use super::queue::{Patches, Queue};
-use super::report::{Observer, Progress, Reason, StopReason};
-use super::start::Start;
-use super::steps::{InsertStep, PointStep, SelectStep, Steps, View};
-use super::stopwatch::{Clock, Part, Stopwatch};
 use crate::constrained::{ConstrainedTriangulation, Edit};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
+use crate::refine::bad_triangles::{Asked, UserTest, sorted};
+use crate::refine::event::StepOutcome;
+use crate::refine::options::{OptionError, RefineOptions};
+use crate::refine::queue::{Patches, Queue};
+use crate::refine::report::{Observer, Progress, Reason, StopReason};
+use crate::refine::steps::{InsertStep, PointStep, SelectStep, Steps, View};
+use crate::refine::stopwatch::{Clock, Part, Stopwatch};
+use fill::FillStage;
+use history::{History, Picked};
+use improvement::Improvement;
+use opening::Opening;
+use parts::{Agenda, Ledger, Problem, Scratch, SegmentWork, Strategy};
+use start::Start;
 
 /// No more rounds than this for triangles that had no room.
 const MOST_RETRIES: u32 = 64;
@@ -33,16 +50,16 @@ const PROGRESS_EVERY: u64 = 128;
 /// the triangulation.
 #[derive(Clone)]
 pub struct Refinement {
-    pub(super) cdt: ConstrainedTriangulation,
-    pub(super) problem: Problem,
-    pub(super) strategy: Strategy,
-    pub(super) agenda: Agenda,
-    pub(super) segments: SegmentWork,
-    pub(super) filling: FillStage,
-    pub(super) ledger: Ledger,
-    pub(super) scratch: Scratch,
+    cdt: ConstrainedTriangulation,
+    problem: Problem,
+    strategy: Strategy,
+    agenda: Agenda,
+    segments: SegmentWork,
+    filling: FillStage,
+    ledger: Ledger,
+    scratch: Scratch,
     /// How to go back, where somebody may want to.
-    pub(super) history: Option<History>,
+    history: Option<History>,
 }
 
 impl fmt::Debug for Refinement {
@@ -52,30 +69,6 @@ impl fmt::Debug for Refinement {
             .field("vertices", &self.ledger.vertices)
             .finish_non_exhaustive()
     }
-}
-
-/// What one step did.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StepOutcome {
-    /// A subsegment was looked at and split if it still needed it.
-    Subsegment,
-    /// A node of the lattice was looked at, and went in if there was room.
-    Filled,
-    /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
-    Triangle,
-    /// A part of what comes before the loop was done.
-    Prepared,
-    /// Segments that had been let go were brought back, or some of them.
-    Recovered,
-    /// Triangles for which there was no room wait once more, since there may be now.
-    Retried,
-    /// Nothing is left to do.
-    #[default]
-    Finished,
-    /// The vertex budget is used up.
-    Exhausted,
-    /// More vertices leave no fewer bad triangles: see [`StopReason::NoLongerImproves`].
-    Stalled,
 }
 
 impl Refinement {
@@ -94,7 +87,7 @@ impl Refinement {
         Self::timed(start, options, None)
     }
 
-    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by: [`Report::step_times`].
+    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by: [`Report::step_times`](super::Report::step_times).
     ///
     /// # Errors
     /// [`OptionError`].

@@ -6,17 +6,17 @@
 //!    that a point would encroach upon. Step 4 by cavity sees that before it cuts; otherwise the point goes in through the
 //!    journal and comes out again, as it does if it is too near to another vertex.
 
-use super::bad_triangles::Badness;
-use super::event::InsertedKind;
-use super::lepp::lepp;
-use super::refinement::{Refinement, ends_of};
-use super::report::Reason;
-use super::steps::Proposal;
-use super::stopwatch::Part;
+use super::{Refinement, ends_of};
 use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::Locus;
+use crate::refine::bad_triangles::Badness;
+use crate::refine::event::InsertedKind;
+use crate::refine::lepp::lepp;
+use crate::refine::report::Reason;
+use crate::refine::steps::Proposal;
+use crate::refine::stopwatch::Part;
 
 impl Refinement {
     /// Treats a bad triangle; the error says why it is given up.

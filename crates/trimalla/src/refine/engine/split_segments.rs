@@ -1,12 +1,12 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
-use super::event::InsertedKind;
-use super::options::Protect;
-use super::refinement::{Refinement, ends_of};
-use super::report::Reason;
+use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::refine::event::InsertedKind;
+use crate::refine::options::Protect;
+use crate::refine::report::Reason;
 
 /// A subsegment that waits to be split, lower vertex first.
 #[derive(Clone, Copy, Debug)]
@@ -201,7 +201,7 @@ impl Refinement {
     }
 
     /// Splits an edge by its cavity, whose rim tells the neighbours before anything is cut. Returns the vertex, and whether it is
-    /// the middle of the fan that fills [`cavity`](Self::cavity); `None`, and nothing changed, where another vertex is too near.
+    /// the middle of the fan that fills the cavity; `None`, and nothing changed, where another vertex is too near.
     ///
     /// Nobody takes the split back; an event is told by what the log holds.
     ///

@@ -16,10 +16,10 @@
 //! Not watched: recipes that never make a smallest angle smaller, since they end by themselves; orders by hand; and
 //! refinements with a test of the caller's own, which no forecast knows of.
 
-use super::forecast::forecast;
-use super::options::RefineOptions;
-use super::recipe::PlacePoint;
-use super::refinement::Refinement;
+use super::Refinement;
+use crate::refine::forecast::forecast;
+use crate::refine::options::RefineOptions;
+use crate::refine::recipe::PlacePoint;
 
 /// Bounds up to this one, in degrees, are met in practice.
 const UNPROVED_DEG: f64 = 33.0;

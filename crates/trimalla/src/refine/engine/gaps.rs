@@ -12,13 +12,13 @@
 //!                                    longest part that v leaves of it.
 //! ```
 
-use super::joints::{Piece, common_end};
-use super::refinement::Refinement;
-use super::report::Reason;
-use super::steps::Proposal;
+use super::Refinement;
 use crate::geometry::{Point, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
+use crate::refine::joints::{Piece, common_end};
+use crate::refine::report::Reason;
+use crate::refine::steps::Proposal;
 
 impl Refinement {
     /// Why a triangle has a bad shape whose shortest edge joins two vertices of the input, or on segments, that are within

@@ -11,8 +11,9 @@
 //! Of states long past fewer and fewer are kept: about as many as the logarithm of the number of steps, so that memory stays
 //! within a few times the triangulation's own.
 
-use super::refinement::{Refinement, StepOutcome};
+use super::Refinement;
 use crate::half_edge::{FaceId, VertexId};
+use crate::refine::event::StepOutcome;
 
 /// Steps between two states remembered, at least.
 const STRIDE: u64 = 32;

@@ -1,9 +1,9 @@
 //! What a refinement starts from, and going on under other options.
 
-use super::options::{OptionError, RefineOptions};
-use super::refinement::Refinement;
-use super::report::Report;
+use super::Refinement;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
+use crate::refine::options::{OptionError, RefineOptions};
+use crate::refine::report::Report;
 use crate::triangulation::Triangulation;
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain

@@ -25,15 +25,15 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::bad_triangles::sorted;
-use super::lattice::Lattice;
-use super::recipe::Initial;
-use super::refinement::{Refinement, ends_of};
-use super::stopwatch::Part;
+use super::{Refinement, ends_of};
 use crate::delaunay::insertion_order;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::{Locus, Walk};
+use crate::refine::bad_triangles::sorted;
+use crate::refine::lattice::Lattice;
+use crate::refine::recipe::Initial;
+use crate::refine::stopwatch::Part;
 
 /// A node goes in where nothing is nearer than this, in spacings.
 const CLEARANCE: f64 = 0.65;

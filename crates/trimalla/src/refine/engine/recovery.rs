@@ -1,0 +1,126 @@
+//! Segments that were let go, on their way back.
+
+use super::Refinement;
+use super::mirror::Mirrors;
+use crate::constrained::{Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, SegmentPlan, SplitLimits};
+use crate::geometry::Point;
+use crate::half_edge::{NoJournal, UndoLog};
+use crate::refine::event::InsertedKind;
+use crate::refine::floors::precision_floor;
+use crate::refine::joints::{Joints, Piece};
+use crate::refine::report::StopReason;
+use crate::refine::ruler::Ruler;
+use crate::refine::stopwatch::Part;
+
+/// Pieces of segments looked at in one slice.
+const SLICE: usize = 256;
+
+/// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
+#[derive(Clone, Debug)]
+pub(super) struct UnderWay {
+    recovery: Recovery,
+    /// [All pieces](Joints::pieces).
+    pieces: Vec<Piece>,
+}
+
+impl Refinement {
+    /// Brings segments back that were let go, if the recipe does so; says whether the loop has to go on.
+    pub(super) fn recover_segments(&mut self) -> bool {
+        if self.segments.released.is_empty() || !self.strategy.steps.recover.splits_back() {
+            return false;
+        }
+        self.begin_recovery();
+        true
+    }
+
+    /// Lets segments that are let go wait for [`recover_on`](Self::recover_on).
+    pub(super) fn begin_recovery(&mut self) {
+        let recovery = Recovery::of(std::mem::take(&mut self.segments.released));
+        self.segments.recovery = Some(Box::new(UnderWay { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
+    }
+
+    /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
+    #[inline(always)] // Before each step.
+    pub(super) fn recover_on(&mut self) -> bool {
+        // Nearly always there is nothing to recover.
+        self.segments.recovery.is_some() && self.recover_slice()
+    }
+
+    #[inline(never)]
+    fn recover_slice(&mut self) -> bool {
+        let Some(mut under_way) = self.segments.recovery.take() else { return false };
+        let UnderWay { recovery, pieces } = &mut *under_way;
+        let before = self.ledger.stopwatch.enter(Part::Recover);
+        let (ruler, floor_sq) = (self.problem.ruler, self.problem.floors.floor_sq);
+        let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
+        let is_cancelled = self.ledger.report.stop == StopReason::Cancelled;
+        let room = self.problem.options.limits.max_vertices.saturating_sub(self.ledger.vertices);
+        let vertices = if is_cancelled { 0 } else { room };
+        let mirrors = Mirrors::new(&self.problem.joints, pieces, ruler);
+        let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+        let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
+        let Changed { inserted, removed } =
+            self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log).recover_some(recovery, &limits);
+        self.ledger.vertices = self.ledger.vertices + inserted - removed;
+        self.ledger.report.vertices_deleted += removed as u64;
+        self.ledger.insertions += inserted as u64;
+        self.ledger.report.segments_split += inserted as u64;
+        self.ledger.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
+        if recovery.is_done() {
+            self.segments.lost.extend(under_way.recovery.into_lost());
+            if self.is_open() {
+                self.look_at_everything();
+            }
+        } else {
+            self.segments.recovery = Some(under_way);
+        }
+        self.ledger.stopwatch.enter(before);
+        true
+    }
+
+    /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
+    ///
+    /// Where the caller cancelled, no vertex goes in any more.
+    pub(super) fn claim_segments(&mut self) {
+        self.recover_segments();
+        while self.recover_on() {
+            self.scratch.log.clear();
+        }
+        let mut missing = self.cdt.edit(&mut self.scratch.work, &mut NoJournal).mark_present(&self.segments.released);
+        missing.append(&mut self.segments.lost);
+        let mut lost: Vec<u32> =
+            missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
+        lost.sort_unstable();
+        lost.dedup();
+        self.ledger.report.lost_segments = lost;
+    }
+}
+
+/// Splits the segments of a triangulation from which nothing was removed, until each is a chain of edges of the Delaunay
+/// triangulation of all vertices.
+///
+/// Returns how many pieces are edges only because they are constrained: those that `max_vertices`, or the distance of 256 units
+/// in the last place of the largest coordinate between vertices, left no room to split.
+pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize) -> usize {
+    let bounds = cdt.bounding_box();
+    let ruler = Ruler::for_box(bounds);
+    let floor = precision_floor(bounds, ruler);
+    let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor * floor;
+    let joints = Joints::of(cdt);
+    let pieces = joints.pieces(cdt);
+    let mirrors = Mirrors::new(&joints, &pieces, ruler);
+    let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
+    let mut log = UndoLog::new();
+    // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
+    let mut edit = cdt.edit(&mut log);
+    let (released, mut waiting) = edit.release_inner_segments();
+    edit.legalise_some(&mut waiting, usize::MAX);
+    let mut recovery = Recovery::of(released);
+    while !recovery.is_done() {
+        log.clear();
+        let vertices = max_vertices.saturating_sub(cdt.points().len());
+        let limits = SplitLimits { vertices, pieces: SLICE, may_part: &may_part, place: &place };
+        cdt.edit(&mut log).recover_some(&mut recovery, &limits);
+    }
+    cdt.pieces_held_by_marks()
+}
