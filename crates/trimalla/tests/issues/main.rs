@@ -8,6 +8,7 @@ mod cost;
 mod domains;
 mod earlier;
 mod gaps;
+mod given_meshes;
 mod judge;
 mod own_meshes;
 mod small_angles;

@@ -117,7 +117,7 @@ impl Refinement {
         let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let mut refinement = Self {
-            problem: Problem::new(&cdt, options, steps.insert.as_ref()),
+            problem: Problem::new((&cdt, is_delaunay), options, steps.insert.as_ref()),
             strategy: Strategy::of(steps),
             agenda: Agenda::default(),
             segments: SegmentWork { opening, ..SegmentWork::default() },
@@ -243,6 +243,12 @@ impl Refinement {
             self.look_at_everything();
         }
         self
+    }
+
+    /// Whether every edge that is not constrained passes the circle test between steps: not in a mesh that is refined as it was
+    /// given.
+    pub(super) fn holds_circle_test(&self) -> bool {
+        self.strategy.facts.keeps_delaunay && !self.problem.is_as_given
     }
 
     /// The triangulation as it is now.

@@ -19,6 +19,7 @@ use crate::refine::floors::Floors;
 use crate::refine::joints::Joints;
 use crate::refine::options::RefineOptions;
 use crate::refine::queue::{Claim, Queue};
+use crate::refine::recipe::Initial;
 use crate::refine::report::{Reason, Report};
 use crate::refine::ruler::Ruler;
 use crate::refine::steps::{InsertStep, Proposal, StepFacts, Steps, View};
@@ -38,10 +39,16 @@ pub(super) struct Problem {
     pub(super) joints: Joints,
     /// Whether pieces meet at so small an angle somewhere that splits mirror the vertices of other pieces.
     pub(super) has_small_wedge: bool,
+    /// Whether a mesh is refined as it was given, although edges may fail the circle test.
+    pub(super) is_as_given: bool,
 }
 
 impl Problem {
-    pub(super) fn new(cdt: &ConstrainedTriangulation, options: RefineOptions, insert: &dyn InsertStep) -> Self {
+    pub(super) fn new(
+        (cdt, is_delaunay): (&ConstrainedTriangulation, bool),
+        options: RefineOptions,
+        insert: &dyn InsertStep,
+    ) -> Self {
         let ruler = Ruler::for_box(cdt.bounding_box());
         Self {
             test: Test::new(&options.criteria, cdt),
@@ -49,6 +56,7 @@ impl Problem {
             floors: Floors::of(cdt, &options, ruler, insert),
             joints: Joints::of(cdt),
             has_small_wedge: has_small_wedge(cdt, ruler),
+            is_as_given: !is_delaunay && options.recipe.initial == Initial::Given,
             ruler,
             options,
         }

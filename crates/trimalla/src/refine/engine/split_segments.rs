@@ -375,7 +375,7 @@ impl Refinement {
         looked_at
     }
 
-    /// The faces inside a rim, given by the half-edges outside it.
+    /// The real faces inside a rim, given by the half-edges outside it, which no flip has moved.
     ///
     /// A hole of `n` edges has `n - 2` faces; those without an edge on the rim lie across edges of others.
     fn hole_faces(&self, rim: &[HalfEdgeId]) -> Vec<FaceId> {
@@ -391,6 +391,7 @@ impl Refinement {
             }
             at += 1;
         }
+        faces.retain(|&f| self.cdt.is_real(f));
         faces
     }
 
@@ -399,18 +400,18 @@ impl Refinement {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
-        let keeps_delaunay = self.strategy.facts.keeps_delaunay;
-        let link: Vec<VertexId> = if keeps_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
+        let is_delaunay = self.holds_circle_test();
+        let link: Vec<VertexId> = if is_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
         if self.edit().remove(v).is_err() {
             return false;
         }
         self.note(|event| event.deleted.push((v, at)));
         self.ledger.vertices -= 1;
         self.ledger.report.vertices_deleted += 1;
-        let mut faces: Vec<FaceId> = if keeps_delaunay {
+        let mut faces: Vec<FaceId> = if is_delaunay {
             self.hole_faces(&rim)
         } else {
-            // Flips may have gone on beyond the rim.
+            // Flips may have gone on beyond the rim, and the half-edges outside it may lie elsewhere.
             link.iter().flat_map(|&w| self.cdt.faces_around(w)).collect()
         };
         self.put_in_order(&mut faces);
