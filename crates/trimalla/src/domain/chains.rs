@@ -6,7 +6,7 @@
 //! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it, by the rule
 //! of [`Strip`]: see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
 //! that through the lowest vertices. Where a segment leaves the domain, it is followed from both ends as far as it goes;
-//! edges between two such gaps are looked for one by one.
+//! edges between two such gaps are looked for one by one, also among those of segments within rounding of it.
 //!
 //! *Without it.* Subsegments are joined at every vertex where just two meet, have one marker and go straight on:
 //!
@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::course::{Adjacency, Course, Courses};
 use crate::constrained::{Beside, ConstrainedTriangulation};
 use crate::drawing::Pslg;
-use crate::geometry::{Point, Segment, Strip, math, on_segment};
+use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, math, on_segment};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
@@ -38,15 +38,15 @@ pub(super) fn edge_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> HalfEdge
 /// Which edges carry segments, by [`edge_of`], each with its marker.
 pub(super) type Locked = BTreeMap<HalfEdgeId, i32>;
 
-/// The segments along each edge, by [`edge_of`].
+/// The segments along each edge, by [`edge_of`], sorted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names(pub(super) BTreeMap<HalfEdgeId, Vec<u32>>);
 
 impl Names {
     fn add(&mut self, edge: HalfEdgeId, segment: u32) {
         let list = self.0.entry(edge).or_default();
-        if list.last() != Some(&segment) {
-            list.push(segment);
+        if let Err(at) = list.binary_search(&segment) {
+            list.insert(at, segment);
         }
     }
 
@@ -65,8 +65,8 @@ fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
 /// Names the edges along each segment of a drawing, whose ends are given.
 ///
 /// # Complexity
-/// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges that are
-/// left without a name.
+/// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges near them, and
+/// n log n in all of these.
 pub(super) fn follow(
     cdt: &ConstrainedTriangulation,
     drawing: &Pslg,
@@ -88,13 +88,35 @@ pub(super) fn follow(
             partial.push((segment, course));
         }
     }
-    for &edge in locked.keys() {
-        if !partial.is_empty() && !names.has(edge) {
-            let along = partial.iter().filter(|(_, course)| runs_along(cdt, &courses, course, edge));
-            along.for_each(|&(s, _)| names.add(edge, s));
-        }
+    if !partial.is_empty() {
+        name_between_gaps(cdt, &courses, &partial, locked, &mut names);
     }
     names
+}
+
+/// Gives the names of segments that leave the domain to the locked edges along them, each looked at by itself: to those without
+/// a name, and to those inside the domain.
+///
+/// Where segments are within rounding of each other, one that leaves the domain may come back along the edges of another. What
+/// is inside may be let go, and it is told from the names which segments are missing then. What is on the border stays.
+fn name_between_gaps(
+    cdt: &ConstrainedTriangulation,
+    courses: &Courses<'_>,
+    partial: &[(u32, Course)],
+    locked: &Locked,
+    names: &mut Names,
+) {
+    let is_asked = |edge: HalfEdgeId| !names.has(edge) || !cdt.is_on_border(edge);
+    let edges: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| is_asked(edge)).collect();
+    let bounds = |&edge: &HalfEdgeId| {
+        let [a, b] = cdt.edge_points(edge);
+        BoundingBox::around(a).including(b)
+    };
+    let places = BoxTree::new(edges.iter().map(bounds).collect());
+    for (segment, course) in partial {
+        let near = places.near(course.segment(), course.reach()).into_iter().map(|i| edges[i as usize]);
+        near.filter(|&edge| runs_along(cdt, courses, course, edge)).for_each(|edge| names.add(edge, *segment));
+    }
 }
 
 /// Whether an edge runs along a course, strictly inside it.

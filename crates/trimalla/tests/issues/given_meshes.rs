@@ -2,10 +2,11 @@
 
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::domain::{DomainRule, build};
+use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla::refine::{Initial, Insert, Limits, NoObserver, Recipe, RefineOptions, Refinement, Select};
+use trimalla::quality::against_input;
+use trimalla::refine::{Initial, Insert, Limits, NoObserver, Recipe, Recover, RefineOptions, Refinement, Select};
 use trimalla::refine_mesh;
 use trimalla::triangulation::check_mesh;
 use trimalla_testkit::generators::SplitMix64;
@@ -64,4 +65,25 @@ fn vertices_are_deleted_from_random_meshes_that_are_not_delaunay() {
         }
     }
     assert!(deleted > 100, "only {deleted} vertices were deleted");
+}
+
+#[test]
+fn segments_let_go_that_share_edges_with_a_neighbour_are_reported_missing() {
+    let drawing = issue("edge-of-a-neighbour-let-go");
+    let mut lost = 0;
+    for more in 0..30 {
+        let mesh = mesh_of(&drawing, Insert::Flip, more).expect("a domain");
+        for room in 0..30 {
+            let recipe = Recipe { recover: Recover::None, ..Recipe::default() };
+            let limits = Limits { max_vertices: mesh.points.len() + room, ..Limits::default() };
+            let options = RefineOptions { recipe, limits, ..RefineOptions::default() };
+            let made = refine_mesh(&mesh, Some(&drawing), &options).expect("a mesh of our own");
+            let is_kept = |s: &usize| !made.report.lost_segments.contains(&(*s as u32));
+            let kept = (0..drawing.segments.len()).filter(is_kept).map(|s| drawing.segments[s]).collect();
+            let kept = Pslg { segments: kept, ..drawing.clone() };
+            assert_eq!(against_input(&made.mesh, &kept).faults, [], "{more} more, room for {room}");
+            lost += made.report.lost_segments.len();
+        }
+    }
+    assert!(lost > 0, "nothing was lost");
 }
