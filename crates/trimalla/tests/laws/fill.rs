@@ -113,8 +113,11 @@ fn judge(drawing: &Pslg, degrees: f64, parts: f64, sizes: [&Cell<usize>; 2]) -> 
     none("mesh checker", &check_mesh(mesh))?;
     none("against input", &against_input(mesh, drawing).faults)?;
     let explained: Vec<usize> = report.leftovers.iter().map(|l| l.triangle).collect();
-    // The area from another corner rounds differently.
-    let is_large = |t: &usize| area_of(mesh, mesh.triangles[*t]) > area * (1.0 + 1e-12);
+    // The area from another corner rounds differently, that of a needle altogether.
+    let is_large = |t: &usize| {
+        let [a, b, c] = mesh.triangles[*t];
+        [[a, b, c], [b, c, a], [c, a, b]].into_iter().all(|t| area_of(mesh, t) > area * (1.0 + 1e-12))
+    };
     let large: Vec<usize> = (0..mesh.triangles.len()).filter(is_large).collect();
     let unexplained: Vec<&usize> = large.iter().filter(|t| !explained.contains(t)).collect();
     none("large triangles unexplained", &unexplained)?;
