@@ -111,6 +111,44 @@ pub fn on_open_segment(p: Point, a: Point, b: Point) -> bool {
     lexicographic(low, p) == Ordering::Less && lexicographic(p, high) == Ordering::Less && orient(a, b, p) == 0
 }
 
+/// Which of `p` and `q` comes first along the way from `a` to `b`: `Less` where the foot of `p` on the line does.
+///
+/// # Guarantees
+/// Exact for all finite coordinates: the sign of a scalar product.
+pub(super) fn order_along([a, b]: [Point; 2], p: Point, q: Point) -> Ordering {
+    let (dx, dy, px, py) = (b.x - a.x, b.y - a.y, p.x - q.x, p.y - q.y);
+    if [dx, dy, px, py].into_iter().all(is_tame) {
+        let (one, other) = (dx * px, dy * py);
+        if let Some(sign) = certain_sign(one + other, one.abs() + other.abs()) {
+            return sign.cmp(&0);
+        }
+    }
+    let v = scaled([a, b, p, q].map(|p| [p.x, p.y]).as_flattened());
+    let dot = (&v[2] - &v[0]) * (&v[4] - &v[6]) + (&v[3] - &v[1]) * (&v[5] - &v[7]);
+    dot.cmp(&IBig::ZERO)
+}
+
+/// Whether `p` is no farther than `reach` from the line through `a` and `b`, which are not equal.
+///
+/// # Guarantees
+/// Exact for all finite numbers: squares are compared.
+pub(super) fn is_within([a, b]: [Point; 2], p: Point, reach: f64) -> bool {
+    /// Relative distance from the limit below which doubles give up: about four times their error.
+    const FILTER: f64 = 2e-15;
+    let (dx, dy, px, py) = (b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y);
+    if [dx, dy, px, py, reach].into_iter().all(is_tame) {
+        let (left, right) = (dx * py, dy * px);
+        let (off, limit) = ((left - right).abs(), reach * (dx * dx + dy * dy).sqrt());
+        if (off - limit).abs() > FILTER * (left.abs() + right.abs() + limit) {
+            return off < limit;
+        }
+    }
+    let v = scaled(&[a.x, a.y, b.x, b.y, p.x, p.y, reach]);
+    let (dx, dy) = (&v[2] - &v[0], &v[3] - &v[1]);
+    let cross = &dx * (&v[5] - &v[1]) - &dy * (&v[4] - &v[0]);
+    &cross * &cross <= &v[6] * &v[6] * (&dx * &dx + &dy * &dy)
+}
+
 /// A point with rational coordinates.
 pub(super) type RPoint = [RBig; 2];
 
@@ -260,6 +298,23 @@ mod tests {
                 assert_eq!(in_circle_scaled(a, b, c, d), sign, "{kind:?} {a:?} {b:?} {c:?} {d:?}");
             }
         }
+    }
+
+    #[test]
+    fn order_and_distance_along_a_line_at_every_size() {
+        for scale in [5e-324, 1e-300, 1e-160, 1.0, 1e160, 1e300] {
+            let line = [p(0.0, 0.0), p(4.0 * scale, 0.0)];
+            let (one, other) = (p(scale, scale), p(2.0 * scale, 0.0));
+            assert_eq!(order_along(line, one, other), Ordering::Less);
+            assert_eq!(order_along(line, other, one), Ordering::Greater);
+            assert_eq!(order_along(line, one, p(scale, -scale)), Ordering::Equal);
+            assert!(is_within(line, one, scale) && !is_within(line, p(scale, 2.0 * scale), scale));
+            assert!(is_within(line, other, 0.0) && !is_within(line, one, 0.0));
+        }
+        // The square of the length is below every double that is not zero.
+        let short = [p(0.0, 1.0), p(1e-216, 1.0)];
+        assert_eq!(order_along(short, p(5e-217, 1.0), p(6e-217, 1.0)), Ordering::Less);
+        assert!(is_within(short, p(5e-217, 1.0 + f64::EPSILON), f64::EPSILON));
     }
 
     #[test]

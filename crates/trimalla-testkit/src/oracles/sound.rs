@@ -12,12 +12,13 @@
 //! Signs are exact. Part 6 has the only tolerance: a vertex made by rounding may lie beside its segment by
 //! [`BESIDE_ULPS`] units in the last place of the segment's largest coordinate.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
 
-use super::exact::{in_circle, lexicographic, on_open_segment, orient};
+use super::exact::{in_circle, is_within, lexicographic, on_open_segment, order_along, orient};
 
 /// How far a vertex of a chain may lie beside its segment.
 pub const BESIDE_ULPS: f64 = 64.0;
@@ -324,75 +325,65 @@ const SMALLEST: f64 = 5e-324;
 struct Line<'a> {
     mesh: &'a IndexedMesh,
     ends: [u32; 2],
-    /// A power of two that brings the coordinates of the ends near one.
-    scale: f64,
-    along: [f64; 2],
-    length_sq: f64,
-    /// The largest [`beside`](Self::beside) of what counts as on the segment.
-    tolerance: f64,
+    places: [Point; 2],
+    /// How far beside the segment counts as on it.
+    reach: f64,
 }
 
 impl<'a> Line<'a> {
     fn new(mesh: &'a IndexedMesh, from: u32, to: u32) -> Self {
-        let [a, b] = [from, to].map(|v| mesh.points[v as usize]);
+        let places @ [a, b] = [from, to].map(|v| mesh.points[v as usize]);
         let largest = [a.x, a.y, b.x, b.y].into_iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-        let scale = one_over_power_of_two(largest);
-        let mut line = Self { mesh, ends: [from, to], scale, along: [0.0; 2], length_sq: 0.0, tolerance: 0.0 };
-        line.along = line.local(to);
-        line.length_sq = dot(line.along, line.along);
-        let last_place = f64::EPSILON * largest * scale + SMALLEST * scale;
-        line.tolerance = BESIDE_ULPS * last_place * line.length_sq.sqrt();
-        line
+        let reach = BESIDE_ULPS * (f64::EPSILON * largest + SMALLEST);
+        Self { mesh, ends: [from, to], places, reach }
     }
 
-    /// A vertex relative to the start, scaled.
-    fn local(&self, v: u32) -> [f64; 2] {
-        let [p, a] = [v, self.ends[0]].map(|v| self.mesh.points[v as usize]);
-        [p.x * self.scale - a.x * self.scale, p.y * self.scale - a.y * self.scale]
+    fn place(&self, v: u32) -> Point {
+        self.mesh.points[v as usize]
     }
 
-    /// How far beside the line a vertex lies, positive to the left, times the segment's length.
-    fn beside(&self, v: u32) -> f64 {
-        let p = self.local(v);
-        self.along[0] * p[1] - self.along[1] * p[0]
+    /// The side of the line on which a vertex lies, 1 on the left; 0 for what counts as on it.
+    fn side(&self, v: u32) -> i32 {
+        let p = self.place(v);
+        if is_within(self.places, p, self.reach) { 0 } else { orient(self.places[0], self.places[1], p) }
     }
 
-    /// How far along the segment a vertex lies, from 0 to 1; nothing if it is not on it.
-    fn parameter(&self, v: u32) -> Option<f64> {
-        if self.ends.contains(&v) {
-            return Some(if v == self.ends[1] { 1.0 } else { 0.0 });
-        }
-        let [p, a, b] = [v, self.ends[0], self.ends[1]].map(|v| self.mesh.points[v as usize]);
-        let t = dot(self.local(v), self.along) / self.length_sq;
-        let is_on = self.beside(v).abs() <= self.tolerance && (0.0..=1.0).contains(&t);
-        (is_on || on_open_segment(p, a, b)).then_some(t.clamp(0.0, 1.0))
+    /// Which of two vertices comes first along the segment.
+    fn order(&self, v: u32, w: u32) -> Ordering {
+        order_along(self.places, self.place(v), self.place(w))
+    }
+
+    /// Whether a vertex is on the segment.
+    fn holds(&self, v: u32) -> bool {
+        let [a, b] = self.ends;
+        let is_between = || self.order(a, v).is_le() && self.order(v, b).is_le();
+        self.ends.contains(&v) || is_between() && self.side(v) == 0
     }
 
     /// Whether no chain of edges leads from end to end, and what is missing lies in a triangle.
     fn runs_through_a_triangle(&self, sides: &Sides) -> bool {
-        let (stop, reached) = self.chain(sides, self.ends[0], 1.0);
+        let (stop, reached) = self.chain(sides, self.ends[0]);
         if reached {
             return false;
         }
-        let (start, _) = self.chain(sides, self.ends[1], -1.0);
+        let (start, _) = self.chain(sides, self.ends[1]);
         self.mesh.triangles.iter().any(|&t| self.pierces(stop, start, t))
     }
 
-    /// Follows edges from an end, forward (`1.0`) or back (`-1.0`); where that stops, and whether it is the other end.
-    fn chain(&self, sides: &Sides, from: u32, direction: f64) -> (u32, bool) {
-        let target = if from == self.ends[0] { self.ends[1] } else { self.ends[0] };
-        let ahead = |t: f64| t * direction;
+    /// Follows edges from an end towards the other; where that stops, and whether it is the other end.
+    fn chain(&self, sides: &Sides, from: u32) -> (u32, bool) {
+        let (target, back) = if from == self.ends[0] { (self.ends[1], false) } else { (self.ends[0], true) };
+        let is_ahead = |v: u32, of: u32| if back { self.order(v, of).is_le() } else { self.order(of, v).is_le() };
         let (mut open, mut met) = (vec![from], vec![from]);
         let mut farthest = from;
         while let Some(at) = open.pop() {
-            let here = self.parameter(at).unwrap_or(0.0);
-            if ahead(here) >= ahead(self.parameter(farthest).unwrap_or(0.0)) {
+            if is_ahead(at, farthest) {
                 farthest = at;
             }
             if at == target {
                 return (at, true);
             }
-            let next = |v: &u32| !met.contains(v) && self.parameter(*v).is_some_and(|t| ahead(t) >= ahead(here));
+            let next = |v: &u32| !met.contains(v) && self.holds(*v) && is_ahead(*v, at);
             let mut next: Vec<u32> = sides.neighbours(at).filter(next).collect();
             next.sort_unstable();
             next.dedup();
@@ -414,20 +405,10 @@ impl<'a> Line<'a> {
         // Exactly, too: the vertices between which the way leads may be off the segment.
         let turns = of_triangle.map(|corner| orient(p, q, corner));
         let is_parted = turns.iter().all(|&turn| turn >= 0) || turns.iter().all(|&turn| turn <= 0);
-        let beside = t.map(|v| self.beside(v));
-        let on_both_sides = beside.iter().any(|&d| d > self.tolerance) && beside.iter().any(|&d| d < -self.tolerance);
+        let beside = t.map(|v| self.side(v));
+        let on_both_sides = beside.contains(&1) && beside.contains(&-1);
         p != q && on_both_sides && !is_parted && !(0..3).any(is_outside)
     }
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// The power of two that brings a number that is not negative into [1, 2), or near it where there is none.
-fn one_over_power_of_two(value: f64) -> f64 {
-    let exponent = (value.to_bits() >> 52).clamp(24, 2045);
-    f64::from_bits((2046 - exponent) << 52)
 }
 
 #[cfg(test)]
@@ -526,5 +507,20 @@ mod tests {
             &[[0, 4], [4, 1], [1, 2], [2, 0]],
         );
         assert_eq!(first_flaw(&bent, Some(&with(&[[0, 1]], &bent.points)), true), Some(Flaw::SegmentNotCovered(0)));
+    }
+
+    #[test]
+    fn segments_of_every_length_are_judged() {
+        for length in [5e-324, 1e-300, 1e-216, 1e-170, 1.0] {
+            // The segment 0–1 is at y = 1, and vertex 2 on it.
+            let points =
+                [(0.0, 1.0), (4.0 * length, 1.0), (2.0 * length, 1.0), (2.0 * length, 0.0), (2.0 * length, 2.0)];
+            let rim = [[0, 3], [3, 1], [1, 4], [4, 0]];
+            let covered = mesh(&points, &[[0, 3, 2], [3, 1, 2], [0, 2, 4], [2, 1, 4]], &rim);
+            let pierced = mesh(&points, &[[0, 3, 4], [3, 1, 4]], &rim);
+            let input = Pslg { points: covered.points.clone(), segments: vec![[0, 1]], ..Pslg::default() };
+            assert_eq!(first_flaw(&covered, Some(&input), false), None, "{length:e}");
+            assert_eq!(first_flaw(&pierced, Some(&input), false), Some(Flaw::SegmentNotCovered(0)), "{length:e}");
+        }
     }
 }

@@ -93,6 +93,15 @@ fn a_segment_partly_outside_is_accepted_over_decades() {
     assert_eq!(first_flaw(&mesh, Some(&drawing), true), None);
 }
 
+#[test]
+fn a_segment_whose_square_vanishes_is_covered() {
+    let drawing = issue("segment-whose-square-vanishes");
+    for more in 0..30 {
+        let options = options(Recipe::default(), drawing.points.len() + more);
+        assert_eq!(verdicts(&drawing, (DomainRule::Hull, Crossings::Split), options), [""; 0], "{more} more");
+    }
+}
+
 /// Segments that do not cross, most of them from near one to near another of two points, and vertices beside them.
 fn close_segments(seed: u64) -> Pslg {
     let mut rng = SplitMix64::new(seed);
