@@ -9,7 +9,7 @@ use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossing
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::geometry::{Point, Segment};
-use crate::half_edge::{FaceId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::Locus;
 
 /// What belongs to the domain of a drawing.
@@ -207,7 +207,8 @@ fn remove_holes(
     }
     let mut removed = outside.is_outside.clone();
     for (seed, &at) in holes.iter().enumerate() {
-        match seed_face(cdt, at) {
+        // Flat triangles at the hull are outside though no segment parts them from what is inside.
+        match seed_face(cdt, at, |f| !outside.is_outside[f.index()]) {
             SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "hole", seed, at }),
             SeedPlace::Outside => warnings.push(Warning::IdleHole { seed, at }),
             SeedPlace::Face(f) if outside.is_hole(f) => {}
@@ -250,14 +251,23 @@ pub(super) enum SeedPlace {
     Outside,
 }
 
-pub(super) fn seed_face(cdt: &ConstrainedTriangulation, at: Point) -> SeedPlace {
+/// Where a seed lies; of the faces around an edge or a vertex at which no segment runs, the first that is inside, if any is.
+///
+/// From which side the walk finds the edge depends on how the triangulation was built.
+pub(super) fn seed_face(cdt: &ConstrainedTriangulation, at: Point, is_inside: impl Fn(FaceId) -> bool) -> SeedPlace {
+    let first_inside = |faces: &[FaceId]| {
+        let inside = faces.iter().copied().find(|&f| is_inside(f));
+        inside.or(faces.first().copied()).map_or(SeedPlace::Outside, SeedPlace::Face)
+    };
     match cdt.locate(at) {
         Locus::Face(f) => seeds::in_face(cdt, at, f),
         Locus::Edge(h) if cdt.is_marked(h) => seeds::on_edge(cdt, at, h),
-        Locus::Edge(h) if cdt.is_ghost(h.face()) => SeedPlace::Face(cdt.twin(h).face()),
-        Locus::Edge(h) => SeedPlace::Face(h.face()),
+        Locus::Edge(h) => {
+            let real = [h, cdt.twin(h)].map(HalfEdgeId::face).into_iter().filter(|&f| cdt.is_real(f));
+            first_inside(&real.collect::<Vec<_>>())
+        }
         Locus::Vertex(v) if cdt.star(v).any(|h| cdt.is_marked(h)) => seeds::on_vertex(cdt, at, v),
-        Locus::Vertex(v) => cdt.faces_around(v).next().map_or(SeedPlace::Outside, SeedPlace::Face),
+        Locus::Vertex(v) => first_inside(&cdt.faces_around(v).collect::<Vec<_>>()),
         _ => SeedPlace::Outside,
     }
 }

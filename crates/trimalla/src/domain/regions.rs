@@ -24,7 +24,7 @@ pub(super) fn assign<J: Journal>(
     let mut owner: Vec<Option<usize>> = vec![None; edit.face_slots()];
     for (seed, region) in regions.iter().enumerate() {
         let at = region.seed;
-        match seed_face(edit, at) {
+        match seed_face(edit, at, |_| true) {
             SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "region", seed, at }),
             SeedPlace::Outside => warnings.push(Warning::IdleRegion { seed, at }),
             SeedPlace::Face(f) => match owner[f.index()] {

@@ -129,3 +129,16 @@ fn a_hole_that_removes_nothing_is_refused() {
         }
     }
 }
+
+/// Whether it is in the flat triangle, which is left out, or inside, depended on the algorithm.
+#[test]
+fn a_hole_seed_on_the_edge_of_a_flat_triangle_is_inside() {
+    let drawing = issue("hole-seed-on-the-edge-of-a-flat-triangle");
+    for y in [drawing.holes[0].y, 2.7e-12, 3e-12, 3.5e-12] {
+        let seeded = Pslg { holes: vec![Point::new(0.03125, y)], ..drawing.clone() };
+        let made =
+            AlgorithmKey::ALL.map(|a| build(&seeded, DomainRule::Hull, Crossings::Refuse, a).expect("a domain").0);
+        assert_eq!(made[0].face_count(), 1, "{y}: the triangle above the segment is left");
+        assert_eq!(made[0].canonical(), made[1].canonical(), "{y}");
+    }
+}
