@@ -122,16 +122,16 @@ impl Refinement {
         let acute = found.map_or_else(|| self.acute_ends(h), |found| found.acute);
         let cut = found.map(|found| found.cut);
         if !self.problem.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
-            return self.split_at_cut(h, acute, cut);
+            return self.split_at_cut(h, cut);
         }
         let ends = [self.cdt.origin(h), self.cdt.dest(h)];
         let (here, deleted) = (self.scratch.log.checkpoint(), self.ledger.report.vertices_deleted);
         let looked_at = self.delete_free_vertices(h);
         let deleted = self.ledger.report.vertices_deleted - deleted;
         if deleted == 0 {
-            return self.split_at_cut(h, acute, cut);
+            return self.split_at_cut(h, cut);
         }
-        if self.split_as_it_is(ends) {
+        if self.split_between(ends, None) {
             return true;
         }
         self.cdt.rollback(&mut self.scratch.log, here);
@@ -139,7 +139,7 @@ impl Refinement {
         self.ledger.vertices += deleted as usize;
         self.note(|event| event.deleted.clear());
         self.look_again(looked_at);
-        self.split_as_it_is(ends)
+        self.split_between(ends, cut)
     }
 
     /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the queue.
@@ -151,15 +151,14 @@ impl Refinement {
     }
 
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
-    fn split_as_it_is(&mut self, [a, b]: [VertexId; 2]) -> bool {
+    fn split_between(&mut self, [a, b]: [VertexId; 2], cut: Option<Cut>) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
-        self.split_at_cut(h, self.acute_ends(h), None)
+        self.split_at_cut(h, cut)
     }
 
-    /// The same where it is known whether other segments join at its ends, and perhaps where to cut.
-    fn split_at_cut(&mut self, h: HalfEdgeId, acute: [bool; 2], cut: Option<Cut>) -> bool {
-        // Whether there is room the split itself asks.
-        let Ok(cut) = cut.map_or_else(|| self.cut_at(h, acute), Ok) else { return false };
+    /// Splits a subsegment if there is room, at a cut where one is known; says whether it did.
+    fn split_at_cut(&mut self, h: HalfEdgeId, cut: Option<Cut>) -> bool {
+        let Some(cut) = cut.or_else(|| self.may_cut(h).ok().map(|found| found.cut)) else { return false };
         if self.split_at_place(h, cut) {
             return true;
         }
