@@ -76,46 +76,119 @@ pub(super) fn follow(
     let courses = Courses::new(cdt.points(), drawing.points.len(), &drawing.segments, |v| cdt.is_used(VertexId(v)));
     let edges = EdgeLists::new(cdt, locked);
     let mut names = Names::default();
-    let mut partial: Vec<(u32, Course)> = Vec::new();
+    let mut partial: Vec<Partial> = Vec::new();
     for (segment, &ends) in (0..).zip(segments) {
         if ends[0] == ends[1] {
             continue;
         }
         let course = courses.course(ends.map(|v| v.0));
         let (found, whole) = edges.along(&courses, &course);
-        found.into_iter().for_each(|edge| names.add(edge, segment));
+        found.iter().for_each(|&edge| names.add(edge, segment));
         if !whole {
-            partial.push((segment, course));
+            partial.push(Partial { segment, course, edges: found });
         }
     }
     if !partial.is_empty() {
-        name_between_gaps(cdt, &courses, &partial, locked, &mut names);
+        name_between_gaps(cdt, &courses, &mut partial, locked, &mut names);
     }
     names
 }
 
-/// Gives the names of segments that leave the domain to the locked edges along them, each looked at by itself: to those without
-/// a name, and to those inside the domain.
+/// A segment that leaves the domain, and its edges.
+struct Partial {
+    segment: u32,
+    course: Course,
+    edges: Vec<HalfEdgeId>,
+}
+
+/// Gives the names of segments that leave the domain to locked edges along them, each edge looked at by itself.
 ///
-/// Where segments are within rounding of each other, one that leaves the domain may come back along the edges of another. What
-/// is inside may be let go, and it is told from the names which segments are missing then. What is on the border stays.
+/// Where segments are within rounding of each other, edges run along several. A segment gets those that have no name yet where
+/// it has no edge of its own; what is left without a name, all segments along it. A segment may also come back along the edges
+/// of another: of what is inside it gets these, too, where it still has no edge. What is inside may be let go, and it is told
+/// from the names which segments are missing then. What is on the border stays.
 fn name_between_gaps(
     cdt: &ConstrainedTriangulation,
     courses: &Courses<'_>,
-    partial: &[(u32, Course)],
+    partial: &mut [Partial],
     locked: &Locked,
     names: &mut Names,
 ) {
-    let is_asked = |edge: HalfEdgeId| !names.has(edge) || !cdt.is_on_border(edge);
-    let edges: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| is_asked(edge)).collect();
+    let has_no_name: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| !names.has(edge)).collect();
+    add_along(cdt, courses, partial, &has_no_name, names, true);
+    let has_no_name: Vec<HalfEdgeId> = has_no_name.into_iter().filter(|&edge| !names.has(edge)).collect();
+    add_along(cdt, courses, partial, &has_no_name, names, false);
+    let inner: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| !cdt.is_on_border(edge)).collect();
+    add_along(cdt, courses, partial, &inner, names, true);
+}
+
+/// Adds those of some edges that run along segments to their edges: all, or those where a segment has none yet.
+fn add_along(
+    cdt: &ConstrainedTriangulation,
+    courses: &Courses<'_>,
+    partial: &mut [Partial],
+    edges: &[HalfEdgeId],
+    names: &mut Names,
+    only_in_gaps: bool,
+) {
     let bounds = |&edge: &HalfEdgeId| {
         let [a, b] = cdt.edge_points(edge);
         BoundingBox::around(a).including(b)
     };
     let places = BoxTree::new(edges.iter().map(bounds).collect());
-    for (segment, course) in partial {
+    for Partial { segment, course, edges: own } in partial {
         let near = places.near(course.segment(), course.reach()).into_iter().map(|i| edges[i as usize]);
-        near.filter(|&edge| runs_along(cdt, courses, course, edge)).for_each(|edge| names.add(edge, *segment));
+        let mut along: Vec<HalfEdgeId> = near.filter(|&edge| runs_along(cdt, courses, course, edge)).collect();
+        if only_in_gaps && !along.is_empty() {
+            let covered = Covered::of(cdt, courses, course, own);
+            along.retain(|&edge| !covered.overlaps(edge));
+        }
+        along.iter().for_each(|&edge| names.add(edge, *segment));
+        own.append(&mut along);
+    }
+}
+
+/// The parts of a course along which it has edges.
+struct Covered<'a> {
+    cdt: &'a ConstrainedTriangulation,
+    courses: &'a Courses<'a>,
+    course: &'a Course,
+    /// Where each edge begins, in order, and how far it and those before it reach.
+    parts: Vec<[u32; 2]>,
+}
+
+impl<'a> Covered<'a> {
+    fn of(
+        cdt: &'a ConstrainedTriangulation,
+        courses: &'a Courses<'a>,
+        course: &'a Course,
+        edges: &[HalfEdgeId],
+    ) -> Self {
+        let mut covered = Self { cdt, courses, course, parts: Vec::new() };
+        let mut parts: Vec<[u32; 2]> = edges.iter().map(|&edge| covered.ends(edge)).collect();
+        parts.sort_by(|p, q| courses.order(course, p[0], q[0]).then(p.cmp(q)));
+        for i in 1..parts.len() {
+            let farthest = parts[i - 1][1];
+            if courses.order(course, parts[i][1], farthest).is_lt() {
+                parts[i][1] = farthest;
+            }
+        }
+        covered.parts = parts;
+        covered
+    }
+
+    /// The ends of an edge, in order along the course.
+    fn ends(&self, edge: HalfEdgeId) -> [u32; 2] {
+        let [a, b] = [self.cdt.origin(edge).0, self.cdt.dest(edge).0];
+        if self.courses.order(self.course, a, b).is_gt() { [b, a] } else { [a, b] }
+    }
+
+    /// Whether an edge shares more than an end with a part.
+    fn overlaps(&self, edge: HalfEdgeId) -> bool {
+        let [from, to] = self.ends(edge);
+        let begin_before = self.parts.partition_point(|p| self.courses.order(self.course, p[0], to).is_lt());
+        let reach = begin_before.checked_sub(1).map(|last| self.parts[last][1]);
+        reach.is_some_and(|reach| self.courses.order(self.course, from, reach).is_lt())
     }
 }
 

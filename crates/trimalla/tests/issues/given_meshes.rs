@@ -88,16 +88,26 @@ fn segments_let_go_that_share_edges_with_a_neighbour_are_reported_missing() {
     assert!(lost > 0, "nothing was lost");
 }
 
-#[test]
-fn a_split_beside_a_gap_is_tried_where_it_was_found() {
-    let drawing = issue("split-refused-after-vertices-came-back");
+/// A finished mesh is read again with its drawing, and gets no vertex.
+fn comes_back(name: &str, rule: DomainRule) {
+    let drawing = issue(name);
     for degrees in [15.0, 20.0, 22.0, 25.0, 28.0] {
-        let (cdt, _) = build(&drawing, DomainRule::Hull, Crossings::Split, AlgorithmKey::default()).expect("a domain");
+        let (cdt, _) = build(&drawing, rule, Crossings::Split, AlgorithmKey::default()).expect("a domain");
         let options = RefineOptions::default().with_min_angle_deg(degrees);
         let mut refinement = Refinement::new(cdt, options).expect("good options");
         refinement.run(&mut NoObserver);
         let mesh = refinement.finish().0.to_indexed(&drawing);
         let again = refine_mesh(&mesh, Some(&drawing), &options).expect("a mesh of our own");
-        assert_eq!(again.mesh.points.len(), mesh.points.len(), "{degrees} degrees");
+        assert_eq!(again.mesh.points.len(), mesh.points.len(), "{name}, {degrees} degrees");
     }
+}
+
+#[test]
+fn a_split_beside_a_gap_is_tried_where_it_was_found() {
+    comes_back("split-refused-after-vertices-came-back", DomainRule::Hull);
+}
+
+#[test]
+fn edges_of_two_segments_within_rounding_are_told_apart() {
+    comes_back("edges-of-two-segments-read-as-of-both", DomainRule::Seeds);
 }
