@@ -76,9 +76,9 @@ impl<J: Journal> Edit<'_, J> {
             self.data.name_segment(ends, self.j);
             return Ok(segment);
         }
-        let mut plan = std::mem::take(&mut self.work.plan);
+        let mut plan = self.work.plan.take().unwrap_or_default();
         let inserted = self.insert_along(segment, ends, crossings, &mut plan);
-        self.work.plan = plan;
+        self.work.plan = Some(plan);
         inserted.map(|()| segment)
     }
 

@@ -126,14 +126,14 @@ impl Edit<'_, UndoLog> {
         if a == b || !self.chain(segment).is_empty() {
             return Ok(());
         }
-        let mut plan = std::mem::take(&mut self.work.plan);
+        let mut plan = self.work.plan.take().unwrap_or_default();
         let restored = self.or_as_before(|edit| {
             edit.data.survey(segment, ends, crossings, &mut plan)?;
             let mark = edit.data.classes_mut().mark_of(&[segment], edit.j);
             // Where segments on the same line overlap, it no longer counts as one of that line: edges list it.
             edit.insert_pieces(Piece { from: a, to: b, mark }, segment, (&mut plan, &mut None))
         });
-        self.work.plan = plan;
+        self.work.plan = Some(plan);
         restored
     }
 }

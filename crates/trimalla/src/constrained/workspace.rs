@@ -18,7 +18,7 @@ pub struct Workspace {
     /// The faces that a new vertex replaces.
     pub(super) cavity: Cavity,
     /// What a segment crosses.
-    pub(super) plan: SegmentPlan,
+    pub(super) plan: Option<Box<SegmentPlan>>,
     /// The faces that a segment replaces.
     pub(super) corridor: Corridor,
     /// Where a search begins.
@@ -32,7 +32,7 @@ impl Default for Workspace {
         Self {
             lawson: Lawson::default(),
             cavity: Cavity::default(),
-            plan: SegmentPlan::default(),
+            plan: None,
             corridor: Corridor::default(),
             hint: FaceId(0),
             filling: Filling::default(),

@@ -9,7 +9,7 @@
 
 use super::error::{NearFeature, Warning};
 use crate::constrained::ConstrainedTriangulation;
-use crate::geometry::{Point, Vector, math};
+use crate::geometry::{BoundingBox, Point, Vector, math};
 use crate::half_edge::{FaceId, HalfEdgeId};
 
 /// A gap narrower than this part of the drawing's extent is named.
@@ -23,12 +23,15 @@ const NARROW: f64 = 1e-6;
 /// # Complexity
 /// Linear in the faces.
 pub(super) fn nearest_outside(cdt: &ConstrainedTriangulation, kept: &[bool]) -> Option<Warning> {
-    let bounds = cdt.bounding_box()?;
+    let bounds = BoundingBox::of_finite(cdt.points().iter().copied())?;
     let scale = math::power_of_two_scale(bounds.largest_coordinate());
     let extent = ((bounds.max.x - bounds.min.x) * scale).max((bounds.max.y - bounds.min.y) * scale);
+    let limit = NARROW * extent / scale;
+    let limit_sq = limit * limit;
     let outside = (0..kept.len()).filter(|&f| !kept[f]).map(FaceId::from_index);
-    let found = outside.filter(|&f| cdt.is_alive(f) && cdt.is_real(f)).flat_map(FaceId::half_edges);
-    let found = found.filter_map(|h| near_miss(cdt, scale, h)).filter(|near| near.distance < NARROW * extent);
+    let narrow = outside.filter(|&f| cdt.is_real(f) && is_narrow(cdt, limit_sq, f));
+    let found = narrow.flat_map(FaceId::half_edges).filter_map(|h| near_miss(cdt, scale, h));
+    let found = found.filter(|near| near.distance < NARROW * extent);
     let less = |a: &NearMiss, b: &NearMiss| {
         a.distance.total_cmp(&b.distance).then_with(|| (a.vertex, a.other).cmp(&(b.vertex, b.other)))
     };
@@ -42,6 +45,18 @@ struct NearMiss {
     distance: f64,
     vertex: u32,
     other: NearFeature,
+}
+
+/// Whether the height of a face over its longest side, which is less than all distances between features of it, may be below a
+/// limit, given as its square; with a factor of two to spare, far above rounding. Yes where products overflow or vanish.
+#[inline]
+fn is_narrow(cdt: &ConstrainedTriangulation, limit_sq: f64, f: FaceId) -> bool {
+    let [a, b, c] = cdt.face_points(f);
+    let (ab, bc, ca) = (b - a, c - b, a - c);
+    let doubled_area = ab.cross(bc);
+    let longest_sq = ab.length_sq().max(bc.length_sq()).max(ca.length_sq());
+    let is_wide = doubled_area * doubled_area > 4.0 * limit_sq * longest_sq && longest_sq < f64::INFINITY;
+    !is_wide || limit_sq < f64::MIN_POSITIVE
 }
 
 /// The two ends of an edge that is no subsegment; or the vertex opposite a subsegment and its segment, if the vertex lies beside
