@@ -88,6 +88,7 @@ pub(crate) fn remove_vertex<J: Journal>(
 
 /// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away from the
 /// vertex, which flips and unsplits leave where they are.
+#[inline(never)] // Keeps the caller's loops small.
 pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, hole: &Hole, lawson: &mut Lawson, j: &mut J) {
     if t.dimension < 2 {
         return;
@@ -131,6 +132,7 @@ fn remove_from_chain<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) 
 }
 
 /// Flips spokes of `v` away as long as one is an ear, and notes the edges made.
+#[inline(never)] // Keeps the caller's loops small.
 pub(crate) fn flip_spokes_away<J: Journal>(t: &mut Triangulation, v: VertexId, hole: &mut Hole, j: &mut J) {
     let Hole { spokes, made, .. } = hole;
     spokes.clear();

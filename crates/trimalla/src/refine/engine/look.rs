@@ -124,11 +124,8 @@ impl Looker<'_> {
     fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
         let cavity = self.cavity;
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
-            // Most faces have no subsegment.
-            if edge.mark | edge.spoke != 0 {
-                push_if(subsegments, face.half_edge(0), edge.mark != 0);
-                push_if(subsegments, face.half_edge(2), edge.spoke != 0);
-            }
+            push_if(subsegments, face.half_edge(0), edge.mark != 0);
+            push_if(subsegments, face.half_edge(2), edge.spoke != 0);
         }
     }
 }
