@@ -114,9 +114,9 @@ impl ConstrainedTriangulation {
         }
         let fits = |&h: &HalfEdgeId| self.is_marked(h) && self.runs_on_one_line(h, [start, to]);
         match self.first_step(from, to) {
-            Ok(FirstStep::Along(h)) => Some(h).filter(fits),
-            // Crossings may have bent the edge off the line.
-            Ok(FirstStep::Across(_)) => self.edges_around(from).take(MOST_SPOKES).find(fits),
+            Ok(FirstStep::Along(h)) if fits(&h) => Some(h),
+            // Crossings may have bent the edge off the line, and a vertex put in later may be exactly on it.
+            Ok(_) => self.edges_around(from).take(MOST_SPOKES).find(fits),
             Err(_) => None,
         }
     }

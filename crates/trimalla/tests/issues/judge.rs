@@ -6,6 +6,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build, from_mesh};
 use trimalla::drawing::{IndexedMesh, Pslg, Region};
 use trimalla::geometry::{Orientation, Point, Strip, orient2d};
+use trimalla::half_edge::VertexId;
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::{Initial, Limits, NoObserver, Prepare, Recipe, Recover, RefineOptions, Refinement};
 use trimalla::refine_mesh;
@@ -67,6 +68,15 @@ fn a_vertex_on_a_segment_stays_on_its_chain() {
     let cdt = split(&issue("vertex-beside-its-segment"));
     assert_eq!(cdt.check(), []);
     assert!(chain(&cdt, 1).contains(&0), "{:?}", chain(&cdt, 1));
+}
+
+#[test]
+fn a_segment_given_again_follows_its_bent_chain() {
+    let mut cdt = split(&issue("vertex-on-a-line-whose-chain-is-bent"));
+    cdt.insert(Point::new(-0.25, 1.062_500_000_000_000_4)).expect("a place inside the hull");
+    cdt.insert_segment(VertexId(1), VertexId(0), Crossings::Split).expect("crossings are split");
+    assert_eq!(cdt.check(), []);
+    assert!(chain(&cdt, 2).contains(&3), "{:?}", chain(&cdt, 2));
 }
 
 #[test]
