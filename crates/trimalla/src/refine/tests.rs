@@ -10,15 +10,6 @@ use crate::geometry::Point;
 use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
 
-fn polygon(corners: &[[f64; 2]]) -> Pslg {
-    let n = corners.len() as u32;
-    Pslg {
-        points: corners.iter().copied().map(Point::from).collect(),
-        segments: (0..n).map(|i| [i, (i + 1) % n]).collect(),
-        ..Pslg::default()
-    }
-}
-
 fn carved(pslg: &Pslg, algorithm: AlgorithmKey) -> ConstrainedDelaunay {
     build(pslg, DomainRule::Seeds, Crossings::Refuse, algorithm).unwrap().0
 }
@@ -41,7 +32,7 @@ fn the_bound_is_reached_at_every_usual_angle() {
     for preset in Preset::ALL.iter().filter(|&&p| p != Preset::LeppBisection) {
         for degrees in [0, 10, 20, 25, 30, 33] {
             let options = RefineOptions::of(*preset).with_min_angle_deg(f64::from(degrees));
-            let (_, report) = refined(&polygon(&L_SHAPE), options);
+            let (_, report) = refined(&Pslg::of_ring(L_SHAPE), options);
             assert_eq!(report.leftovers, [], "{preset} at {degrees}");
             assert!(report.min_angle_deg >= f64::from(degrees) - 1e-9);
         }
@@ -50,7 +41,7 @@ fn the_bound_is_reached_at_every_usual_angle() {
 
 #[test]
 fn every_step_keeps_the_invariants() {
-    let cdt = carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental);
+    let cdt = carved(&Pslg::of_ring(L_SHAPE), AlgorithmKey::Incremental);
     let options = RefineOptions::default().with_min_angle_deg(33.0).with_max_area(0.05);
     let mut r = Refinement::new(cdt, options).unwrap();
     for _ in 0..2000 {
@@ -65,7 +56,7 @@ fn every_step_keeps_the_invariants() {
 #[test]
 fn the_area_bound_is_reached() {
     let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_area(0.01);
-    let (cdt, report) = refined(&polygon(&L_SHAPE), options);
+    let (cdt, report) = refined(&Pslg::of_ring(L_SHAPE), options);
     assert_eq!(report.leftovers, []);
     assert!(cdt.real_faces().all(|f| {
         let [a, b, c] = cdt.face_points(f);
@@ -77,7 +68,7 @@ fn the_area_bound_is_reached() {
 fn small_input_angles_are_named() {
     for degrees in [1.0f64, 5.0, 20.0] {
         let (s, c) = (degrees.to_radians() / 2.0, 10.0);
-        let wedge = polygon(&[[0.0, 0.0], [c, -c * s], [c, c * s]]);
+        let wedge = Pslg::of_ring([[0.0, 0.0], [c, -c * s], [c, c * s]]);
         let (_, report) = refined(&wedge, RefineOptions::default().with_min_angle_deg(25.0).with_max_vertices(20_000));
         assert!(report.complete(), "{degrees}: {:?}", report.reasons());
         assert!(!report.leftovers.is_empty(), "the wedge itself is too sharp");
@@ -87,11 +78,11 @@ fn small_input_angles_are_named() {
 #[test]
 fn the_budget_and_the_observer_stop_it() {
     let options = RefineOptions::default().with_max_area(1e-5).with_max_vertices(500);
-    let (_, report) = refined(&polygon(&L_SHAPE), options);
+    let (_, report) = refined(&Pslg::of_ring(L_SHAPE), options);
     assert_eq!(report.stop, StopReason::Budget);
     assert!(report.vertices <= 500 && report.reasons().iter().any(|r| r.0 == Reason::Budget));
     let mut r = Refinement::new(
-        carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental),
+        carved(&Pslg::of_ring(L_SHAPE), AlgorithmKey::Incremental),
         RefineOptions::default().with_max_area(1e-4),
     )
     .unwrap();
@@ -107,7 +98,7 @@ fn the_budget_and_the_observer_stop_it() {
 #[test]
 fn protected_segments_are_not_split() {
     let options = RefineOptions::default().with_protect(Protect::All);
-    let (cdt, report) = refined(&polygon(&L_SHAPE), options);
+    let (cdt, report) = refined(&Pslg::of_ring(L_SHAPE), options);
     assert_eq!(report.segments_split, 0);
     assert!((0..6).all(|s| cdt.chain(s).len() == 1), "every segment is one edge");
     assert!(report.leftovers.iter().all(|l| l.reason == Reason::ProtectedSegment), "{:?}", report.reasons());
@@ -115,7 +106,7 @@ fn protected_segments_are_not_split() {
 
 #[test]
 fn the_result_does_not_depend_on_the_builder() {
-    let pslg = polygon(&L_SHAPE);
+    let pslg = Pslg::of_ring(L_SHAPE);
     for preset in Preset::ALL {
         let options = RefineOptions::of(*preset).with_max_area(0.01);
         let meshes = AlgorithmKey::ALL.map(|a| {
@@ -130,7 +121,7 @@ fn the_result_does_not_depend_on_the_builder() {
 
 #[test]
 fn wrong_options_are_refused() {
-    let cdt = carved(&polygon(&L_SHAPE), AlgorithmKey::Incremental);
+    let cdt = carved(&Pslg::of_ring(L_SHAPE), AlgorithmKey::Incremental);
     for options in [
         RefineOptions::default().with_min_angle_deg(61.0),
         RefineOptions::default().with_min_angle_deg(f64::NAN),
@@ -168,7 +159,7 @@ fn regions_keep_their_attributes_and_bounds() {
 
 #[test]
 fn bisection_nests_and_stops() {
-    let pslg = polygon(&L_SHAPE);
+    let pslg = Pslg::of_ring(L_SHAPE);
     let start = carved(&pslg, AlgorithmKey::Incremental);
     let options = RefineOptions::of(Preset::LeppBisection).with_max_area(0.02);
     let mut r = Refinement::new(start.clone(), options).unwrap();
@@ -190,7 +181,7 @@ fn bisection_nests_and_stops() {
 
 #[test]
 fn paths_rise_to_their_terminal_edge() {
-    let (cdt, _) = refined(&polygon(&L_SHAPE), RefineOptions::default().with_max_area(0.05));
+    let (cdt, _) = refined(&Pslg::of_ring(L_SHAPE), RefineOptions::default().with_max_area(0.05));
     let ruler = Ruler::for_box(cdt.bounding_box());
     for f in cdt.real_faces() {
         let path = cdt.lepp(f, LeppRule::StopAtConstraints);
@@ -237,7 +228,7 @@ impl InsertStep for Halving {
 /// Where bisection stops was told by the recipe's step 4 alone, so that one of the caller's own went on to its budget.
 #[test]
 fn bisection_from_outside_stops_where_ours_does() {
-    let wedge = polygon(&[[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
+    let wedge = Pslg::of_ring([[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
     let ours = RefineOptions::of(Preset::LeppBisection).with_max_vertices(5000);
     let theirs = RefineOptions { recipe: Recipe { insert: Insert::Flip, ..ours.recipe }, ..ours };
     let start = |options| Refinement::new(carved(&wedge, AlgorithmKey::Incremental), options).unwrap();
@@ -262,7 +253,7 @@ fn every_step_is_timed_where_there_is_a_clock() {
         recipe: Recipe { recover: Recover::BySplitting, ..Recipe::default() },
         ..RefineOptions::default()
     };
-    let mut fenced = polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0], [1.0, 4.0], [7.0, 4.5]]);
+    let mut fenced = Pslg::of_ring([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0], [1.0, 4.0], [7.0, 4.5]]);
     fenced.points.extend((2..7).flat_map(|i| [Point::new(f64::from(i), 3.9), Point::new(f64::from(i) + 0.3, 4.8)]));
     fenced.segments = vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]];
     let timed = |clock: Option<Clock>| {
@@ -295,7 +286,7 @@ impl steps::SelectStep for AllAtOnce {
 
 #[test]
 fn large_drawings_are_as_small_by_patches_as_all_at_once() {
-    let mut domain = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let mut domain = Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
     // Evenly spread without a pattern: multiples of two irrational numbers, their whole parts away.
     let spread = |i: u32, step: f64| 0.001 + 0.998 * (f64::from(i) * step).fract();
     domain

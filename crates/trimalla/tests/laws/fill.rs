@@ -42,18 +42,8 @@ fn unfilled(options: RefineOptions) -> RefineOptions {
     options
 }
 
-/// A closed outline.
-fn polygon(corners: &[[f64; 2]]) -> Pslg {
-    let n = corners.len() as u32;
-    Pslg {
-        points: corners.iter().copied().map(Point::from).collect(),
-        segments: (0..n).map(|i| [i, (i + 1) % n]).collect(),
-        ..Pslg::default()
-    }
-}
-
 fn square(side: f64) -> Pslg {
-    polygon(&[[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]])
+    Pslg::of_ring([[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]])
 }
 
 /// A back with `teeth` teeth of width 1 and length 9, as far apart as they are wide.
@@ -66,7 +56,7 @@ fn comb(teeth: u8) -> Pslg {
             corners.extend([[left, 1.0], [left - 1.0, 1.0]]);
         }
     }
-    polygon(&corners)
+    Pslg::of_ring(corners)
 }
 
 fn meshed(drawing: &Pslg, refine: RefineOptions) -> (IndexedMesh, Report) {

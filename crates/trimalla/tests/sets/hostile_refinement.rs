@@ -313,19 +313,9 @@ fn refining_the_result_again_adds_nothing() {
     court.close();
 }
 
-/// A ring of corners.
-fn polygon(corners: &[[f64; 2]]) -> Pslg {
-    let n = corners.len() as u32;
-    Pslg {
-        points: corners.iter().copied().map(Point::from).collect(),
-        segments: (0..n).map(|i| [i, (i + 1) % n]).collect(),
-        ..Pslg::default()
-    }
-}
-
 /// A box of side 2 around the origin with loose segments in it.
 fn boxed(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
-    let mut pslg = polygon(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
+    let mut pslg = Pslg::of_ring([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
     pslg.points.extend(points.iter().copied().map(Point::from));
     pslg.segments.extend(segments.iter().map(|s| s.map(|v| v + 4)));
     pslg
@@ -371,7 +361,7 @@ fn arms_of_irrational_ratio() {
         let long = core::f64::consts::SQRT_2;
         for (what, apex) in [("in a box", true), ("a triangle", false)] {
             let arms = [[0.0, 0.0], [0.5, 0.0], [0.5 * long * cos, 0.5 * long * sin]];
-            let drawing = if apex { boxed(&arms, &[[0, 1], [0, 2]]) } else { polygon(&arms) };
+            let drawing = if apex { boxed(&arms, &[[0, 1], [0, 2]]) } else { Pslg::of_ring(arms) };
             let name = format!("arms at {degrees} degrees, {what}");
             let reports = named(&name, &drawing, 20_000);
             // The shorter arm ends so near the longer one that as many triangles fit between them as the angle is
@@ -411,18 +401,18 @@ fn a_hub_of_a_hundred_segments() {
 fn edges_an_ulp_long_and_needles() {
     let ulp = f64::EPSILON;
     let cases = [
-        ("vertices an ulp apart", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, ulp], [1.0, 1.0], [0.0, 1.0]])),
-        ("a notch an ulp deep", polygon(&[[0.0, 0.0], [0.5, ulp], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])),
-        ("a needle", polygon(&[[0.0, 0.0], [1.0, 0.0], [0.5, 1e-200]])),
-        ("a thin box", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1e-12], [0.0, 1e-12]])),
-        ("no area to speak of", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 5e-324], [0.0, 5e-324]])),
-        ("subnormal", polygon(&[[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]])),
-        ("huge", polygon(&[[-1e308, -1e308], [1e308, -1e308], [1e308, 1e308], [-1e308, 1e308]])),
-        ("huge and flat", polygon(&[[-1e308, 0.0], [1e308, 0.0], [0.0, 1e-300]])),
+        ("vertices an ulp apart", Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [1.0, ulp], [1.0, 1.0], [0.0, 1.0]])),
+        ("a notch an ulp deep", Pslg::of_ring([[0.0, 0.0], [0.5, ulp], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])),
+        ("a needle", Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [0.5, 1e-200]])),
+        ("a thin box", Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [1.0, 1e-12], [0.0, 1e-12]])),
+        ("no area to speak of", Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [1.0, 5e-324], [0.0, 5e-324]])),
+        ("subnormal", Pslg::of_ring([[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]])),
+        ("huge", Pslg::of_ring([[-1e308, -1e308], [1e308, -1e308], [1e308, 1e308], [-1e308, 1e308]])),
+        ("huge and flat", Pslg::of_ring([[-1e308, 0.0], [1e308, 0.0], [0.0, 1e-300]])),
         ("a near T", boxed(&[[-0.5, 0.0], [0.5, 0.0], [0.0, 1e-12], [0.0, 0.5]], &[[0, 1], [2, 3]])),
         (
             "a crack",
-            polygon(&[
+            Pslg::of_ring([
                 [0.0, 0.0],
                 [1.0, 0.0],
                 [1.0, 1.0],
@@ -443,7 +433,7 @@ fn edges_an_ulp_long_and_needles() {
 fn a_comb_of_border_points_under_a_fan() {
     let mut corners: Vec<[f64; 2]> = (0..=40).map(|i| [f64::from(i) / 40.0, 0.0]).collect();
     corners.extend([[1.0, 1.0], [0.0, 1.0]]);
-    let mut drawing = polygon(&corners);
+    let mut drawing = Pslg::of_ring(corners);
     drawing.segments.extend((1..40).step_by(3).map(|i| [i, 41]));
     let reports = named("comb under a fan", &drawing, 20_000);
     assert_only_input_angles("comb under a fan", &reports, 10_000);

@@ -9,7 +9,7 @@
 use super::{Refinement, ends_of};
 use crate::constrained::Provenance;
 use crate::geometry::Point;
-use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{Checkpoint, FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::Locus;
 use crate::refine::bad_triangles::Badness;
 use crate::refine::event::InsertedKind;
@@ -209,14 +209,7 @@ impl Refinement {
         let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
         let v = self.strategy.steps.insert.insert(&mut edit, point, locus).ok_or(Reason::PrecisionFloor)?;
         self.ledger.insertions += 1;
-        if !self.is_there(v) {
-            self.cdt.rollback(&mut self.scratch.log, here);
-            return Err(Reason::StrategyCannotImprove);
-        }
-        if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.scratch.log, here);
-            return Err(self.problem.floors.floor_reason);
-        }
+        self.keep_if_apart(v, here)?;
         let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
         if encroached.is_empty() {
             self.ledger.vertices += 1;
@@ -255,14 +248,7 @@ impl Refinement {
         }
         let v = split.map_err(|_| Reason::PrecisionFloor)?;
         self.ledger.insertions += 1;
-        if !self.is_there(v) {
-            self.cdt.rollback(&mut self.scratch.log, here);
-            return Err(Reason::StrategyCannotImprove);
-        }
-        if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.scratch.log, here);
-            return Err(self.problem.floors.floor_reason);
-        }
+        self.keep_if_apart(v, here)?;
         self.ledger.vertices += 1;
         self.ledger.report.points_inserted += 1;
         self.note_inserted(v, InsertedKind::OnEdge);
@@ -292,6 +278,19 @@ impl Refinement {
             self.look_around(v)
         }
         Ok(())
+    }
+
+    /// Takes a vertex back that the insert step did not put in, or that is too close to a neighbour.
+    fn keep_if_apart(&mut self, v: VertexId, before: Checkpoint) -> Result<(), Reason> {
+        let why = if !self.is_there(v) {
+            Reason::StrategyCannotImprove
+        } else if self.crowds_a_neighbour(v) {
+            self.problem.floors.floor_reason
+        } else {
+            return Ok(());
+        };
+        self.cdt.rollback(&mut self.scratch.log, before);
+        Err(why)
     }
 
     /// Whether the triangulation has the vertex that a step 4 says it inserted.
