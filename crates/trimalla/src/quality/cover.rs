@@ -183,12 +183,8 @@ impl<'a> Cover<'a> {
         let starts = self.starts(course, ends, &near);
         let stops = [self.farthest(course, ends), self.farthest(course, [ends[1], ends[0]])];
         let passes_boundary = starts.iter().any(|v| !ends.contains(v));
-        // What is covered is noted.
-        for &v in &starts {
-            for end in ends.into_iter().filter(|&end| end != v) {
-                self.farthest(course, [v, end]);
-            }
-        }
+        self.note_all_towards(course, starts.iter(), ends[1]);
+        self.note_all_towards(course, starts.iter().rev(), ends[0]);
         if let Some(Block { edge, seen_from }) = self.blocked(course, ends, starts) {
             return Some(match seen_from {
                 _ if self.is_boundary(edge) => Breach::Crosses(edge),
@@ -202,6 +198,23 @@ impl<'a> Cover<'a> {
         let may_leave =
             if self.are_joined(course, ends) { passes_boundary } else { self.comes_between(course, stops, &near) };
         (ends.into_iter().any(|v| self.sides.is_used(v)) && !may_leave).then_some(Breach::StopsAt(stops[0]))
+    }
+
+    /// Notes the edges that lead from some vertices as far as they can towards an end, from which the first is the farthest.
+    ///
+    /// A vertex on a way that is noted leads no farther than that way, so each way is followed once.
+    fn note_all_towards<'v>(&mut self, course: &Course, starts: impl Iterator<Item = &'v u32>, end: u32) {
+        let mut noted = BTreeSet::from([end]);
+        for &v in starts {
+            if noted.contains(&v) {
+                continue;
+            }
+            let leg = self.courses.leg(course, [v, end], &self.edges, self.courses.beside());
+            for edge in leg.edges_to(leg.farthest) {
+                self.cover(edge);
+                noted.extend(edge);
+            }
+        }
     }
 
     /// How far edges lead from a vertex towards another; notes them.
