@@ -132,12 +132,12 @@ impl Test {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
     }
 
-    /// The same with a test of the caller's own.
     /// The caller's own test, if there is one.
     pub(super) fn asked(&self) -> Option<Arc<UserTest>> {
         self.asked.clone()
     }
 
+    /// The same with a test of the caller's own.
     pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
         Self { asked: Some(asked), ..self }
     }

@@ -219,14 +219,26 @@ impl Refinement {
 
     /// Whether the vertex opposite `h` is on a piece of a segment that meets the piece of `h` at less than 90 degrees.
     fn lies_in_wedge(&self, h: HalfEdgeId) -> bool {
-        let (v, piece) = (self.cdt.apex(h), self.problem.joints.whole_of(&self.cdt, h));
-        let meets = |other: Piece| {
-            let Some(apex) = common_end(piece, other).filter(|&apex| apex != v) else { return false };
-            let [from, one, other] =
-                [apex, if piece[0] == apex { piece[1] } else { piece[0] }, v].map(|v| self.cdt.point(v));
-            self.problem.ruler.vector(from, one).dot(self.problem.ruler.vector(from, other)) > 0.0
+        let (v, piece @ [a, b]) = (self.cdt.apex(h), self.problem.joints.whole_of(&self.cdt, h));
+        let meets = |apex: VertexId, end: VertexId| {
+            let [from, one, other] = [apex, end, v].map(|v| self.cdt.point(v));
+            let is_acute = || self.problem.ruler.vector(from, one).dot(self.problem.ruler.vector(from, other)) > 0.0;
+            apex != v && is_acute() && self.is_on_other_piece_from(apex, v, piece)
         };
-        self.pieces_at(v).any(meets)
+        meets(a, b) || meets(b, a)
+    }
+
+    /// Whether a vertex lies inside, or at the end of, a piece of a segment from `apex` that is not `piece`.
+    ///
+    /// # Complexity
+    /// Linear in the smaller of the two degrees.
+    fn is_on_other_piece_from(&self, apex: VertexId, v: VertexId, piece: Piece) -> bool {
+        let leads = |other: Piece| other != piece && other.contains(&apex);
+        if self.problem.joints.piece_of(&self.cdt, v).is_some_and(leads) {
+            return true;
+        }
+        let leads_to_v = |other: Piece| leads(other) && other.contains(&v);
+        self.pieces_at(v).zip(self.pieces_at(apex)).any(|(one, other)| leads_to_v(one) || leads_to_v(other))
     }
 
     /// The pieces of segments inside which a vertex lies, or that end at it.
