@@ -234,11 +234,11 @@ TEXT
     cat <<'TEXT'
 For centroids of terminal triangles the order hardly matters: the curves lie on one another up to 34 degrees, part beyond, and no
 order is best throughout. For off-centers it does: by age or by smallest circumradius meshes are larger from 28 degrees on, by
-age refinement is among the first to stop, and up to 34 degrees the shortest edge is the best or nearly so. Triangles on the border
+age refinement is among the first to stop, and up to 34 degrees the shortest edge is the best or nearly so. Triangles on the boundary
 first (`boundary-shortest-edge`) are a loss against the shortest edge alone from 28 degrees on but for single cases: 33 degrees on `mesh-b`, and
 35 on `mesh-b-points`, where they and the smallest angle first end alone.
 
-MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the border first helps neither.
+MeshSuite found the same on its mesh B: no order helps centroids, the shortest edge helps off-centers, the boundary first helps neither.
 
 ## What 37 degrees cost
 
@@ -332,7 +332,7 @@ TEXT
   without priority there has other numbers (328 against 339 vertices at 30 degrees).
 * **One run, two results.** Off-centers by shortest edge on B at 30 degrees: 320 vertices in appendices A and B, 301 in C.
 * **Copied columns.** The vertices of off-centers on A in the framework's column are the *triangles* of Triangle's column, from 20 to 30 degrees.
-* **Columns that Euler's formula forbids.** A mesh of V vertices, of which W lie on the border, in a domain with h holes has
+* **Columns that Euler's formula forbids.** A mesh of V vertices, of which W lie on the boundary, in a domain with h holes has
   T = 2V − W + 2h − 2 triangles, and W is at most V: one hole asks for T ≥ V, four holes for T ≥ V + 6. Off-centers on A from 31 degrees on have T < V; the
   triangles of circumcenters on B in appendix B (168 for 223 vertices at 20 degrees, 210 for 1557 at 33) fall short at thirteen of the fifteen
   angles at which that column has numbers.

@@ -213,7 +213,7 @@ fn star_with_holes(d: &mut Draws<'_>, n: usize) -> Pslg {
     pslg
 }
 
-/// Rings one inside the other; borders may coincide but for their last places.
+/// Rings one inside the other; boundaries may coincide but for their last places.
 fn nested_rings(d: &mut Draws<'_>) -> Pslg {
     let mut pslg = Pslg::default();
     let rings = d.within(2, 4);
@@ -227,7 +227,7 @@ fn nested_rings(d: &mut Draws<'_>) -> Pslg {
     pslg
 }
 
-/// Neighbouring lots, each with its own ring: borders are drawn twice, and differ in their last places.
+/// Neighbouring lots, each with its own ring: boundaries are drawn twice, and differ in their last places.
 fn parcels(d: &mut Draws<'_>) -> Pslg {
     let mut pslg = Pslg::default();
     let (columns, rows) = (d.within(1, 3), d.within(1, 2));

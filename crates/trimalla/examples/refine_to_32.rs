@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     while let Some(bad) = bad_triangle(&t) {
         // The first insertion makes the hull the domain, so that its edges can be halved.
-        let path = t.lepp(bad, LeppRule::StopAtBorder);
+        let path = t.lepp(bad, LeppRule::StopAtBoundary);
         t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).ok_or("rounding leaves no room")?;
     }
 

@@ -3,7 +3,7 @@
 use crate::common::Scratch;
 
 const STEPS: &str = "--algorithm lepp-centroid --select smallest-angle --until-destroyed false --centroid average \
-     --constrained-second s1 --encroachment disk --lepp-stop border --protect boundary --max-area 0.02 --max-aspect 4 \
+     --constrained-second s1 --encroachment disk --lepp-stop boundary --protect boundary --max-area 0.02 --max-aspect 4 \
      --min-angle 27.3 --max-vertices 900 --length-floor 1e-6 --insert cavity";
 
 #[test]

@@ -112,7 +112,7 @@ pub(crate) fn hard_mesh() -> IndexedMesh {
     }
 }
 
-/// A square grid of `n` by `n` cells, two triangles each, its border constrained.
+/// A square grid of `n` by `n` cells, two triangles each, its boundary constrained.
 pub(crate) fn grid(n: u32) -> IndexedMesh {
     let at = |i: u32, j: u32| j * (n + 1) + i;
     let mut mesh = IndexedMesh::default();

@@ -25,7 +25,7 @@ pub fn convex_hull(points: &[Point]) -> Vec<Point> {
     hull
 }
 
-/// Number of distinct points on the border of the convex hull, those inside a side included.
+/// Number of distinct points on the boundary of the convex hull, those inside a side included.
 ///
 /// # Guarantees
 /// Where all points are collinear this is the number of distinct points.

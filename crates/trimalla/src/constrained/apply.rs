@@ -95,6 +95,6 @@ impl Corridor {
 /// Fills one half of a cavity.
 fn fill(t: &Triangulation, half: &mut Half, filler: &mut Filler, filling: Filling) -> Option<Edges> {
     filler.points.clear();
-    filler.points.extend(half.border.iter().map(|&v| t.point(v)));
+    filler.points.extend(half.boundary.iter().map(|&v| t.point(v)));
     filler.fill(&mut half.patch, filling)
 }

@@ -27,11 +27,11 @@ impl<J: Journal> Edit<'_, J> {
     pub(crate) fn carve_real(&mut self, kept: &[bool]) -> bool {
         debug_assert!((0..kept.len()).all(|f| !kept[f] || self.is_real(FaceId::from_index(f))), "a real face");
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
-        let border = self.border_of(kept);
-        let outside = Outside::beside(self, kept, &border, self.outside());
+        let boundary = self.boundary_of(kept);
+        let outside = Outside::beside(self, kept, &boundary, self.outside());
         self.data.outside_mut().set(outside, self.j);
         let (t, j) = self.parts();
-        let ghosts = t.mesh.carve(kept, &border, j);
+        let ghosts = t.mesh.carve(kept, &boundary, j);
         t.set_state(2, Closure::Domain, None, j);
         self.constrain_boundary(&ghosts);
         self.work.hint = FaceId::from_index(first);

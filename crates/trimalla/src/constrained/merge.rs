@@ -31,7 +31,7 @@ impl<J: Journal> Edit<'_, J> {
             [_, _, ..] => return Err(refused),
             _ => return Err(RemoveError::Unused(v)),
         };
-        if self.border_ends(h).is_some() && self.needs_proof_outside(self.edge_points(h)) {
+        if self.boundary_ends(h).is_some() && self.needs_proof_outside(self.edge_points(h)) {
             return Err(refused);
         }
         let merged = self.try_merge(v).ok_or(refused)?;

@@ -1,7 +1,7 @@
-//! What lies outside the domain, as the proof that the border does not cross itself.
+//! What lies outside the domain, as the proof that the boundary does not cross itself.
 //!
-//! A split of a subsegment is rounded, and proved: every triangle that it makes is counter-clockwise. On the border of a
-//! domain that proves one side only. Outside, once carved, there are no triangles, and two parts of the border may meet there:
+//! A split of a subsegment is rounded, and proved: every triangle that it makes is counter-clockwise. On the boundary of a
+//! domain that proves one side only. Outside, once carved, there are no triangles, and two parts of the boundary may meet there:
 //!
 //! ```text
 //!        inside                    inside                   a ══════════════ b      two edges leave a at an angle
@@ -11,21 +11,21 @@
 //!        inside                    inside
 //! ```
 //!
-//! So a split of the border is proved on both sides. [`Faces`] is a triangulation of the border alone, its edges constrained, that
-//! follows every split: edge a–b is led through the new vertex v if v–a and v–b cross no other edge of the border and touch
-//! no vertex of it, and the triangle a, b, v holds none. So the border is at all times the edges of a triangulation, which cross
+//! So a split of the boundary is proved on both sides. [`Faces`] is a triangulation of the boundary alone, its edges constrained, that
+//! follows every split: edge a–b is led through the new vertex v if v–a and v–b cross no other edge of the boundary and touch
+//! no vertex of it, and the triangle a, b, v holds none. So the boundary is at all times the edges of a triangulation, which cross
 //! nowhere, and each split moves it over a triangle in which nothing lies: no two parts of it change sides. Nothing is measured,
 //! and no number of last places enters.
 //!
 //! # Where no proof is asked
-//! Hardly any border comes near itself within rounding. There no such triangulation is made:
+//! Hardly any boundary comes near itself within rounding. There no such triangulation is made:
 //!
-//! 1. Before the outside goes, every triangle outside with a border edge is looked at. Where an angle of one is below [`THIN`],
-//!    the border [may be thin](is_thin_outside), and every split needs the proof.
-//! 2. Otherwise only splits of border edges shorter than [`SHORT_ULPS`] need it.
+//! 1. Before the outside goes, every triangle outside with a boundary edge is looked at. Where an angle of one is below [`THIN`],
+//!    the boundary [may be thin](is_thin_outside), and every split needs the proof.
+//! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it.
 //!
 //! ```text
-//!      a ─────────────── c    outside G        A pocket: the border a–b–c bends by rounding, as the side of a drawing that
+//!      a ─────────────── c    outside G        A pocket: the boundary a–b–c bends by rounding, as the side of a drawing that
 //!        ‾‾‾‾══ b ══‾‾‾‾      outside F        was turned does. F is thin, but the angle at b is obtuse, and nothing lies in F:
 //!             inside                           a–c bounds G in the place of a–b and b–c.
 //! ```
@@ -35,7 +35,7 @@
 //! * Take an edge S that bounds a triangle outside that is not thin, and there the apex o, or if several edges bound the
 //!   triangle its centroid o. The triangles that o spans with the edges are disjoint, and their angles at S are above a third
 //!   of `THIN`.
-//! * Vertices that split S, or a border edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a border
+//! * Vertices that split S, or a boundary edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a boundary
 //!   edge lies within 16 u of its input segment, a computed point within 2, and each of the 26 halvings down to `SHORT_ULPS`
 //!   adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a third of `SHORT_ULPS`
 //!   from the ends of their subsegments.
@@ -54,23 +54,23 @@ use super::edit::Edit;
 use super::insert_segment::Crossings;
 use super::plan::SegmentPlan;
 use crate::geometry::{BoundingBox, Point, math};
-use crate::half_edge::{Border, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
+use crate::half_edge::{Boundary, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::locate::Locus;
 use crate::triangulation::{Closure, Triangulation};
 
-/// Border edges shorter than this, in last places of the largest coordinate, are split with proof only.
+/// Boundary edges shorter than this, in last places of the largest coordinate, are split with proof only.
 const SHORT_ULPS: f64 = (1_u32 << 26) as f64;
-/// Triangles outside with a border edge and an angle below this, as its tangent, make the border thin.
+/// Triangles outside with a boundary edge and an angle below this, as its tangent, make the boundary thin.
 const THIN: f64 = 2e-5;
 
 /// What is known of the outside of a domain.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Outside {
-    /// Whether the border comes near itself somewhere.
+    /// Whether the boundary comes near itself somewhere.
     is_thin: bool,
-    /// Border edges shorter than this need a proof.
+    /// Boundary edges shorter than this need a proof.
     short: f64,
-    /// The border in triangles, once a proof was needed.
+    /// The boundary in triangles, once a proof was needed.
     faces: Option<Box<Faces>>,
 }
 
@@ -86,26 +86,26 @@ impl Outside {
     /// was carved once already.
     ///
     /// # Complexity
-    /// Linear in the vertices, and in the edges of the border.
-    pub(super) fn beside(t: &Triangulation, kept: &[bool], border: &Border, before: &Self) -> Self {
-        let outer = border.edges.iter().map(|&h| t.twin(h));
+    /// Linear in the vertices, and in the edges of the boundary.
+    pub(super) fn beside(t: &Triangulation, kept: &[bool], boundary: &Boundary, before: &Self) -> Self {
+        let outer = boundary.edges.iter().map(|&h| t.twin(h));
         let is_thin = before.is_thin || is_thin_outside(t, kept, outer);
         Self { is_thin, short: short_edge(t), faces: None }
     }
 
-    /// What is outside of a domain that came without its outside: that is triangulated, and kept if the border is thin.
+    /// What is outside of a domain that came without its outside: that is triangulated, and kept if the boundary is thin.
     ///
     /// # Complexity
-    /// O(n log n) in the vertices of the border.
-    fn of_border(cdt: &ConstrainedTriangulation) -> Self {
+    /// O(n log n) in the vertices of the boundary.
+    fn of_boundary(cdt: &ConstrainedTriangulation) -> Self {
         let faces = Faces::around(cdt);
-        let outside = Self { is_thin: faces.are_thin(&border_of(cdt)), short: short_edge(cdt), faces: None };
+        let outside = Self { is_thin: faces.are_thin(&boundary_of(cdt)), short: short_edge(cdt), faces: None };
         let faces = outside.is_thin.then(|| Box::new(faces));
         Self { faces, ..outside }
     }
 
-    /// Whether a split of the border edge between two points needs a proof. Once some did, all do, so that the triangles stay
-    /// those beside the border.
+    /// Whether a split of the boundary edge between two points needs a proof. Once some did, all do, so that the triangles stay
+    /// those beside the boundary.
     fn needs_proof(&self, [a, b]: [Point; 2]) -> bool {
         let is_long = |from: f64, to: f64| (to - from).abs() >= self.short;
         self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
@@ -168,20 +168,20 @@ impl Outside {
     }
 }
 
-/// The length below which the border edges of a triangulation are split with proof only.
+/// The length below which the boundary edges of a triangulation are split with proof only.
 fn short_edge(t: &Triangulation) -> f64 {
     let bounds = BoundingBox::of_finite(t.points().iter().copied());
     let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
     SHORT_ULPS * math::last_place(largest)
 }
 
-/// Whether a triangle outside of the kept faces is thin and bounds the border, but for pockets; `border` are the half-edges of
-/// the border that lie outside.
-fn is_thin_outside(t: &Triangulation, kept: &[bool], border: impl Iterator<Item = HalfEdgeId>) -> bool {
+/// Whether a triangle outside of the kept faces is thin and bounds the boundary, but for pockets; `boundary` are the half-edges of
+/// the boundary that lie outside.
+fn is_thin_outside(t: &Triangulation, kept: &[bool], boundary: impl Iterator<Item = HalfEdgeId>) -> bool {
     // Half-edges that close pockets, seen from beyond; and thin triangles that are no pockets so far.
     let mut closing: BTreeSet<HalfEdgeId> = BTreeSet::new();
     let mut thin: BTreeSet<FaceId> = BTreeSet::new();
-    for outer in border {
+    for outer in boundary {
         let mut next = Some(outer);
         // Each round but the first closes another pocket.
         while let Some(h) = next.take().filter(|h| t.is_real(h.face()) && is_thin(t, h.face())) {
@@ -220,46 +220,46 @@ fn is_thin(t: &Triangulation, f: FaceId) -> bool {
     !(is_measured && doubled_area > THIN * dot)
 }
 
-/// A split of the border that can be taken back.
+/// A split of the boundary that can be taken back.
 #[derive(Clone, Copy, Debug)]
 struct Change {
     vertex: VertexId,
     before: Checkpoint,
 }
 
-/// The border alone, triangulated on both sides.
+/// The boundary alone, triangulated on both sides.
 #[derive(Clone, Debug)]
 struct Faces {
-    /// `None` where there is none, as where the border crosses itself already: then no split is proved.
+    /// `None` where there is none, as where the boundary crosses itself already: then no split is proved.
     cdt: Option<Box<ConstrainedDelaunay>>,
-    /// The vertices of the border, as they are called here.
+    /// The vertices of the boundary, as they are called here.
     names: BTreeMap<VertexId, VertexId>,
     log: UndoLog,
     changes: Vec<Change>,
 }
 
 impl Faces {
-    /// Triangulates the border of a domain.
+    /// Triangulates the boundary of a domain.
     ///
     /// # Complexity
-    /// O(n log n) in the vertices of the border.
+    /// O(n log n) in the vertices of the boundary.
     fn around(cdt: &ConstrainedTriangulation) -> Self {
-        let border = border_of(cdt);
-        let mut vertices: Vec<VertexId> = border.iter().flatten().copied().collect();
+        let boundary = boundary_of(cdt);
+        let mut vertices: Vec<VertexId> = boundary.iter().flatten().copied().collect();
         vertices.sort_unstable();
         vertices.dedup();
         let names: BTreeMap<VertexId, VertexId> = vertices.iter().copied().zip((0..).map(VertexId)).collect();
         let points: Vec<Point> = vertices.iter().map(|&v| cdt.point(v)).collect();
-        let segments: Vec<[u32; 2]> = border.iter().map(|ends| ends.map(|v| names[&v].0)).collect();
-        // The border of a mesh without faults crosses nothing, and its points are finite.
+        let segments: Vec<[u32; 2]> = boundary.iter().map(|ends| ends.map(|v| names[&v].0)).collect();
+        // The boundary of a mesh without faults crosses nothing, and its points are finite.
         let cdt = ConstrainedDelaunay::new(&points, &segments, Crossings::Refuse).ok();
         Self { cdt: cdt.map(Box::new), names, log: UndoLog::new(), changes: Vec::new() }
     }
 
-    /// Whether the outside of the domain that has these border edges, itself on their left, is thin somewhere.
-    fn are_thin(&self, border: &[[VertexId; 2]]) -> bool {
+    /// Whether the outside of the domain that has these boundary edges, itself on their left, is thin somewhere.
+    fn are_thin(&self, boundary: &[[VertexId; 2]]) -> bool {
         let Some(cdt) = &self.cdt else { return true };
-        let inner: Vec<HalfEdgeId> = border.iter().filter_map(|&ends| self.edge(cdt, ends)).collect();
+        let inner: Vec<HalfEdgeId> = boundary.iter().filter_map(|&ends| self.edge(cdt, ends)).collect();
         let mut kept = vec![false; cdt.face_slots()];
         let mut stack: Vec<FaceId> = inner.iter().map(|h| h.face()).collect();
         while let Some(f) = stack.pop() {
@@ -271,13 +271,13 @@ impl Faces {
         is_thin_outside(cdt, &kept, inner.iter().map(|&h| cdt.twin(h)))
     }
 
-    /// A border edge as it is here.
+    /// A boundary edge as it is here.
     fn edge(&self, cdt: &ConstrainedTriangulation, [from, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
         let [from, to] = [*self.names.get(&from)?, *self.names.get(&to)?];
         cdt.half_edge_between(from, to).filter(|&h| cdt.is_marked(h))
     }
 
-    /// Leads a border edge through a new vertex at `p`, if that crosses nothing.
+    /// Leads a boundary edge through a new vertex at `p`, if that crosses nothing.
     fn lead_through(&mut self, ends: [VertexId; 2], p: Point) -> Option<VertexId> {
         let mut cdt = self.cdt.take()?;
         let here = self.log.checkpoint();
@@ -289,7 +289,7 @@ impl Faces {
         led
     }
 
-    /// Whether a vertex at `p` may split a border edge.
+    /// Whether a vertex at `p` may split a boundary edge.
     fn may_split(&mut self, ends: [VertexId; 2], p: Point) -> bool {
         let here = self.log.checkpoint();
         let may_split = self.lead_through(ends, p).is_some();
@@ -299,7 +299,7 @@ impl Faces {
         may_split
     }
 
-    /// Notes that vertex `v` at `p` has split a border edge; says whether that was proved.
+    /// Notes that vertex `v` at `p` has split a boundary edge; says whether that was proved.
     fn split(&mut self, ends: [VertexId; 2], v: VertexId, p: Point) -> bool {
         let before = self.log.checkpoint();
         let Some(local) = self.lead_through(ends, p) else { return false };
@@ -317,12 +317,12 @@ impl Faces {
     }
 }
 
-/// The edges of the border of a domain, each in the direction that has the domain on its left, sorted.
-fn border_of(cdt: &ConstrainedTriangulation) -> Vec<[VertexId; 2]> {
-    let border = cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|g| cdt.twin(g));
-    let mut border: Vec<[VertexId; 2]> = border.map(|h| [cdt.origin(h), cdt.dest(h)]).collect();
-    border.sort_unstable();
-    border
+/// The edges of the boundary of a domain, each in the direction that has the domain on its left, sorted.
+fn boundary_of(cdt: &ConstrainedTriangulation) -> Vec<[VertexId; 2]> {
+    let boundary = cdt.ghost_faces().filter_map(|f| cdt.ghost_edge(f)).map(|g| cdt.twin(g));
+    let mut boundary: Vec<[VertexId; 2]> = boundary.map(|h| [cdt.origin(h), cdt.dest(h)]).collect();
+    boundary.sort_unstable();
+    boundary
 }
 
 impl Edit<'_, UndoLog> {
@@ -364,17 +364,17 @@ impl Edit<'_, UndoLog> {
 }
 
 impl ConstrainedTriangulation {
-    /// The ends of an edge of the border, in the direction that has the domain on its left; `None` for other edges.
-    pub(super) fn border_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
+    /// The ends of an edge of the boundary, in the direction that has the domain on its left; `None` for other edges.
+    pub(super) fn boundary_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
         let h = if self.is_real(h.face()) { h } else { self.twin(h) };
-        self.is_on_border(h).then(|| [self.origin(h), self.dest(h)])
+        self.is_boundary_edge(h).then(|| [self.origin(h), self.dest(h)])
     }
 
-    /// [`border_ends`](Self::border_ends) for [`note_split`](Edit::note_split), which asks for them only where the outside is
+    /// [`boundary_ends`](Self::boundary_ends) for [`note_split`](Edit::note_split), which asks for them only where the outside is
     /// kept in triangles.
     #[inline]
     pub(super) fn noted_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
-        if self.outside().faces.is_some() { self.border_ends(h) } else { None }
+        if self.outside().faces.is_some() { self.boundary_ends(h) } else { None }
     }
 
     /// Whether a vertex at `p` may split an edge as far as what is outside goes: always where that is inside.
@@ -386,21 +386,21 @@ impl ConstrainedTriangulation {
 
     #[inline(never)]
     fn is_split_proved_outside(&mut self, h: HalfEdgeId, p: Point) -> bool {
-        self.border_ends(h).is_none_or(|ends| self.faces_of_border().may_split(ends, p))
+        self.boundary_ends(h).is_none_or(|ends| self.faces_of_boundary().may_split(ends, p))
     }
 
-    /// Whether an edge is of the border, and that comes near itself somewhere.
-    pub(crate) fn is_on_thin_border(&self, h: HalfEdgeId) -> bool {
-        self.outside().is_thin && self.border_ends(h).is_some()
+    /// Whether an edge is of the boundary, and that comes near itself somewhere.
+    pub(crate) fn is_on_thin_boundary(&self, h: HalfEdgeId) -> bool {
+        self.outside().is_thin && self.boundary_ends(h).is_some()
     }
 
-    /// The vertex of the border opposite a border edge, across what is outside; `None` where there is none, or splits of that edge
+    /// The vertex of the boundary opposite a boundary edge, across what is outside; `None` where there is none, or splits of that edge
     /// need no proof.
     pub(crate) fn apex_outside(&self, h: HalfEdgeId) -> Option<Point> {
-        let (ends, faces) = (self.border_ends(h)?, self.outside().faces.as_ref()?);
-        let border = faces.cdt.as_ref()?;
-        let apex = border.apex(border.twin(faces.edge(border, ends)?));
-        apex.is_finite().then(|| border.point(apex))
+        let (ends, faces) = (self.boundary_ends(h)?, self.outside().faces.as_ref()?);
+        let boundary = faces.cdt.as_ref()?;
+        let apex = boundary.apex(boundary.twin(faces.edge(boundary, ends)?));
+        apex.is_finite().then(|| boundary.point(apex))
     }
 
     /// Whether the edge between two vertices is split, and merged, with proof only.
@@ -408,8 +408,8 @@ impl ConstrainedTriangulation {
         self.closure() == Closure::Domain && self.outside().needs_proof(ends)
     }
 
-    /// The border in triangles, which are made if there are none.
-    fn faces_of_border(&mut self) -> &mut Faces {
+    /// The boundary in triangles, which are made if there are none.
+    fn faces_of_boundary(&mut self) -> &mut Faces {
         let faces = self.outside_mut().faces.take().unwrap_or_else(|| Box::new(Faces::around(self)));
         self.outside_mut().faces.get_or_insert(faces)
     }
@@ -424,7 +424,7 @@ impl ConstrainedTriangulation {
     /// # Complexity
     /// O(n log n) in the vertices of the boundary.
     pub(crate) fn look_outside(&mut self) {
-        let outside = Outside::of_border(self);
+        let outside = Outside::of_boundary(self);
         self.outside_mut().set(outside, &mut NoJournal);
     }
 }
@@ -466,10 +466,10 @@ mod tests {
     }
 
     #[test]
-    fn a_border_read_without_its_outside_is_as_thin_as_before() {
+    fn a_boundary_read_without_its_outside_is_as_thin_as_before() {
         for height in [1.0, 1e-6] {
             let cdt = holed(height);
-            assert_eq!(Outside::of_border(&cdt).is_thin, is_thin_beside(&cdt), "{height}");
+            assert_eq!(Outside::of_boundary(&cdt).is_thin, is_thin_beside(&cdt), "{height}");
         }
     }
 

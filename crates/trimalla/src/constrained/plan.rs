@@ -12,7 +12,7 @@ const FIRST_SPOKES: usize = 32;
 /// ```text
 ///          l1 ───── l2
 ///         / \      /  \          crossed: the edges from the right to the left of from–to, in order
-///     from ═════════════ to      left:  l1 l2        (a vertex stands twice where the border of the
+///     from ═════════════ to      left:  l1 l2        (a vertex stands twice where the boundary of the
 ///         \    \  /    /         right: r1            faces crossed passes it twice)
 ///          ──── r1 ────
 /// ```

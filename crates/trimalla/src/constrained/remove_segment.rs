@@ -50,7 +50,7 @@ impl<J: Journal> Edit<'_, J> {
     fn detach_segment(&mut self, edges: &[HalfEdgeId], segment: SegmentId) {
         for &h in edges {
             let mut mark = self.without_segment(self.mark(h), segment);
-            if mark == 0 && self.closure() == Closure::Domain && self.is_on_border(h) {
+            if mark == 0 && self.closure() == Closure::Domain && self.is_boundary_edge(h) {
                 mark = self.mark_of_list(&[], []);
             }
             self.data.set_mark(h, mark, self.j);

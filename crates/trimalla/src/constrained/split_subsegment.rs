@@ -13,7 +13,7 @@ use crate::triangulation::Closure;
 pub enum SplitError {
     /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
     TooShort,
-    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the border of the domain would
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the boundary of the domain would
     /// meet itself: another vertex or constraint is closer than rounding.
     Crowded,
 }
@@ -144,7 +144,7 @@ impl ConstrainedTriangulation {
             return Err(SplitError::TooShort);
         }
         // A convex hull stays exactly convex.
-        let on_hull = self.closure() == Closure::Hull && self.is_on_border(h);
+        let on_hull = self.closure() == Closure::Hull && self.is_boundary_edge(h);
         let is_proved = self.may_split_edge(h, p) && (!on_hull || self.side_of(h, p) == Orientation::Collinear);
         if is_proved { Ok(()) } else { Err(SplitError::Crowded) }
     }

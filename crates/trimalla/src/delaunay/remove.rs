@@ -3,7 +3,7 @@
 //! 1. Flip spokes away while the two faces beside one form a strictly convex quadrilateral. A star-shaped
 //!    polygon always has such an ear, until one of these is left:
 //! 2. * three faces around an inner vertex: they become one;
-//!    * four, the vertex on a diagonal of its neighbours: they become two (also on the border);
+//!    * four, the vertex on a diagonal of its neighbours: they become two (also on the boundary);
 //!    * a vertex on the hull whose neighbours form a convex path: the path is the new hull.
 //! 3. The edges beside the hole's rim and those that flips made go to Lawson's loop: all there are inside.
 //!

@@ -75,7 +75,7 @@ pub fn triangulate(
 /// Triangulates a drawing and carves out its domain, to be meshed.
 ///
 /// # Guarantees
-/// The result has at least one triangle, is closed by its domain, and every border edge is constrained. Where the domain is
+/// The result has at least one triangle, is closed by its domain, and every boundary edge is constrained. Where the domain is
 /// the convex hull, vertices within 16 last places of a side of it count as on that side.
 ///
 /// # Errors

@@ -106,7 +106,7 @@ struct Partial {
 /// Where segments are within rounding of each other, edges run along several. A segment gets those that have no name yet where
 /// it has no edge of its own; what is left without a name, all segments along it. A segment may also come back along the edges
 /// of another: of what is inside it gets these, too, where it still has no edge. What is inside may be let go, and it is told
-/// from the names which segments are missing then. What is on the border stays.
+/// from the names which segments are missing then. What is on the boundary stays.
 fn name_between_gaps(
     cdt: &ConstrainedTriangulation,
     courses: &Courses<'_>,
@@ -118,7 +118,7 @@ fn name_between_gaps(
     add_along(cdt, courses, partial, &has_no_name, names, true);
     let has_no_name: Vec<HalfEdgeId> = has_no_name.into_iter().filter(|&edge| !names.has(edge)).collect();
     add_along(cdt, courses, partial, &has_no_name, names, false);
-    let inner: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| !cdt.is_on_border(edge)).collect();
+    let inner: Vec<HalfEdgeId> = locked.keys().copied().filter(|&edge| !cdt.is_boundary_edge(edge)).collect();
     add_along(cdt, courses, partial, &inner, names, true);
 }
 

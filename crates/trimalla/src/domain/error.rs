@@ -201,7 +201,7 @@ pub enum Warning {
         subsegments: usize,
     },
     /// Edges of a mesh between triangles with different attributes that it does not list as segments; they are kept as such.
-    RegionBorders {
+    RegionBoundaries {
         /// How many.
         edges: usize,
     },
@@ -281,7 +281,7 @@ impl std::fmt::Display for Warning {
             Self::NotInDrawing { subsegments } => {
                 write!(f, "{subsegments} subsegments inside the mesh lie on no segment of the drawing; they are kept")
             }
-            Self::RegionBorders { edges } => {
+            Self::RegionBoundaries { edges } => {
                 write!(
                     f,
                     "{edges} edges part triangles with different attributes and are kept, though they are not listed as segments"

@@ -2,7 +2,7 @@
 //!
 //! 1. The mesh is checked by [`check_mesh`](crate::triangulation::check_mesh), and against the vertices of its drawing
 //!    where there is one. Its triangles become the faces; nothing is triangulated anew.
-//! 2. *Locked* edges are the subsegments that the mesh lists, the border, and edges between triangles with different
+//! 2. *Locked* edges are the subsegments that the mesh lists, the boundary, and edges between triangles with different
 //!    attributes: those bound a region, though no segment says so.
 //! 3. Segments are found again as chains of edges: see `chains.rs`. Locked edges that belong to none become segments of
 //!    their own, named after those of the drawing, so that splits are computed from ends as far apart as can be.
@@ -24,7 +24,7 @@ use crate::triangulation::Triangulation;
 /// A mesh taken up again.
 #[derive(Clone, Debug)]
 pub struct FromMesh {
-    /// Its triangles, closed by their border. Constrained Delaunay only if the mesh is:
+    /// Its triangles, closed by their boundary. Constrained Delaunay only if the mesh is:
     /// [`ConstrainedDelaunay`](crate::constrained::ConstrainedDelaunay), made from it, is.
     pub cdt: ConstrainedTriangulation,
     /// What plain arrays hold and the triangulation does not, to be handed to the result.
@@ -40,7 +40,7 @@ pub struct FromMesh {
 /// units.
 ///
 /// # Guarantees
-/// Face `t` is triangle `t` and vertices keep their indices. Border edges and listed segments are constrained. With a
+/// Face `t` is triangle `t` and vertices keep their indices. Boundary edges and listed segments are constrained. With a
 /// drawing, its segments are named as far as edges run along them;
 /// [`against_input`](crate::quality::against_input()) tells where one is not covered. No vertex of the mesh is ever
 /// deleted by a refinement.
@@ -130,7 +130,7 @@ fn locked_edges(cdt: &ConstrainedTriangulation, mesh: &IndexedMesh, warnings: &m
     let mut locked = Locked::new();
     for (i, &[a, b]) in mesh.segments.iter().enumerate() {
         let between = |a, b| cdt.half_edge_between(VertexId(a), VertexId(b));
-        // On a vertex where the border touches itself, only one of the two stars may know the edge.
+        // On a vertex where the boundary touches itself, only one of the two stars may know the edge.
         if let Some(h) = between(a, b).or_else(|| between(b, a)) {
             let marker = mesh.segment_markers.get(i).copied().unwrap_or(0);
             let slot = locked.entry(edge_of(cdt, h)).or_insert(marker);
@@ -150,7 +150,7 @@ fn locked_edges(cdt: &ConstrainedTriangulation, mesh: &IndexedMesh, warnings: &m
     let unlisted: Vec<HalfEdgeId> = cdt.edges().filter(parts_regions).map(|h| edge_of(cdt, h)).collect();
     let unlisted: Vec<HalfEdgeId> = unlisted.into_iter().filter(|edge| !locked.contains_key(edge)).collect();
     if !unlisted.is_empty() {
-        warnings.push(Warning::RegionBorders { edges: unlisted.len() });
+        warnings.push(Warning::RegionBoundaries { edges: unlisted.len() });
     }
     locked.extend(unlisted.into_iter().map(|edge| (edge, 0)));
     locked
@@ -202,11 +202,11 @@ fn marker_of(pslg: &Pslg, segment: usize) -> i32 {
 /// Says what was joined, and what the drawing does not know.
 fn note_chains(cdt: &ConstrainedTriangulation, chains: &[Chain], has_drawing: bool, warnings: &mut Vec<Warning>) {
     if has_drawing {
-        let borders = |v: &[VertexId]| {
+        let boundaries = |v: &[VertexId]| {
             let h = cdt.half_edge_between(v[0], v[1]);
-            h.is_some_and(|h| cdt.is_on_border(h))
+            h.is_some_and(|h| cdt.is_boundary_edge(h))
         };
-        let inner = chains.iter().flat_map(|c| c.vertices.windows(2)).filter(|pair| !borders(pair)).count();
+        let inner = chains.iter().flat_map(|c| c.vertices.windows(2)).filter(|pair| !boundaries(pair)).count();
         if inner > 0 {
             warnings.push(Warning::NotInDrawing { subsegments: inner });
         }

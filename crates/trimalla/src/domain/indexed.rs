@@ -106,17 +106,17 @@ impl ConstrainedTriangulation {
         (sorted, places)
     }
 
-    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the border, 0 inside
+    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the boundary, 0 inside
     /// otherwise.
     fn subsegment(&self, h: HalfEdgeId, segment: Option<u32>, markers: &[i32]) -> Subsegment {
-        let on_border = self.is_on_border(h);
+        let on_boundary = self.is_boundary_edge(h);
         let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
         // Nearly always the first has one.
         let given = segment.filter(|_| !markers.is_empty()).and_then(|first| {
             let others = || self.segments_of(h).into_iter().find_map(marker_of);
             marker_of(first).or_else(others)
         });
-        let marker = given.unwrap_or(if on_border { BOUNDARY_MARKER } else { 0 });
+        let marker = given.unwrap_or(if on_boundary { BOUNDARY_MARKER } else { 0 });
         let mut ends = [self.origin(h), self.dest(h)];
         let mut along = 0.0;
         if let Some(segment) = segment {
@@ -128,14 +128,14 @@ impl ConstrainedTriangulation {
         } else {
             ends.sort_unstable();
         }
-        Subsegment { ends, along, on_border, marker }
+        Subsegment { ends, along, on_boundary, marker }
     }
 
-    /// Input markers where given; otherwise that of a subsegment at the vertex, border ones first.
+    /// Input markers where given; otherwise that of a subsegment at the vertex, boundary ones first.
     fn point_markers(&self, kept: &Kept, subsegments: &[Subsegment], pslg: &Pslg) -> Vec<i32> {
         let mut at = vec![0; self.points().len()];
-        for on_border in [false, true] {
-            for s in subsegments.iter().filter(|s| s.on_border == on_border && s.marker != 0) {
+        for on_boundary in [false, true] {
+            for s in subsegments.iter().filter(|s| s.on_boundary == on_boundary && s.marker != 0) {
                 s.ends.iter().for_each(|v| at[v.index()] = s.marker);
             }
         }
@@ -164,7 +164,7 @@ struct Subsegment {
     ends: [VertexId; 2],
     /// The parameter on the lowest segment that it is part of at which it starts.
     along: f64,
-    on_border: bool,
+    on_boundary: bool,
     marker: i32,
 }
 

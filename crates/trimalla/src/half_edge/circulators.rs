@@ -116,7 +116,7 @@ impl HalfEdgeMesh {
     /// Section 2.3 of `[Valenzuela09]`.
     #[must_use]
     pub fn boundary_half_edge(&self, v: VertexId) -> Option<HalfEdgeId> {
-        self.star(v).find(|&h| self.is_boundary(h))
+        self.star(v).find(|&h| self.is_inner_side_of_boundary(h))
     }
 
     /// The vertices on the hull or the boundary, by id.

@@ -181,14 +181,14 @@ impl HalfEdgeMesh {
     /// Whether a half-edge has a real face to its left and a ghost to its right.
     #[must_use]
     #[inline]
-    pub fn is_boundary(&self, h: HalfEdgeId) -> bool {
+    pub fn is_inner_side_of_boundary(&self, h: HalfEdgeId) -> bool {
         self.is_real(h.face()) && self.is_ghost(self.twin(h).face())
     }
 
     /// Whether a real face lies on just one side of an edge.
     #[must_use]
     #[inline]
-    pub fn is_on_border(&self, h: HalfEdgeId) -> bool {
+    pub fn is_boundary_edge(&self, h: HalfEdgeId) -> bool {
         self.is_real(h.face()) != self.is_real(self.twin(h).face())
     }
 

@@ -2,7 +2,7 @@
 //!
 //! The mesh closes every triangulation to a sphere. A *ghost face* joins each boundary edge to one
 //! vertex at infinity, [`VertexId::INFINITE`], so every half-edge has a twin and no operator asks
-//! whether it stands at the border.
+//! whether it stands at the boundary.
 //!
 //! ```text
 //!   half-edge h   origin(h) ── h ──> dest(h)         face(h)  = h / 3
@@ -38,6 +38,6 @@ pub use ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use journal::{Room, columns};
 pub use operators::FaceError;
-pub(crate) use operators::{Border, Half, Patch, RimEdge, Side, Triangle};
+pub(crate) use operators::{Boundary, Half, Patch, RimEdge, Side, Triangle};
 pub(crate) use push_if::push_if;
 pub use side_table::SideTable;

@@ -164,7 +164,7 @@ fn carving_a_fan_leaves_a_pinched_vertex_with_one_star() {
         .collect();
     let mut log = UndoLog::new();
     let before = m.clone();
-    m.carve(&keep, &m.border_of(&keep), &mut log);
+    m.carve(&keep, &m.boundary_of(&keep), &mut log);
     assert_sound(&m);
     assert_eq!(faces(&m).len(), 2);
     assert_eq!(m.star(v(0)).count(), 6, "two fans of one face, four ghosts");

@@ -33,20 +33,20 @@ pub enum LeppRule {
     /// At every constrained edge, also inside: no point beyond it can improve this side.
     #[default]
     StopAtConstraints,
-    /// At the border alone: the documents' rule.
-    StopAtBorder,
+    /// At the boundary alone: the documents' rule.
+    StopAtBoundary,
 }
 
 impl LeppRule {
     /// Every choice.
-    pub const ALL: [Self; 2] = [Self::StopAtConstraints, Self::StopAtBorder];
+    pub const ALL: [Self; 2] = [Self::StopAtConstraints, Self::StopAtBoundary];
 
     /// Its key.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
             Self::StopAtConstraints => "constraints",
-            Self::StopAtBorder => "border",
+            Self::StopAtBoundary => "boundary",
         }
     }
 
@@ -55,7 +55,7 @@ impl LeppRule {
     pub const fn row(self) -> Row {
         let (summary, source) = match self {
             Self::StopAtConstraints => ("at any constrained edge: no point beyond it can improve this side", ""),
-            Self::StopAtBorder => ("at the border alone, as in the documents", "Valenzuela09"),
+            Self::StopAtBoundary => ("at the boundary alone, as in the documents", "Valenzuela09"),
         };
         Row { step: 3, option: "lepp-stop", key: self.key(), summary, source }
     }
@@ -299,7 +299,7 @@ impl ConstrainedDelaunay {
     /// let is_bad = |[a, b, c]: [Point; 3]| Triangle::new(a, b, c).min_angle().degrees() < 32.0;
     /// loop {
     ///     let Some(bad) = t.real_faces().find(|&f| is_bad(t.face_points(f))) else { break };
-    ///     let path = t.lepp(bad, LeppRule::StopAtBorder);
+    ///     let path = t.lepp(bad, LeppRule::StopAtBoundary);
     ///     t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).ok_or("rounding leaves no room")?;
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -357,7 +357,7 @@ impl ConstrainedDelaunay {
         let behind = if kept[h.face().index()] { None } else { Some(face_behind(self, ruler, h.face(), &kept)?) };
         self.carve(&kept, j).then(|| match behind {
             None => h,
-            Some(face) => terminal_edge(self, ruler, face, LeppRule::StopAtBorder),
+            Some(face) => terminal_edge(self, ruler, face, LeppRule::StopAtBoundary),
         })
     }
 

@@ -72,7 +72,7 @@ pub enum Protect {
     /// All may be split.
     #[default]
     None,
-    /// Those on the border of the domain are kept whole.
+    /// Those on the boundary of the domain are kept whole.
     Boundary,
     /// All are kept whole.
     All,
@@ -97,7 +97,7 @@ impl Protect {
     pub const fn summary(self) -> &'static str {
         match self {
             Self::None => "all segments may be split",
-            Self::Boundary => "those on the border of the domain stay whole",
+            Self::Boundary => "those on the boundary of the domain stay whole",
             Self::All => "all segments stay whole",
         }
     }

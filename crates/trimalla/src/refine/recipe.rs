@@ -120,7 +120,7 @@ step! {
         ShortestEdge = "shortest-edge", "the bad triangle with the shortest edge first", "Shewchuk02";
         SmallestAngle = "smallest-angle", "the bad triangle with the smallest angle first", "MeshSuite";
         SmallestCircumradius = "smallest-circumradius", "the bad triangle with the smallest circumcircle first", "MeshSuite";
-        BoundaryShortestEdge = "boundary-shortest-edge", "triangles with a side on the border first, then by shortest edge", "MeshSuite";
+        BoundaryShortestEdge = "boundary-shortest-edge", "triangles with a side on the boundary first, then by shortest edge", "MeshSuite";
         Manual = "manual", "the triangles that are picked, one after the other", "MeshSuite";
         First = "first", "the bad triangle that has waited longest first", "MeshSuite";
     }

@@ -257,7 +257,7 @@ impl Proposal {
             }
             Self::Free { .. } => false,
             Self::OnEdge { edge, point } => point.is_finite() && cdt.is_alive(edge.face()) && is_free_edge(edge),
-            Self::Split(h) => cdt.is_alive(h.face()) && (cdt.is_on_border(h) || cdt.is_marked(h)),
+            Self::Split(h) => cdt.is_alive(h.face()) && (cdt.is_boundary_edge(h) || cdt.is_marked(h)),
         }
     }
 }
@@ -329,7 +329,7 @@ pub trait InsertStep {
 
 /// Step 5: what becomes of interior segments.
 ///
-/// The border of the domain, and segments that part two regions, are always locked.
+/// The boundary of the domain, and segments that part two regions, are always locked.
 pub trait RecoverStep {
     /// Whether interior segments are locked while points go in.
     fn locks_segments(&self) -> bool;

@@ -117,7 +117,7 @@ impl Triangulation {
         if self.dimension == 2 {
             self.check_faces(&mut faults);
         }
-        self.check_border(&mut faults);
+        self.check_boundary(&mut faults);
         faults
     }
 
@@ -131,7 +131,7 @@ impl Triangulation {
         faults
     }
 
-    /// Whether a finite edge is constrained, on the border, or passes the circle test (ties by the rule).
+    /// Whether a finite edge is constrained, on the boundary, or passes the circle test (ties by the rule).
     ///
     /// # Source
     /// The constrained circle test of `[Valenzuela09]`, definition 5.
@@ -244,7 +244,7 @@ impl Triangulation {
         }
     }
 
-    fn check_border(&self, faults: &mut Vec<Fault>) {
+    fn check_boundary(&self, faults: &mut Vec<Fault>) {
         for f in self.ghost_faces() {
             let Some(g) = self.ghost_edge(f) else { continue };
             let h = self.twin(g);

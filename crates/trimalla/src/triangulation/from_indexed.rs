@@ -2,9 +2,9 @@
 //!
 //! 1. Triangle `t` becomes face `t`, its corners in the order given; sides that run opposite ways between the same two
 //!    vertices become twins.
-//! 2. What is left has no triangle beyond: the border. Each border half-edge gets a ghost, and the ghosts around a vertex
+//! 2. What is left has no triangle beyond: the boundary. Each boundary half-edge gets a ghost, and the ghosts around a vertex
 //!    meet where the outside is.
-//! 3. Where the border touches itself in a vertex, several fans of triangles meet there. Their first edges are put in
+//! 3. Where the boundary touches itself in a vertex, several fans of triangles meet there. Their first edges are put in
 //!    order around the vertex by exact signs, and each fan is joined to the one before it:
 //!
 //! ```text
@@ -23,10 +23,10 @@ use std::cmp::Ordering;
 use super::{Closure, MeshFault, Triangulation, check_mesh};
 use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
-use crate::half_edge::{Border, FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
+use crate::half_edge::{Boundary, FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 
 impl Triangulation {
-    /// The triangulation that has exactly the triangles of a mesh, in their order, closed by its border.
+    /// The triangulation that has exactly the triangles of a mesh, in their order, closed by its boundary.
     ///
     /// Nothing is marked yet, and nothing need be Delaunay. A mesh without triangles gives a triangulation of nothing.
     ///
@@ -77,20 +77,20 @@ fn half_edge(mesh: &IndexedMesh, side: &Side) -> HalfEdgeId {
 
 /// Steps 2 and 3.
 fn close(half_edges: &mut HalfEdgeMesh, mesh: &IndexedMesh, sides: &Sides) {
-    let mut border: Vec<Side> = sides.boundary().copied().collect();
-    border.sort_unstable_by_key(|s| (s.origin, s.dest));
-    let mut before = Vec::with_capacity(border.len());
-    for at_vertex in border.chunk_by_mut(|s, r| s.origin == r.origin) {
+    let mut boundary: Vec<Side> = sides.boundary().copied().collect();
+    boundary.sort_unstable_by_key(|s| (s.origin, s.dest));
+    let mut before = Vec::with_capacity(boundary.len());
+    for at_vertex in boundary.chunk_by_mut(|s, r| s.origin == r.origin) {
         let point = |v: u32| mesh.points[v as usize];
         at_vertex.sort_unstable_by(|s, r| around(point(s.origin), point(s.dest), point(r.dest)));
         let ends: Vec<HalfEdgeId> = at_vertex.iter().map(|s| half_edge(mesh, &end_of_fan(sides, *s))).collect();
         before.extend((0..ends.len()).map(|i| ends[(i + ends.len() - 1) % ends.len()]));
     }
-    let edges: Vec<HalfEdgeId> = border.iter().map(|s| half_edge(mesh, s)).collect();
-    half_edges.close_border(&Border { edges, before }, &vec![0; border.len()], &mut NoJournal);
+    let edges: Vec<HalfEdgeId> = boundary.iter().map(|s| half_edge(mesh, s)).collect();
+    half_edges.close_boundary(&Boundary { edges, before }, &vec![0; boundary.len()], &mut NoJournal);
 }
 
-/// The border side that ends at the origin of a border side, in the same fan of triangles.
+/// The boundary side that ends at the origin of a boundary side, in the same fan of triangles.
 fn end_of_fan(sides: &Sides, first: Side) -> Side {
     let v = first.origin;
     let mut out = first;

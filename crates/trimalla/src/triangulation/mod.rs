@@ -2,7 +2,7 @@
 //!
 //! [`Triangulation`] is any triangulation: it promises that its faces are strictly counter-clockwise by
 //! the exact test and closed by ghosts, not that it is Delaunay. It is closed by its convex hull or by
-//! the border of a domain ([`Closure`]), and every dimension from −1 to 2 is a legal state.
+//! the boundary of a domain ([`Closure`]), and every dimension from −1 to 2 is a legal state.
 //!
 //! [`Triangulation::check`] names every broken invariant; tests call it after every change.
 

@@ -12,7 +12,7 @@ pub enum Closure {
     /// The convex hull: ghosts lie on an exactly convex loop; points outside can be inserted.
     #[default]
     Hull,
-    /// The border of a domain: ghosts close each boundary loop and claim no convexity.
+    /// The boundary of a domain: ghosts close each boundary loop and claim no convexity.
     Domain,
 }
 
@@ -193,7 +193,7 @@ impl Triangulation {
         orient2d(self.point(a), self.point(b), self.point(c)) == Orientation::CounterClockwise
     }
 
-    /// Whether a real face contains a point, its border included.
+    /// Whether a real face contains a point, its boundary included.
     ///
     /// # Source
     /// `faceContainsPoint` of `[Valenzuela09]`, exact here.

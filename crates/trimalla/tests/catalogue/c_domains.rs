@@ -198,9 +198,9 @@ fn c15_curves_of_great_depth() {
     sound(PslgKind::Hilbert, 20_000, DomainRule::Seeds).expect("a domain");
 }
 
-/// A map of cells given ring by ring: shared borders differ by a billionth, so that slivers and overlaps are everywhere.
+/// A map of cells given ring by ring: shared boundaries differ by a billionth, so that slivers and overlaps are everywhere.
 #[test]
-fn c16_a_map_whose_borders_do_not_match() {
+fn c16_a_map_whose_boundaries_do_not_match() {
     let n = 12;
     let corner = |i: i32, j: i32, cell: i32| {
         let off = f64::from((i * 7 + j * 13 + cell * 29) % 5 - 2) * 1e-9;

@@ -85,7 +85,7 @@ fn the_sample_program_ends_on_four_hundred_random_sets() {
         let centroid = [Centroid::Area, Centroid::Average][i % 2];
         let mut inserted = 0;
         while let Some(bad) = bad_triangle(&t, BOUND_DEG) {
-            let path = t.lepp(bad, LeppRule::StopAtBorder);
+            let path = t.lepp(bad, LeppRule::StopAtBoundary);
             assert!(t.lepp_insert(path.terminal_edge, Some(centroid)).is_some(), "set {i} is stuck: {points:?}");
             inserted += 1;
             assert!(inserted < MOST, "set {i} does not end: {points:?}");
@@ -103,7 +103,7 @@ fn one_rollback_takes_back_a_point_and_the_carving_of_the_hull() {
         let Some(bad) = bad_triangle(&t, BOUND_DEG) else { continue };
         let mut log = UndoLog::new();
         let start = log.checkpoint();
-        let path = t.lepp(bad, LeppRule::StopAtBorder);
+        let path = t.lepp(bad, LeppRule::StopAtBoundary);
         t.lepp_insert_with(path.terminal_edge, None, &mut log).expect("room");
         assert_eq!(t.closure(), Closure::Domain);
         t.rollback(&mut log, start);
@@ -228,7 +228,7 @@ fn no_points_are_too_hostile() {
             let mut t = start.clone();
             for _ in 0..150 {
                 let Some(bad) = bad_triangle(&t, BOUND_DEG) else { break };
-                let path = t.lepp(bad, LeppRule::StopAtBorder);
+                let path = t.lepp(bad, LeppRule::StopAtBoundary);
                 if t.lepp_insert(path.terminal_edge, Some(Centroid::Area)).is_none() {
                     break;
                 }

@@ -33,7 +33,7 @@ fn assert_sound(mesh: &HalfEdgeMesh) {
 
 /// The vertices of the boundary that their half-edge does not show as such.
 fn off_boundary(mesh: &HalfEdgeMesh) -> usize {
-    let kept = |v: VertexId| mesh.outgoing(v).is_some_and(|h| mesh.is_boundary(h));
+    let kept = |v: VertexId| mesh.outgoing(v).is_some_and(|h| mesh.is_inner_side_of_boundary(h));
     mesh.boundary_vertices().into_iter().filter(|&v| !kept(v)).count()
 }
 
@@ -63,7 +63,7 @@ fn faces_go_in_and_out_in_any_order() {
             assert_eq!(off_boundary(&mesh), 0, "seed {seed}, face {i}");
         }
         let edges = |m: &HalfEdgeMesh| -> BTreeSet<[VertexId; 2]> {
-            m.half_edges().filter(|&h| m.is_boundary(h)).map(|h| [m.origin(h), m.dest(h)]).collect()
+            m.half_edges().filter(|&h| m.is_inner_side_of_boundary(h)).map(|h| [m.origin(h), m.dest(h)]).collect()
         };
         assert_eq!(edges(&mesh), edges(&t), "seed {seed}: the same boundary");
         let mut left: Vec<FaceId> = mesh.real_faces().collect();
@@ -146,7 +146,7 @@ fn assert_boundary_vertices(mesh: &HalfEdgeMesh) {
     for v in (0..mesh.vertex_slots()).map(VertexId::from_index) {
         assert_eq!(mesh.is_boundary_vertex(v), on_boundary.contains(&v), "{v}");
         match mesh.boundary_half_edge(v) {
-            Some(h) => assert!(mesh.origin(h) == v && mesh.is_boundary(h), "{v}"),
+            Some(h) => assert!(mesh.origin(h) == v && mesh.is_inner_side_of_boundary(h), "{v}"),
             None => assert!(!on_boundary.contains(&v), "{v}"),
         }
     }

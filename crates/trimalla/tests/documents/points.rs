@@ -139,7 +139,7 @@ fn a_constrained_second_edge_of_the_first_terminal_triangle_comes_before_the_lon
         let recipe = Recipe {
             point: PlacePoint::LeppMidpoint,
             constrained_second: ConstrainedSecond::Always,
-            lepp_rule: LeppRule::StopAtBorder,
+            lepp_rule: LeppRule::StopAtBoundary,
             select: Select::Manual,
             ..Preset::LeppMidpoint.recipe()
         };

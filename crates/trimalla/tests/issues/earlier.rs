@@ -40,7 +40,7 @@ fn crossings_do_not_creep() {
     assert!(cdt.steiner_vertices() < 12, "{} vertices for three crossings", cdt.steiner_vertices());
 }
 
-/// Border edges that no segment runs along had neither shells nor small input angles.
+/// Boundary edges that no segment runs along had neither shells nor small input angles.
 #[test]
 fn hull_edges_have_small_input_angles_too() {
     let (mesh, report) = refined(
@@ -140,9 +140,9 @@ fn a_bent_segment_is_split_between_the_ends_of_its_pieces() {
     refined(&issue("bent-segment-huge"), DomainRule::Nesting, RefineOptions::default().with_max_vertices(500));
 }
 
-/// Nothing proved on the outside of a carved border that a rounded split crosses no other border.
+/// Nothing proved on the outside of a carved boundary that a rounded split crosses no other boundary.
 #[test]
-fn borders_with_something_within_rounding_outside_are_not_split() {
+fn boundaries_with_something_within_rounding_outside_are_not_split() {
     let fine = RefineOptions::default().with_max_area(1e-4).with_max_vertices(20_000);
     refined(&issue("crack-within-rounding"), DomainRule::Nesting, fine);
 }

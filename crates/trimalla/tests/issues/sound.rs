@@ -43,10 +43,10 @@ fn refined_by_any(drawing: &Pslg, rule: DomainRule, options: RefineOptions) -> (
     (mesh, report)
 }
 
-/// Only vertices within 64 last places of a border edge were looked for, not edges that leave a vertex at a tiny angle.
+/// Only vertices within 64 last places of a boundary edge were looked for, not edges that leave a vertex at a tiny angle.
 #[test]
-fn borders_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
-    let drawing = issue("border-crosses-near-a-corner");
+fn boundaries_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
+    let drawing = issue("boundary-crosses-near-a-corner");
     for &preset in Preset::ALL {
         for angle in [20.0, 30.0] {
             let options = RefineOptions::of(preset).with_min_angle_deg(angle).with_max_vertices(300);
@@ -55,10 +55,10 @@ fn borders_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
     }
 }
 
-/// The same border read from a mesh, without its outside.
+/// The same boundary read from a mesh, without its outside.
 #[test]
-fn borders_of_a_mesh_read_again_do_not_cross() {
-    let drawing = issue("border-crosses-near-a-corner");
+fn boundaries_of_a_mesh_read_again_do_not_cross() {
+    let drawing = issue("boundary-crosses-near-a-corner");
     let mesh = IndexedMesh {
         points: drawing.points,
         triangles: vec![[0, 2, 1], [2, 3, 4], [6, 0, 5]],
@@ -78,9 +78,9 @@ fn borders_of_a_mesh_read_again_do_not_cross() {
 }
 
 #[test]
-fn borders_in_a_thin_angle_do_not_touch() {
+fn boundaries_in_a_thin_angle_do_not_touch() {
     let options = RefineOptions::of(Preset::LeppMidpoint).with_min_angle_deg(28.0).with_max_vertices(1500);
-    refined(&issue("borders-touch-in-a-thin-angle"), DomainRule::Nesting, options);
+    refined(&issue("boundaries-touch-in-a-thin-angle"), DomainRule::Nesting, options);
 }
 
 /// `refine::lepp::quadrilateral_centroid` divided zero by zero.

@@ -288,7 +288,7 @@ impl Edited {
                 },
                 2 => {
                     if let Some(v) = self.draw_vertex(&mut own) {
-                        // Refused where constraints end at it, as on the whole border.
+                        // Refused where constraints end at it, as on the whole boundary.
                         let _ = self.cdt.remove_with(v, log);
                     }
                 }

@@ -31,7 +31,7 @@ fn pieces_holes_and_loops_are_counted() {
         (&["# #"], [2, 0, 2]),
         // Two squares that touch in a corner: one piece, two loops.
         (&["# ", " #"], [1, 0, 2]),
-        // A hole that touches the border from inside, in one vertex of the ring.
+        // A hole that touches the boundary from inside, in one vertex of the ring.
         (&["## ", "# #", "###"], [1, 1, 1]),
         (&["#####", "#   #", "# # #", "#   #", "#####"], [2, 1, 3]),
     ];
@@ -187,7 +187,7 @@ fn a_split_vertex_may_be_off_by_rounding_only() {
 
 #[test]
 fn a_segment_outside_the_mesh_may_be_absent() {
-    // A hole in the middle: the segment across it runs outside, the one from the border runs in and out.
+    // A hole in the middle: the segment across it runs outside, the one from the boundary runs in and out.
     let m = grid(&["###", "# #", "###"]);
     let across_hole = drawing(&m.points, &[[5, 10], [6, 9]]);
     assert_eq!(against_input(&m, &across_hole).faults, []);

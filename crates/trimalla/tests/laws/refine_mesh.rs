@@ -258,12 +258,12 @@ fn what_is_not_delaunay_is_flipped_only_by_recipes_that_flip() {
 }
 
 #[test]
-fn attributes_are_handed_down_and_their_borders_stay() {
+fn attributes_are_handed_down_and_their_boundaries_stay() {
     let mut mesh = flat();
     (mesh.attributes_per_triangle, mesh.triangle_attributes) = (2, vec![1.0, 10.0, 2.0, 20.0]);
     let options = RefineOptions::default().with_max_area(0.1);
     let Meshed { mesh: fine, warnings, .. } = refine_mesh(&mesh, None, &options).unwrap();
-    assert!(warnings.contains(&Warning::RegionBorders { edges: 1 }));
+    assert!(warnings.contains(&Warning::RegionBoundaries { edges: 1 }));
     assert_eq!(fine.attributes_per_triangle, 2);
     for (t, row) in fine.triangles.iter().zip(fine.triangle_attributes.chunks(2)) {
         let y: f64 = t.iter().map(|&v| fine.points[v as usize].y).sum();

@@ -155,7 +155,7 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
     assert!(coarse > 1.0, "below the axis triangles stay large");
 }
 
-/// A test of the caller's own is asked for triangles of the domain alone, also where border segments are split.
+/// A test of the caller's own is asked for triangles of the domain alone, also where boundary segments are split.
 #[test]
 fn a_test_of_the_caller_gets_triangles_of_the_domain() {
     // Shifted, so that what is no vertex lies far outside.

@@ -199,8 +199,8 @@ fn protected_segments_stay_one_edge() {
 
 /// Every constrained edge that is protected is still there.
 fn kept_whole(before: &ConstrainedTriangulation, after: &ConstrainedTriangulation, protect: Protect) -> Verdict {
-    let border = |h| before.is_boundary(h) || before.is_boundary(before.twin(h));
-    for h in before.edges().filter(|&h| before.is_marked(h) && (protect == Protect::All || border(h))) {
+    let boundary = |h| before.is_inner_side_of_boundary(h) || before.is_inner_side_of_boundary(before.twin(h));
+    for h in before.edges().filter(|&h| before.is_marked(h) && (protect == Protect::All || boundary(h))) {
         let (a, b) = (before.origin(h), before.dest(h));
         if !after.half_edge_between(a, b).is_some_and(|h| after.is_marked(h)) {
             return Err(format!("the protected edge from {a} to {b} was parted"));
@@ -428,9 +428,9 @@ fn edges_an_ulp_long_and_needles() {
     }
 }
 
-/// CGAL#2456: a comb of collinear border points and a fan that crosses it.
+/// CGAL#2456: a comb of collinear boundary points and a fan that crosses it.
 #[test]
-fn a_comb_of_border_points_under_a_fan() {
+fn a_comb_of_boundary_points_under_a_fan() {
     let mut corners: Vec<[f64; 2]> = (0..=40).map(|i| [f64::from(i) / 40.0, 0.0]).collect();
     corners.extend([[1.0, 1.0], [0.0, 1.0]]);
     let mut drawing = Pslg::of_ring(corners);

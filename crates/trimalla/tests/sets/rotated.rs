@@ -2,7 +2,7 @@
 //!
 //! A drawing that somebody else turned and resampled has sides that are straight in intent and bent by an ulp in
 //! fact: of every hundred points on a side about half lie outside the line between its ends and half inside. A
-//! program that believes in straight sides, in a convex border or in an epsilon breaks here.
+//! program that believes in straight sides, in a convex boundary or in an epsilon breaks here.
 //!
 //! *Drawings.* Triangle's letter A at every whole degree from 1 to 89, our gear wheel at a seeded dozen of angles,
 //! each with a hundred rounded points on every side, near the origin and at an UTM offset (500 000, 4 649 776).
@@ -11,7 +11,7 @@
 //! 1. The bound is reached everywhere: the report has no leftover.
 //! 2. The mesh is clean by the library's checker and by the testkit's.
 //! 3. Its exact area is that of the drawing, up to the perimeter times an ulp of the largest coordinate (I15 of the
-//!    reliability catalogue): what the rounding of vertices on the border may change, and no more.
+//!    reliability catalogue): what the rounding of vertices on the boundary may change, and no more.
 
 use std::path::{Path, PathBuf};
 

@@ -2,7 +2,7 @@
 //!
 //! The vertices on one side of the segment, from its one end to its other, bound a region without
 //! triangles. It may touch itself: a vertex from which edges dangle into the region stands in the
-//! list once for each time the border passes it.
+//! list once for each time the boundary passes it.
 //!
 //! ```text
 //!              2 ─── 3 ─ 4                 base: from 0 to 5; the region lies on its left
@@ -13,12 +13,12 @@
 //! ```
 //!
 //! Two ways to fill it, with one result:
-//! * [`randomised`]: expected linear time, the default for all but short borders;
-//! * [`recursive`]: Vigo's, quadratic; quick where the border is short, the step view's, the oracle's, and what is fallen
+//! * [`randomised`]: expected linear time, the default for all but short boundaries;
+//! * [`recursive`]: Vigo's, quadratic; quick where the boundary is short, the step view's, the oracle's, and what is fallen
 //!   back on where the former meets a region too twisted for it.
 //!
 //! # Guarantees
-//! Every vertex of the border sees the base: edges lead from it across the base, which no other part of the border crosses.
+//! Every vertex of the boundary sees the base: edges lead from it across the base, which no other part of the boundary crosses.
 //! So the constrained Delaunay triangulation of the region is found by circles alone, as `[Vigo97]` shows. Only signs of the
 //! exact predicates decide.
 
@@ -30,7 +30,7 @@ mod tests;
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
 use crate::half_edge::Patch;
 
-/// Up to this many border vertices recursion is quicker.
+/// Up to this many boundary vertices recursion is quicker.
 const SHORT: usize = 24;
 
 /// How a pseudo-polygon is filled.
@@ -55,7 +55,7 @@ pub(super) enum Edges {
 /// Fills pseudo-polygons, one after the other, in room that is kept.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Filler {
-    /// The border of the next one.
+    /// The boundary of the next one.
     pub(super) points: Vec<Point>,
     randomised: randomised::Room,
     recursive: recursive::Room,
@@ -66,21 +66,21 @@ impl Filler {
     ///
     /// Returns `None` only where the points do not bound such a region.
     pub(super) fn fill(&mut self, patch: &mut Patch, filling: Filling) -> Option<Edges> {
-        let border = Border(&self.points);
+        let boundary = Boundary(&self.points);
         if filling == Filling::Randomised && self.points.len() > SHORT {
-            if let Some(edges) = randomised::fill(border, patch, &mut self.randomised) {
+            if let Some(edges) = randomised::fill(boundary, patch, &mut self.randomised) {
                 return Some(edges);
             }
         }
-        recursive::fill(border, patch, &mut self.recursive)
+        recursive::fill(boundary, patch, &mut self.recursive)
     }
 }
 
-/// The border of a pseudo-polygon; its vertices are named by their positions.
+/// The boundary of a pseudo-polygon; its vertices are named by their positions.
 #[derive(Clone, Copy, Debug)]
-struct Border<'a>(&'a [Point]);
+struct Boundary<'a>(&'a [Point]);
 
-impl Border<'_> {
+impl Boundary<'_> {
     /// Number of vertices; `None` where there are too few for a triangle.
     fn len(self) -> Option<u32> {
         u32::try_from(self.0.len()).ok().filter(|&n| n >= 3)
@@ -105,7 +105,7 @@ impl Border<'_> {
     }
 }
 
-/// Whether a point lies inside the circle of a counter-clockwise triangle; a vertex that stands on the border twice is not
+/// Whether a point lies inside the circle of a counter-clockwise triangle; a vertex that stands on the boundary twice is not
 /// inside a circle through itself.
 #[inline]
 fn is_inside([a, b, c]: [Point; 3], d: Point) -> bool {

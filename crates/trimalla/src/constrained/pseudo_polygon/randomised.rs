@@ -1,6 +1,6 @@
 //! Filling in expected linear time.
 //!
-//! 1. Take the vertices out of the border in random order, never one that is closer to the base than both its
+//! 1. Take the vertices out of the boundary in random order, never one that is closer to the base than both its
 //!    neighbours, until one is left: with the base it is the first triangle.
 //! 2. Put them back in reverse order. Each lies outside what is filled, across the edge that joined its
 //!    neighbours; triangles across that edge whose circle holds it (or that it does not see) are dug out,
@@ -21,7 +21,7 @@
 //! `[ShewchukBrown15]`, after Chew's algorithm for convex polygons; written from the paper's idea. The paper marks
 //! vertices around doubtful holes and fills again; here Lawson's loop does that.
 
-use super::{Border, Edges};
+use super::{Boundary, Edges};
 use crate::geometry::Point;
 use crate::half_edge::{Patch, Side, Triangle};
 
@@ -37,13 +37,13 @@ pub(super) struct Room {
 }
 
 /// See [`super::Filler::fill`].
-pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
-    let n = border.len()?;
+pub(super) fn fill(boundary: Boundary<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
+    let n = boundary.len()?;
     let Room { shrinking, free, pending } = room;
-    shrinking.take_out(border.0);
+    shrinking.take_out(boundary.0);
     free.clear();
     pending.clear();
-    let mut growing = Growing { border, patch, free, pending, edges: Edges::Legal };
+    let mut growing = Growing { boundary, patch, free, pending, edges: Edges::Legal };
     let (&apex, others) = shrinking.order.split_first()?;
     growing.start(n, apex)?;
     for &u in others {
@@ -53,7 +53,7 @@ pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Op
     Some(growing.edges)
 }
 
-/// The border as a linked list that grows shorter.
+/// The boundary as a linked list that grows shorter.
 #[derive(Clone, Debug, Default)]
 struct Shrinking {
     prev: Vec<u32>,
@@ -109,7 +109,7 @@ impl Shrinking {
         }
     }
 
-    /// Whether a vertex is closer to the base than both its neighbours on the border.
+    /// Whether a vertex is closer to the base than both its neighbours on the boundary.
     fn is_valley(&self, v: u32) -> bool {
         let [v, p, n] = [v, self.prev[v as usize], self.next[v as usize]].map(|v| self.height[v as usize]);
         v < p && v < n
@@ -121,9 +121,9 @@ fn below(n: u64, random: u64) -> usize {
     (((random >> 32) * n) >> 32) as usize
 }
 
-/// Triangles in the making. `patch.rim[i]` is the side along the edge of the growing border that begins at vertex `i`.
+/// Triangles in the making. `patch.rim[i]` is the side along the edge of the growing boundary that begins at vertex `i`.
 struct Growing<'a> {
-    border: Border<'a>,
+    boundary: Boundary<'a>,
     patch: &'a mut Patch,
     free: &'a mut Vec<u32>,
     /// Edges to dig through or to build on, the next one last.
@@ -145,32 +145,33 @@ impl Growing<'_> {
     /// The first triangle: the base and one vertex.
     fn start(&mut self, n: u32, apex: u32) -> Option<()> {
         let corners = [0, n - 1, apex];
-        self.patch.start(self.border.0.len());
+        self.patch.start(self.boundary.0.len());
         let first = self.add(corners);
         self.patch.base = first;
         self.patch.rim[apex as usize] = first.next(); // last → apex
         self.patch.rim[0] = first.prev(); // apex → 0
-        self.border.is_ccw(corners).then_some(())
+        self.boundary.is_ccw(corners).then_some(())
     }
 
     /// Puts `u` back between `p` and `n`.
     fn put_back(&mut self, u: u32, p: u32, n: u32) -> Option<()> {
         self.pending.push(Pending { v: n, w: p, beyond: self.patch.rim[p as usize], seen: false });
-        let mut spoke = Side::BORDER; // u → w of the triangle before in the fan
+        let mut spoke = Side::BOUNDARY; // u → w of the triangle before in the fan
         while let Some(edge) = self.pending.pop() {
             let triangle = [edge.v, u, edge.w];
-            if !edge.seen && !self.border.is_ccw(triangle) {
+            if !edge.seen && !self.boundary.is_ccw(triangle) {
                 self.edges = Edges::Unproved;
                 self.dig(edge, false)?;
                 continue;
             }
-            if edge.beyond != Side::BORDER && self.border.is_inside(triangle, self.patch.origin(edge.beyond.prev())) {
+            if edge.beyond != Side::BOUNDARY && self.boundary.is_inside(triangle, self.patch.origin(edge.beyond.prev()))
+            {
                 self.dig(edge, true)?;
                 continue;
             }
             let t = self.add(triangle);
             self.join_beyond(t.prev(), edge);
-            if spoke == Side::BORDER {
+            if spoke == Side::BOUNDARY {
                 self.patch.rim[u as usize] = t; // n → u
             } else {
                 self.patch.set_across(spoke, t);
@@ -184,7 +185,7 @@ impl Growing<'_> {
 
     /// Takes away the triangle beyond an edge; its two other edges are pending instead, and seen or not.
     fn dig(&mut self, e: Pending, seen: bool) -> Option<()> {
-        if e.beyond == Side::BORDER {
+        if e.beyond == Side::BOUNDARY {
             return None;
         }
         let (wx, xv) = (e.beyond.next(), e.beyond.prev());
@@ -193,13 +194,13 @@ impl Growing<'_> {
         for (v, w, side) in [(x, e.w, wx), (e.v, x, xv)] {
             self.pending.push(Pending { v, w, beyond: self.patch.across(side), seen });
         }
-        // A filled region has no more than twice as many pending edges as the border has vertices.
-        (self.pending.len() <= 2 * self.border.0.len()).then_some(())
+        // A filled region has no more than twice as many pending edges as the boundary has vertices.
+        (self.pending.len() <= 2 * self.boundary.0.len()).then_some(())
     }
 
     /// Adds a triangle; returns its first side.
     fn add(&mut self, corners: [u32; 3]) -> Side {
-        let triangle = Triangle { corners, across: [Side::BORDER; 3] };
+        let triangle = Triangle { corners, across: [Side::BOUNDARY; 3] };
         let triangles = &mut self.patch.triangles;
         if let Some(slot) = self.free.pop() {
             triangles[slot as usize] = triangle;
@@ -209,12 +210,12 @@ impl Growing<'_> {
         Side::new(triangles.len() as u32 - 1, 0)
     }
 
-    /// Joins new side w → v to what lies beyond it, or makes it the side along the border.
+    /// Joins new side w → v to what lies beyond it, or makes it the side along the boundary.
     fn join_beyond(&mut self, side: Side, e: Pending) {
-        if e.beyond != Side::BORDER {
+        if e.beyond != Side::BOUNDARY {
             self.patch.set_across(side, e.beyond);
             self.patch.set_across(e.beyond, side);
-        } else if e.w == 0 && e.v as usize == self.border.0.len() - 1 {
+        } else if e.w == 0 && e.v as usize == self.boundary.0.len() - 1 {
             self.patch.base = side;
         } else {
             self.patch.rim[e.v as usize] = side;

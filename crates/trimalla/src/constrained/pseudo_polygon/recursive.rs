@@ -10,11 +10,11 @@
 //! `[Vigo97]`, `TriangulatePseudopolygonDelaunay`; corners that are not left of the base are passed over
 //! here, which the paper leaves to the in-circle test.
 
-use super::{Border, Edges, is_inside};
+use super::{Boundary, Edges, is_inside};
 use crate::geometry::ccw;
 use crate::half_edge::{Patch, Side, Triangle};
 
-/// A stretch of the border between two vertices, with the edge between them for its base.
+/// A stretch of the boundary between two vertices, with the edge between them for its base.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     first: u32,
@@ -28,18 +28,20 @@ struct Stretch {
 pub(super) struct Room(Vec<Stretch>);
 
 /// See [`super::Filler::fill`].
-pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
-    let n = border.len()?;
-    patch.start(border.0.len());
+pub(super) fn fill(boundary: Boundary<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
+    let n = boundary.len()?;
+    patch.start(boundary.0.len());
     patch.base = Side::new(0, 0);
     room.0.clear();
-    let mut next = Some(Stretch { first: 0, last: n - 1, parent: Side::BORDER });
+    let mut next = Some(Stretch { first: 0, last: n - 1, parent: Side::BOUNDARY });
     while let Some(Stretch { first, last, parent }) = next.take().or_else(|| room.0.pop()) {
-        let corner = best_corner(border, first, last)?;
+        let corner = best_corner(boundary, first, last)?;
         // Counter-clockwise first → last → corner; the other two sides are rims or bases of stretches.
         let this = patch.triangles.len() as u32;
-        patch.triangles.push(Triangle { corners: [first, last, corner], across: [parent, Side::BORDER, Side::BORDER] });
-        if parent != Side::BORDER {
+        patch
+            .triangles
+            .push(Triangle { corners: [first, last, corner], across: [parent, Side::BOUNDARY, Side::BOUNDARY] });
+        if parent != Side::BOUNDARY {
             patch.set_across(parent, Side::new(this, 0));
         }
         for (first, last, side) in [(corner, last, Side::new(this, 1)), (first, corner, Side::new(this, 2))] {
@@ -54,10 +56,10 @@ pub(super) fn fill(border: Border<'_>, patch: &mut Patch, room: &mut Room) -> Op
 }
 
 /// Of the vertices strictly between and left of the base, the one whose circle holds none of the others.
-fn best_corner(border: Border<'_>, first: u32, last: u32) -> Option<u32> {
-    let [a, b] = border.at([first, last]);
+fn best_corner(boundary: Boundary<'_>, first: u32, last: u32) -> Option<u32> {
+    let [a, b] = boundary.at([first, last]);
     let mut best = None;
-    for (v, &p) in (first + 1..).zip(&border.0[first as usize + 1..last as usize]) {
+    for (v, &p) in (first + 1..).zip(&boundary.0[first as usize + 1..last as usize]) {
         let is_better = best.is_none_or(|(_, c)| is_inside([a, b, c], p));
         if is_better && ccw(a, b, p) {
             best = Some((v, p));

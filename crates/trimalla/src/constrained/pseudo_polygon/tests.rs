@@ -28,8 +28,8 @@ struct Filled {
 fn triangles(patch: &Patch) -> Vec<Filled> {
     let rims: BTreeMap<Side, u32> = patch.rim.iter().copied().zip(0..).collect();
     let across = |side: Side| match patch.across(side) {
-        Side::BORDER if side == patch.base => Across::Base,
-        Side::BORDER => Across::Rim(rims[&side]),
+        Side::BOUNDARY if side == patch.base => Across::Base,
+        Side::BOUNDARY => Across::Rim(rims[&side]),
         other => Across::Triangle(other.triangle(), other.corner() as u32),
     };
     let triangle = |t: u32| Filled {
@@ -41,12 +41,12 @@ fn triangles(patch: &Patch) -> Vec<Filled> {
 
 fn fill_randomised(points: &[Point]) -> Option<Vec<Filled>> {
     let mut patch = Patch::default();
-    randomised::fill(Border(points), &mut patch, &mut randomised::Room::default()).map(|_| triangles(&patch))
+    randomised::fill(Boundary(points), &mut patch, &mut randomised::Room::default()).map(|_| triangles(&patch))
 }
 
 fn fill_recursive(points: &[Point]) -> Option<Vec<Filled>> {
     let mut patch = Patch::default();
-    recursive::fill(Border(points), &mut patch, &mut recursive::Room::default()).map(|_| triangles(&patch))
+    recursive::fill(Boundary(points), &mut patch, &mut recursive::Room::default()).map(|_| triangles(&patch))
 }
 
 /// The triangles as sorted positions, after checking that every side leads where it says.
@@ -78,7 +78,7 @@ fn sound(filled: &[Filled], n: u32) -> Vec<[u32; 3]> {
             }
         }
     }
-    assert!(base && rims.into_iter().all(|r| r), "every side of the border is met");
+    assert!(base && rims.into_iter().all(|r| r), "every side of the boundary is met");
     let mut list: Vec<[u32; 3]> = filled
         .iter()
         .map(|t| {
@@ -134,7 +134,7 @@ fn jagged_chains_are_filled_counter_clockwise() {
         points[n as usize - 1].y = 0.0;
         for filled in [fill_randomised(&points), fill_recursive(&points)].into_iter().flatten() {
             sound(&filled, n);
-            assert!(filled.iter().all(|t| Border(&points).is_ccw(t.vertices)), "every triangle is counter-clockwise");
+            assert!(filled.iter().all(|t| Boundary(&points).is_ccw(t.vertices)), "every triangle is counter-clockwise");
         }
     }
 }

@@ -1,35 +1,35 @@
-//! Carve: everything outside the domain away, ghosts along its border.
+//! Carve: everything outside the domain away, ghosts along its boundary.
 
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
-/// The border between the faces of a domain and what is outside.
+/// The boundary between the faces of a domain and what is outside.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Border {
+pub(crate) struct Boundary {
     /// The half-edges a→b of faces inside with none across.
     pub(crate) edges: Vec<HalfEdgeId>,
-    /// For each, the border half-edge c→a met first, turning clockwise around `a` through what is outside.
+    /// For each, the boundary half-edge c→a met first, turning clockwise around `a` through what is outside.
     pub(crate) before: Vec<HalfEdgeId>,
 }
 
 impl HalfEdgeMesh {
-    /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each border of
+    /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each boundary of
     /// what is left with new ghosts.
     ///
     /// ```text
     ///        \  kept  /                     \  kept  /
     ///     ────a══════b────              ────a══════b────
-    ///        / removed \                       ∞          one ghost (b,a,∞) an edge of the border;
+    ///        / removed \                       ∞          one ghost (b,a,∞) an edge of the boundary;
     ///       /  faces    \                                 ghosts meet where the removed wedge between
-    ///                                                     two border edges was
+    ///                                                     two boundary edges was
     /// ```
     ///
-    /// A vertex where the border touches itself keeps one star: kept fan, two ghosts, kept fan, two
+    /// A vertex where the boundary touches itself keeps one star: kept fan, two ghosts, kept fan, two
     /// ghosts, … in the order in which the fans lay around it. Vertices outside become unused. Returns the ghosts.
     ///
     /// # Complexity
     /// Linear in all faces.
-    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], border: &Border, j: &mut J) -> Vec<FaceId> {
-        let marks: Vec<u32> = border.edges.iter().map(|&h| self.mark(h)).collect();
+    pub(crate) fn carve<J: Journal>(&mut self, kept: &[bool], boundary: &Boundary, j: &mut J) -> Vec<FaceId> {
+        let marks: Vec<u32> = boundary.edges.iter().map(|&h| self.mark(h)).collect();
         // The lowest slot is freed last: it is used again first.
         for f in (0..self.face_slots()).rev().map(FaceId::from_index) {
             if !kept[f.index()] && self.is_alive(f) {
@@ -39,37 +39,37 @@ impl HalfEdgeMesh {
                 self.free_face(f, j);
             }
         }
-        self.close_border(border, &marks, j)
+        self.close_boundary(boundary, &marks, j)
     }
 
-    /// The border of kept faces, in the order of their slots.
+    /// The boundary of kept faces, in the order of their slots.
     ///
     /// # Complexity
     /// Linear in the faces that are not kept, and a glance at each face slot.
-    pub(crate) fn border_of(&self, kept: &[bool]) -> Border {
+    pub(crate) fn boundary_of(&self, kept: &[bool]) -> Boundary {
         let others = (0..self.face_slots()).map(FaceId::from_index).filter(|f| !kept[f.index()] && self.is_alive(*f));
         let across = others.flat_map(FaceId::half_edges).map(|h| self.twin(h));
         let mut edges: Vec<HalfEdgeId> = across.filter(|h| kept[h.face().index()]).collect();
         edges.sort_unstable();
         let before = edges.iter().map(|&h| self.turn_through(h, kept)).collect();
-        Border { edges, before }
+        Boundary { edges, before }
     }
 
-    /// Hangs a ghost on each half-edge of a border, with its mark, and joins it to the ghost of the one before; returns the ghosts.
-    pub(crate) fn close_border<J: Journal>(&mut self, border: &Border, marks: &[u32], j: &mut J) -> Vec<FaceId> {
-        let ghosts: Vec<FaceId> = border.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
-        for (&ghost, &b) in ghosts.iter().zip(&border.before) {
+    /// Hangs a ghost on each half-edge of a boundary, with its mark, and joins it to the ghost of the one before; returns the ghosts.
+    pub(crate) fn close_boundary<J: Journal>(&mut self, boundary: &Boundary, marks: &[u32], j: &mut J) -> Vec<FaceId> {
+        let ghosts: Vec<FaceId> = boundary.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
+        for (&ghost, &b) in ghosts.iter().zip(&boundary.before) {
             // a→∞ of the ghost of a→b meets ∞→a of the ghost of c→a.
             let other = self.twin(b).face();
             self.glue(ghost.half_edge(1), other.half_edge(2), j);
         }
-        for &h in &border.edges {
+        for &h in &boundary.edges {
             self.set_outgoing(self.origin(h), h, j);
         }
         ghosts
     }
 
-    /// Ghost (b,a,∞) on border half-edge `h` = a→b.
+    /// Ghost (b,a,∞) on boundary half-edge `h` = a→b.
     pub(super) fn hang_ghost<J: Journal>(&mut self, h: HalfEdgeId, mark: u32, j: &mut J) -> FaceId {
         let ghost = self.take_face(j);
         let (a, b) = (self.origin(h), self.dest(h));
@@ -81,7 +81,7 @@ impl HalfEdgeMesh {
         ghost
     }
 
-    /// From border half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the half-edge
+    /// From boundary half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the half-edge
     /// c→a at which a kept face begins again.
     fn turn_through(&self, h: HalfEdgeId, kept: &[bool]) -> HalfEdgeId {
         let mut incoming = self.twin(h);

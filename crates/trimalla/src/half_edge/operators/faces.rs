@@ -124,7 +124,7 @@ impl HalfEdgeMesh {
         self.set_marks_one_side(face, marks, &mut NoJournal);
         self.join_gaps(&gaps);
         for (h, v) in face.half_edges().into_iter().zip(vertices) {
-            let on_boundary = self.star_from(h).find(|&g| self.is_boundary(g));
+            let on_boundary = self.star_from(h).find(|&g| self.is_inner_side_of_boundary(g));
             self.set_outgoing(v, on_boundary.unwrap_or(h), &mut NoJournal);
         }
         Ok(face)

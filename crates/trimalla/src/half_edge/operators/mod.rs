@@ -8,7 +8,7 @@
 //! | [`start_chain`](HalfEdgeMesh::start_chain) | point → two-point chain | [`end_chain`](HalfEdgeMesh::end_chain) |
 //! | [`extend_chain`](HalfEdgeMesh::extend_chain) | chain → longer chain | [`shorten_chain`](HalfEdgeMesh::shorten_chain) |
 //! | [`attach_outside`](HalfEdgeMesh::attach_outside) | a run of ghosts → real faces around a new vertex | [`detach_outside`](HalfEdgeMesh::detach_outside) |
-//! | [`carve`](HalfEdgeMesh::carve) | faces outside the domain → ghosts along its border | rollback |
+//! | [`carve`](HalfEdgeMesh::carve) | faces outside the domain → ghosts along its boundary | rollback |
 //! | [`add_face`](HalfEdgeMesh::add_face) | 0 → 1 face, checked | [`remove_face`](HalfEdgeMesh::remove_face) |
 //! | [`refill`](HalfEdgeMesh::refill) | a cavity's faces → others with the same rim | rollback |
 //! | [`fill_star`](HalfEdgeMesh::fill_star) | a cavity's faces → a fan around a new vertex | rollback |
@@ -30,7 +30,7 @@ mod split;
 mod star;
 mod unsplit;
 
-pub(crate) use carve::Border;
+pub(crate) use carve::Boundary;
 pub use faces::FaceError;
 pub(crate) use patch::{Patch, Side, Triangle};
 pub(crate) use refill::Half;

@@ -4,8 +4,8 @@ use crate::half_edge::{FaceId, HalfEdgeId};
 
 /// Triangles that fill a region beside an edge, the *base*; they know nothing of the mesh that they are meant for.
 ///
-/// Border vertices are numbered along the border from one end of the base to the other, the region on the left; *rim*
-/// `i` is the edge of the border between vertices `i` and `i + 1`.
+/// Boundary vertices are numbered along the boundary from one end of the base to the other, the region on the left; *rim*
+/// `i` is the edge of the boundary between vertices `i` and `i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Patch {
     pub(crate) triangles: Vec<Triangle>,
@@ -18,7 +18,7 @@ pub(crate) struct Patch {
 /// A triangle of a patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle {
-    /// Border vertices, counter-clockwise.
+    /// Boundary vertices, counter-clockwise.
     pub(crate) corners: [u32; 3],
     /// What lies across the sides that start at them.
     pub(crate) across: [Side; 3],
@@ -29,8 +29,8 @@ pub(crate) struct Triangle {
 pub(crate) struct Side(u32);
 
 impl Side {
-    /// What lies across the sides on the border: no side.
-    pub(crate) const BORDER: Self = Self(u32::MAX);
+    /// What lies across the sides on the boundary: no side.
+    pub(crate) const BOUNDARY: Self = Self(u32::MAX);
 
     /// The side of a triangle that starts at its corner `k`, 0 to 2.
     #[inline]
@@ -62,7 +62,7 @@ impl Side {
         if self.0 & 3 == 0 { Self(self.0 + 2) } else { Self(self.0 - 1) }
     }
 
-    /// The half-edge that it becomes in these faces; none for [`BORDER`](Self::BORDER).
+    /// The half-edge that it becomes in these faces; none for [`BOUNDARY`](Self::BOUNDARY).
     #[inline]
     pub(super) fn half_edge(self, faces: &[FaceId]) -> HalfEdgeId {
         faces.get(self.triangle() as usize).map_or(HalfEdgeId::NONE, |f| f.half_edge(self.0 & 3))
@@ -71,17 +71,17 @@ impl Side {
 
 impl Default for Patch {
     fn default() -> Self {
-        Self { triangles: Vec::new(), rim: Vec::new(), base: Side::BORDER }
+        Self { triangles: Vec::new(), rim: Vec::new(), base: Side::BOUNDARY }
     }
 }
 
 impl Patch {
-    /// No triangles yet beside a border of that many vertices.
-    pub(crate) fn start(&mut self, border: usize) {
+    /// No triangles yet beside a boundary of that many vertices.
+    pub(crate) fn start(&mut self, boundary: usize) {
         self.triangles.clear();
         self.rim.clear();
-        self.rim.resize(border - 1, Side::BORDER);
-        self.base = Side::BORDER;
+        self.rim.resize(boundary - 1, Side::BOUNDARY);
+        self.base = Side::BOUNDARY;
     }
 
     /// Number of triangles.
@@ -89,7 +89,7 @@ impl Patch {
         self.triangles.len()
     }
 
-    /// The border vertex at which a side starts.
+    /// The boundary vertex at which a side starts.
     #[inline]
     pub(crate) fn origin(&self, side: Side) -> u32 {
         self.triangles[side.triangle() as usize].corners[side.corner()]
@@ -110,7 +110,7 @@ impl Patch {
     /// The edges that these faces have between them, one half-edge each.
     pub(crate) fn inner_edges(&self, faces: &[FaceId]) -> impl Iterator<Item = HalfEdgeId> {
         let sides = (0..self.triangles.len() as u32).flat_map(|t| [0, 1, 2].map(|k| Side::new(t, k)));
-        let inner = sides.filter(|&side| side < self.across(side) && self.across(side) != Side::BORDER);
+        let inner = sides.filter(|&side| side < self.across(side) && self.across(side) != Side::BOUNDARY);
         inner.map(move |side| side.half_edge(faces))
     }
 }

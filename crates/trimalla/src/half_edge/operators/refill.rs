@@ -6,8 +6,8 @@ use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 /// One half of a cavity that an edge parts.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Half {
-    /// The vertices of its border.
-    pub(crate) border: Vec<VertexId>,
+    /// The vertices of its boundary.
+    pub(crate) boundary: Vec<VertexId>,
     /// Its rims.
     rims: Vec<Rim>,
     /// What fills it.
@@ -25,7 +25,7 @@ struct Rim {
 }
 
 impl Half {
-    /// The half left of the edge from `first` to `last`, with the border `between` them and the inner half-edges of its rims
+    /// The half left of the edge from `first` to `last`, with the boundary `between` them and the inner half-edges of its rims
     /// in that order; not filled yet.
     pub(crate) fn start<'a>(
         &mut self,
@@ -34,10 +34,10 @@ impl Half {
         last: VertexId,
         rims: impl Iterator<Item = &'a HalfEdgeId>,
     ) {
-        self.border.clear();
-        self.border.push(first);
-        self.border.extend(between);
-        self.border.push(last);
+        self.boundary.clear();
+        self.boundary.push(first);
+        self.boundary.extend(between);
+        self.boundary.push(last);
         self.rims.clear();
         self.rims.extend(rims.map(|&inner| Rim { inner, outer: HalfEdgeId::NONE, mark: 0 }));
     }
@@ -87,23 +87,23 @@ impl HalfEdgeMesh {
 
     /// Writes the faces of one half, but for what lies across its base.
     fn write_half<J: Journal>(&mut self, faces: &[FaceId], half: &Half, j: &mut J) {
-        let Half { border, rims, patch } = half;
+        let Half { boundary, rims, patch } = half;
         let has_marks = self.has_marks();
         for (&f, triangle) in faces.iter().zip(&patch.triangles) {
-            let vertices = triangle.corners.map(|corner| border[corner as usize]);
+            let vertices = triangle.corners.map(|corner| boundary[corner as usize]);
             let twins = triangle.across.map(|side| side.half_edge(faces));
             self.set_vertices_and_twins(f, vertices, twins, j);
             if has_marks {
                 f.half_edges().into_iter().for_each(|h| self.set_mark_one_side(h, 0, j));
             }
         }
-        for ((rim, side), &v) in rims.iter().zip(&patch.rim).zip(&border[1..]) {
+        for ((rim, side), &v) in rims.iter().zip(&patch.rim).zip(&boundary[1..]) {
             let h = side.half_edge(faces);
             self.set_twin(h, rim.outer, j);
             if rim.mark != 0 {
                 self.set_mark_one_side(h, rim.mark, j);
             }
-            // A rim runs back along the border: it starts at the later vertex.
+            // A rim runs back along the boundary: it starts at the later vertex.
             self.set_outgoing(v, h, j);
         }
     }

@@ -19,7 +19,7 @@ fn holed() -> Pslg {
     Pslg { holes: vec![Point::new(1.2, 1.2)], ..drawing(&corners, segments) }
 }
 
-/// A sharp corner with a segment inside it that nearly touches the border.
+/// A sharp corner with a segment inside it that nearly touches the boundary.
 fn wedge() -> Pslg {
     let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 1.5], [3.0, 0.1], [7.0, 0.4]];
     drawing(&corners, vec![[0, 1], [1, 2], [2, 0], [3, 4]])

@@ -27,7 +27,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     laws::run(subject, pslg, &mut refinement, |refinement, event| {
         is_finished = event.outcome == StepOutcome::Finished;
         let cdt = refinement.triangulation();
-        the_border_is_locked(cdt)?;
+        the_boundary_is_locked(cdt)?;
         ensure(!step.locks_segments() || missing(cdt, pslg).is_empty(), || {
             "a segment is gone that is locked".to_owned()
         })
@@ -41,12 +41,12 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 }
 
 /// Every edge with a triangle on one side alone is marked, so that nothing flips it or walks across.
-fn the_border_is_locked(cdt: &ConstrainedTriangulation) -> Result<(), Breach> {
+fn the_boundary_is_locked(cdt: &ConstrainedTriangulation) -> Result<(), Breach> {
     let open = cdt.edges().find(|&h| {
         let sides = [h, cdt.twin(h)].map(|side| cdt.is_real(side.face()));
         sides[0] != sides[1] && !cdt.is_marked(h)
     });
-    ensure(open.is_none(), || "an edge of the border is not locked".to_owned())
+    ensure(open.is_none(), || "an edge of the boundary is not locked".to_owned())
 }
 
 /// The segments of the drawing that are no chains of edges.

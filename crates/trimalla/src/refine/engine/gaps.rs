@@ -73,7 +73,7 @@ impl Refinement {
         if reason == Reason::PrecisionFloor && is_beside_gap() { Reason::InputGap } else { reason }
     }
 
-    /// Whether another part of the border is within rounding of a border edge outside of the domain.
+    /// Whether another part of the boundary is within rounding of a boundary edge outside of the domain.
     fn is_crack_outside(&self, h: HalfEdgeId) -> bool {
         let ends = self.cdt.edge_points(h);
         self.cdt.apex_outside(h).is_some_and(|apex| {
@@ -105,11 +105,11 @@ impl Refinement {
         if is_beside_gap { beside(place, self.cdt.edge_points(h)).skip(1).collect() } else { Vec::new() }
     }
 
-    /// Places at which a border edge can be split that are last places beside one, for borders that come near themselves
+    /// Places at which a boundary edge can be split that are last places beside one, for boundaries that come near themselves
     /// outside: there the rounded place may lie beyond the other part.
     #[cold]
-    pub(super) fn places_beside_on_border(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
-        if !self.cdt.is_on_thin_border(h) {
+    pub(super) fn places_beside_on_boundary(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
+        if !self.cdt.is_on_thin_boundary(h) {
             return Vec::new();
         }
         let is_possible = |p: &Point| self.cdt.keeps_course(h, *p) && self.cdt.can_split(h, *p).is_ok();

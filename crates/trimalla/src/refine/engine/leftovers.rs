@@ -129,7 +129,7 @@ impl Refinement {
         is_between && self.problem.joints.piece_of(&self.cdt, self.cdt.apex(shortest)).is_none()
     }
 
-    /// Whether an edge is part of an input segment, or of the hull that was made a border.
+    /// Whether an edge is part of an input segment, or of the hull that was made a boundary.
     fn is_input(&self, h: HalfEdgeId) -> bool {
         self.cdt.is_marked(h)
     }

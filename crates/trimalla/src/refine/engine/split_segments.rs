@@ -101,7 +101,7 @@ impl Refinement {
         let Some(Encroached { ends: [a, b], forced, found }) = self.agenda.encroached.pop_front() else { return false };
         self.note(|event| event.subsegment = Some([a, b]));
         // The hull of a triangulation that was not carved carries no marks.
-        let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_on_border(h);
+        let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
         let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(is_subsegment);
         if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&[a, b])) {
             let found = Some(found).filter(|found| found.apexes == self.apexes(h));
@@ -162,7 +162,7 @@ impl Refinement {
         if self.split_at_place(h, cut) {
             return true;
         }
-        let mut beside = self.places_beside_on_border(h, cut.point).into_iter();
+        let mut beside = self.places_beside_on_boundary(h, cut.point).into_iter();
         beside.any(|point| self.split_at_place(h, Cut { point, shell: None }))
     }
 
@@ -244,10 +244,10 @@ impl Refinement {
 
     /// Where `h` is split if there is room, or why it must not be.
     fn cut_at(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<Cut, Reason> {
-        let on_border = self.cdt.is_on_border(h);
+        let on_boundary = self.cdt.is_boundary_edge(h);
         let protected = match self.problem.options.protect {
             Protect::None => false,
-            Protect::Boundary => on_border,
+            Protect::Boundary => on_boundary,
             Protect::All => true,
         };
         if protected {

@@ -41,7 +41,7 @@ const GRADING: f64 = 0.7;
 const TRIANGLES: f64 = 4.1;
 /// Around vertices only this part of them: what is close to one neighbour alone is passed by longer edges.
 const AROUND_VERTICES: f64 = 0.5;
-/// Subsegments per size along the border, at 30 degrees.
+/// Subsegments per size along the boundary, at 30 degrees.
 const SUBSEGMENTS: f64 = 0.66;
 /// The area of a mean triangle over the area bound: as the loop leaves them, and where a lattice fills wide parts.
 const MEAN_OVER_MAX: f64 = 0.6;
@@ -123,7 +123,7 @@ pub enum Feature {
     Vertex(VertexId),
     /// The inside of a segment.
     Segment(SegmentId),
-    /// The inside of a border edge that is no segment: part of the convex hull.
+    /// The inside of a boundary edge that is no segment: part of the convex hull.
     Hull,
 }
 
@@ -179,8 +179,8 @@ struct Tally<'a> {
     by_source: Vec<f64>,
     /// Parts of it by the two pieces that face each other nearer than that.
     by_pair: BTreeMap<[Piece; 2], (f64, Gap)>,
-    /// Subsegments along the border.
-    on_border: f64,
+    /// Subsegments along the boundary.
+    on_boundary: f64,
     /// Triangles across angles of less than a degree: two for each shell, from the far end inwards.
     across_wedges: f64,
     /// The larger side of the drawing's box.
@@ -218,7 +218,7 @@ impl<'a> Tally<'a> {
             constants: Constants::at(options),
             by_source,
             by_pair: BTreeMap::new(),
-            on_border: 0.0,
+            on_boundary: 0.0,
             across_wedges: 0.0,
             extent,
         }
@@ -245,7 +245,7 @@ impl<'a> Tally<'a> {
                 None => self.by_source[source.index()] += layers,
             }
             if cdt.is_ghost(cdt.twin(h).face()) {
-                self.on_border += intervals().map(|(a, b)| inverse(a.size, b.size) * (b.s - a.s)).sum::<f64>();
+                self.on_boundary += intervals().map(|(a, b)| inverse(a.size, b.size) * (b.s - a.s)).sum::<f64>();
             }
         }
     }
@@ -330,7 +330,7 @@ impl<'a> Tally<'a> {
 
     fn forecast(&self, cdt: &ConstrainedTriangulation) -> Forecast {
         let faces = cdt.face_count() as f64;
-        let border = cdt.ghost_faces().count() as f64;
+        let boundary = cdt.ghost_faces().count() as f64;
         let parts = || self.by_source.iter().chain(self.by_pair.values().map(|(part, _)| part));
         let of_features = self.constants.triangles * parts().sum::<f64>();
         let mean = self.constants.mean_over_max;
@@ -338,8 +338,8 @@ impl<'a> Tally<'a> {
         let of_area = self.footed.cdt.real_faces().map(by_area).sum::<f64>();
         let triangles = faces.max((of_features + of_area + self.across_wedges).round());
         // Euler's formula: 2 V = T + B + 2, holes aside.
-        let border = border.max(self.constants.subsegments * self.on_border);
-        let vertices = (cdt.input_points() as f64).max((0.5 * (triangles + border)).round() + 1.0);
+        let boundary = boundary.max(self.constants.subsegments * self.on_boundary);
+        let vertices = (cdt.input_points() as f64).max((0.5 * (triangles + boundary)).round() + 1.0);
         let (cause, part) = if triangles == faces {
             (Cause::Input, faces)
         } else if of_area > of_features {

@@ -1,4 +1,4 @@
-//! `boundary-shortest-edge`: triangles with a side on the border first, then all others; each by the shortest edge.
+//! `boundary-shortest-edge`: triangles with a side on the boundary first, then all others; each by the shortest edge.
 //!
 //! # Source
 //! `[MeshSuite]` 4.3.
@@ -16,7 +16,7 @@ const FIRST: f64 = f64::from_bits((1023 - 110) << 52); // 2^-110
 
 impl SelectStep for BoundaryShortestEdge {
     fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
-        let on_border = face.half_edges().into_iter().any(|h| view.cdt.is_boundary(h));
-        shortest_sq(view, face) * if on_border { FIRST } else { 1.0 }
+        let on_boundary = face.half_edges().into_iter().any(|h| view.cdt.is_inner_side_of_boundary(h));
+        shortest_sq(view, face) * if on_boundary { FIRST } else { 1.0 }
     }
 }

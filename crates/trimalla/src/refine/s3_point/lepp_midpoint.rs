@@ -2,7 +2,7 @@
 //!
 //! # Source
 //! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.1, which is this step with `constrained-second = always` and
-//! `lepp-stop = border`.
+//! `lepp-stop = boundary`.
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;

@@ -1,6 +1,6 @@
 //! Do triangles lie on one another? A sweep over the boundary tells.
 //!
-//! Let every triangle be counter-clockwise, and add up their borders. Sides of neighbours cancel, what is
+//! Let every triangle be counter-clockwise, and add up their boundaries. Sides of neighbours cancel, what is
 //! left is the boundary of the mesh; and how often the boundary winds around a place is how many
 //! triangles cover it. (Comparing the sum of the triangles' areas with the area that the boundary encloses
 //! finds nothing: by the same addition both are always equal, overlaps counted as often as they occur.)
