@@ -1,4 +1,5 @@
-//! Bar charts: one a family, one group a workload, one bar a program, as long as its time beside the best correct peer's.
+//! Bar charts: one a family, one group a workload, one bar a program, as long as its time beside the best correct
+//! peer's.
 
 use std::fmt::Write;
 

@@ -102,8 +102,8 @@ impl Input {
         }
     }
 
-    /// The input that bytes written by [`to_bytes`](Self::to_bytes) say, and its target; any `.poly` file is a drawing, without a
-    /// target. `formats` are those of files.
+    /// The input that bytes written by [`to_bytes`](Self::to_bytes) say, and its target; any `.poly` file is a drawing,
+    /// without a target. `formats` are those of files.
     ///
     /// # Errors
     /// What is wrong, in words.

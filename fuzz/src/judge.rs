@@ -73,11 +73,11 @@ fn peer(input: &Pslg, mesh: &IndexedMesh, is_delaunay: bool) -> Verdict {
     }
 }
 
-/// Everything that must hold of a mesh of a drawing: the library's checkers and the testkit's are silent, and the library takes
-/// the mesh up again and leaves it as it is.
+/// Everything that must hold of a mesh of a drawing: the library's checkers and the testkit's are silent, and the
+/// library takes the mesh up again and leaves it as it is.
 ///
-/// `is_delaunay` says whether edges between subsegments must pass the circle test; `lost` names the segments that the report
-/// gives up.
+/// `is_delaunay` says whether edges between subsegments must pass the circle test; `lost` names the segments that the
+/// report gives up.
 ///
 /// # Errors
 /// The first fault.
@@ -90,7 +90,8 @@ pub fn mesh_of(drawing: &Pslg, mesh: &IndexedMesh, is_delaunay: bool, lost: &[u3
     if let Some(flaw) = first_flaw(mesh, Some(&input), is_delaunay) {
         return fault(format!("exact: {}", flaw.key()), flaw.to_string());
     }
-    // Whether segments cross is told by the whole drawing: vertices beside segments are on chains for the sake of lost ones, too.
+    // Whether segments cross is told by the whole drawing: vertices beside segments are on chains for the sake of lost
+    // ones, too.
     let mut faults = against_input(mesh, drawing).faults;
     faults.retain(|fault| segment_of(fault).is_none_or(|segment| is_kept(&segment)));
     none("against input", &faults)?;

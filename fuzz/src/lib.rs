@@ -1,8 +1,8 @@
 //! Random inputs for every door of trimalla, and what must hold of the answers.
 //!
-//! A [target](targets::Target) makes an [`Input`](input::Input) from bytes, and judges what the library makes of it. The bytes come from
-//! libFuzzer (`fuzz_targets/`), or from a seed and a number (the plain program, `main.rs`): the same bytes make the same
-//! input everywhere.
+//! A [target](targets::Target) makes an [`Input`](input::Input) from bytes, and judges what the library makes of it.
+//! The bytes come from libFuzzer (`fuzz_targets/`), or from a seed and a number (the plain program, `main.rs`): the
+//! same bytes make the same input everywhere.
 //!
 //! * [`draws`]: random numbers from bytes
 //! * [`drawings`], [`settings`], [`texts`]: random drawings, options, files

@@ -42,7 +42,8 @@ fn choices() -> &'static BTreeMap<&'static str, Vec<&'static str>> {
     })
 }
 
-/// A recipe in the words of a recipe file: a preset as it is, a preset with a few steps changed, or all steps at random.
+/// A recipe in the words of a recipe file: a preset as it is, a preset with a few steps changed, or all steps at
+/// random.
 #[must_use]
 pub fn recipe_text(d: &mut Draws<'_>) -> String {
     let mut text = String::new();

@@ -1,4 +1,5 @@
-//! The parent: it starts children, starts them again after a hang or a crash, and keeps the smallest inputs of each kind of fault.
+//! The parent: it starts children, starts them again after a hang or a crash, and keeps the smallest inputs of each
+//! kind of fault.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,4 +1,5 @@
-//! A child that tries one input after the other, and a watchdog that ends it when an input takes too long or too much memory.
+//! A child that tries one input after the other, and a watchdog that ends it when an input takes too long or too much
+//! memory.
 //!
 //! What it does goes to standard output, a line each:
 //!
@@ -66,7 +67,8 @@ static BEGAN: AtomicU64 = AtomicU64::new(0);
 
 /// Ends the process when the input at work takes too long or too much memory.
 ///
-/// Time is that of the processor, so that a busy machine makes no hangs; who waits is given ten times as much by the clock.
+/// Time is that of the processor, so that a busy machine makes no hangs; who waits is given ten times as much by the
+/// clock.
 pub fn watch(limits: Limits) -> Instant {
     let start = Instant::now();
     thread::spawn(move || {

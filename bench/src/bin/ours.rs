@@ -1,6 +1,7 @@
 //! Times one call of trimalla: `PROGRAM TASK FILE ANGLE AREA SIZE`.
 //!
-//! `PROGRAM` is `trimalla`, `trimalla-` and the key of a preset, `trimalla-unfilled`, or `trimalla-` and the key of an algorithm.
+//! `PROGRAM` is `trimalla`, `trimalla-` and the key of a preset, `trimalla-unfilled`, or `trimalla-` and the key of an
+//! algorithm.
 
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! Table 1 of `[Vigo97]` again: how long vertices take, and how long the edges between them.
 //!
-//! The shapes are ours, with the counts of figures 9a to 9d and of the square; figure 9e is left out, for no drawing has its
-//! counts (346 vertices, 249 of them on a boundary, give 786 edges and 3 more a hole, not 756). The square has 30 797 edges:
-//! the 30 298 that the paper prints contradict Euler's formula.
+//! The shapes are ours, with the counts of figures 9a to 9d and of the square; figure 9e is left out, for no drawing
+//! has its counts (346 vertices, 249 of them on a boundary, give 786 edges and 3 more a hole, not 756). The square has
+//! 30 797 edges: the 30 298 that the paper prints contradict Euler's formula.
 
 use std::f64::consts::TAU;
 use std::time::Instant;

@@ -84,8 +84,9 @@ pub(crate) const CROSSINGS: [(&str, &str, Crossings); 2] = [
 pub(crate) struct OutputOptions {
     /// Write the result to this file; may be given several times
     ///
-    /// The ending of the name says the format. '.ele' writes a group of three files, .node, .ele and .poly, with the numbering
-    /// of the input. '-' is standard output and needs --format. Outputs appear whole, all of them or none; what is read, and a file that may not be written, is never replaced.
+    /// The ending of the name says the format. '.ele' writes a group of three files, .node, .ele and .poly, with the
+    /// numbering of the input. '-' is standard output and needs --format. Outputs appear whole, all of them or none;
+    /// what is read, and a file that may not be written, is never replaced.
     #[arg(short, long, value_name = "OUT", help_heading = "Output")]
     pub(crate) output: Vec<PathBuf>,
 

@@ -1,7 +1,7 @@
 //! Standard output and standard error.
 //!
-//! A reader that goes away (`trimalla list | head -1`) has had enough: that is no failure, and nothing panics. A full disk
-//! behind standard output is a failure.
+//! A reader that goes away (`trimalla list | head -1`) has had enough: that is no failure, and nothing panics. A full
+//! disk behind standard output is a failure.
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};

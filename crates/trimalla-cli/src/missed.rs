@@ -19,7 +19,8 @@ pub(crate) struct MissedBounds {
 }
 
 impl MissedBounds {
-    /// Looks at the leftovers of a report. One that meets every bound that holds for all triangles misses the area bound of its region.
+    /// Looks at the leftovers of a report. One that meets every bound that holds for all triangles misses the area
+    /// bound of its region.
     pub(crate) fn of(mesh: &IndexedMesh, report: &Report, criteria: &Criteria) -> Self {
         let mut all = Self::default();
         for leftover in &report.leftovers {

@@ -124,8 +124,8 @@ impl Outputs {
         self.targets.iter().find(|target| !target.is_stream()).map(|target| target.path.as_path())
     }
 
-    /// Writes a mesh everywhere, in pictures with these charts, beside what was written before; files appear when what is returned
-    /// is committed.
+    /// Writes a mesh everywhere, in pictures with these charts, beside what was written before; files appear when what
+    /// is returned is committed.
     pub(crate) fn prepare_mesh(
         &self,
         before: io::Outputs,

@@ -16,9 +16,9 @@ use crate::exit::Failure;
 pub(crate) struct PickOptions {
     /// Treat these triangles, one after the other, bad or not, and no others: step 2 is 'manual' then
     ///
-    /// Numbers are those of the triangulation that refinement starts from: for 'refine' the mesh's, for 'mesh' those in the .ele file of
-    /// 'triangulate' with the same options and, as its --algorithm, the same triangulator: another one numbers triangles
-    /// otherwise. A triangle that is gone when its turn comes is passed over.
+    /// Numbers are those of the triangulation that refinement starts from: for 'refine' the mesh's, for 'mesh' those in
+    /// the .ele file of 'triangulate' with the same options and, as its --algorithm, the same triangulator: another one
+    /// numbers triangles otherwise. A triangle that is gone when its turn comes is passed over.
     #[arg(long, value_name = "N,...", value_delimiter = ',', help_heading = "Refinement")]
     pick: Vec<usize>,
 }

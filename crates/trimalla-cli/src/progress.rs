@@ -24,8 +24,8 @@ use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Whether the first Ctrl-C is left to the work itself: it is asked now and then while refining, and is about to end while
-/// writing.
+/// Whether the first Ctrl-C is left to the work itself: it is asked now and then while refining, and is about to end
+/// while writing.
 static PATIENT: AtomicBool = AtomicBool::new(false);
 
 const MESSAGE: &str = "interrupted; no file was changed";

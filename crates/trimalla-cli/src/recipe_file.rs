@@ -15,8 +15,8 @@ use crate::recipe_options::RecipeOptions;
 pub(crate) struct RecipeFileOptions {
     /// Begin with the recipe in this TOML file; other options change it
     ///
-    /// The file may hold the steps, the criteria and the limits, each by the name of its option. --algorithm replaces all
-    /// steps of the file at once.
+    /// The file may hold the steps, the criteria and the limits, each by the name of its option. --algorithm replaces
+    /// all steps of the file at once.
     #[arg(long, value_name = "FILE", help_heading = "Refinement")]
     pub(crate) recipe: Option<PathBuf>,
 
@@ -26,8 +26,8 @@ pub(crate) struct RecipeFileOptions {
 }
 
 impl RecipeFileOptions {
-    /// The recipe of the file, or else that of the default preset, with the steps that the command line names. What else
-    /// the command line says is the caller's to add.
+    /// The recipe of the file, or else that of the default preset, with the steps that the command line names. What
+    /// else the command line says is the caller's to add.
     pub(crate) fn read(&self, steps: &RecipeOptions) -> Result<RecipeFile, Failure> {
         let mut file = match &self.recipe {
             Some(path) => named(recipe::read_file(path)?, path),
@@ -54,12 +54,14 @@ pub(crate) fn title(file: &RecipeFile) -> String {
     shown(Path::new(file.name.as_deref().unwrap_or(of_preset)))
 }
 
-/// What reports for programs call a recipe: its own name if it has one, or else that of the preset and the steps that were changed.
+/// What reports for programs call a recipe: its own name if it has one, or else that of the preset and the steps that
+/// were changed.
 pub(crate) fn key(file: &RecipeFile) -> String {
     if file.name.is_some() { title(file) } else { full_title(file) }
 }
 
-/// What reports for people call a recipe: its name, the preset that it started from if that is another, and the steps that were changed since.
+/// What reports for people call a recipe: its name, the preset that it started from if that is another, and the steps
+/// that were changed since.
 pub(crate) fn full_title(file: &RecipeFile) -> String {
     let (name, preset) = (title(file), file.preset.unwrap_or_default().key());
     let changes: Vec<String> = changes(file).iter().map(|(option, key)| format!("{option} {key}")).collect();

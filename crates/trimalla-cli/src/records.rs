@@ -1,8 +1,8 @@
 //! Where the records of a drawing stand in its files.
 //!
 //! Reading keeps no lines, as good drawings need none. Where a drawing turns out to be at fault, its files are scanned
-//! again: they have been read without an error, so that every line which is neither blank nor a comment is a record. Its fields are
-//! separated by blanks or a comma.
+//! again: they have been read without an error, so that every line which is neither blank nor a comment is a record.
+//! Its fields are separated by blanks or a comma.
 
 use std::fs;
 use std::path::Path;

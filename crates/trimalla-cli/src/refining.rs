@@ -28,7 +28,8 @@ use crate::{json, text};
 pub(crate) struct RefiningOptions {
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
     ///
-    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, it may stop unfinished, when more vertices leave no fewer triangles below the bound.
+    /// Up to about 26 degrees refinement is proved to end, and in practice it ends up to about 33. Beyond, it may stop
+    /// unfinished, when more vertices leave no fewer triangles below the bound.
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = "Refinement")]
     min_angle: Option<f64>,
 
@@ -36,7 +37,8 @@ pub(crate) struct RefiningOptions {
     #[arg(long, value_name = "AREA", allow_negative_numbers = true, help_heading = "Refinement")]
     max_area: Option<f64>,
 
-    /// The largest aspect ratio that a triangle may have: circumradius over twice the inradius, 1 for equilateral triangles [default: no limit]
+    /// The largest aspect ratio that a triangle may have: circumradius over twice the inradius, 1 for equilateral
+    /// triangles [default: no limit]
     #[arg(long, value_name = "RATIO", allow_negative_numbers = true, help_heading = "Refinement")]
     max_aspect: Option<f64>,
 
@@ -58,7 +60,8 @@ pub(crate) struct RefiningOptions {
     #[arg(long, value_name = "N", help_heading = "Limits")]
     max_vertices: Option<usize>,
 
-    /// Bring no two vertices closer together than this, in units of the input [default: 256 units in the last place of the largest coordinate]
+    /// Bring no two vertices closer together than this, in units of the input [default: 256 units in the last place of
+    /// the largest coordinate]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = "Limits")]
     length_floor: Option<f64>,
 
@@ -73,7 +76,8 @@ pub(crate) struct RefiningOptions {
 
     /// Report more: angles, aspect ratios, path lengths, insertions by kind, time by step
     ///
-    /// As bar charts for people, as "details" in JSON, and below the mesh in SVG. Taking the time makes the work about a tenth slower.
+    /// As bar charts for people, as "details" in JSON, and below the mesh in SVG. Taking the time makes the work about
+    /// a tenth slower.
     #[arg(long, help_heading = "Output")]
     details: bool,
 }
@@ -109,8 +113,8 @@ pub(crate) struct Read<'a> {
 }
 
 impl RefiningOptions {
-    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses what
-    /// cannot be meant, before anything else is read.
+    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses
+    /// what cannot be meant, before anything else is read.
     pub(crate) fn asked(&self) -> Result<RecipeFile, Failure> {
         let mut asked = self.recipe_file.read(&self.recipe)?;
         asked.min_angle_deg = self.min_angle.or(asked.min_angle_deg).or(Some(30.0));

@@ -9,7 +9,8 @@ use trimalla_io::RecipeFile;
 use crate::console::shown;
 use crate::recipe_file;
 
-/// A command line under construction. Recipe files are spelled out, so that it holds when they change; outputs are left out.
+/// A command line under construction. Recipe files are spelled out, so that it holds when they change; outputs are left
+/// out.
 #[derive(Clone, Debug)]
 pub(crate) struct CommandLine(String);
 

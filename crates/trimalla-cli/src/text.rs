@@ -131,7 +131,8 @@ pub(crate) fn name_stop(report: &Report) {
     }
 }
 
-/// Names the first triangles that limits kept from meeting a bound, on standard error; those that nobody picked are none of them.
+/// Names the first triangles that limits kept from meeting a bound, on standard error; those that nobody picked are
+/// none of them.
 pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report, missed: &MissedBounds) {
     const SHOWN: usize = 10;
     let all = report.leftovers.iter().zip(&missed.by_leftover);

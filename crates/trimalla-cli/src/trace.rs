@@ -23,14 +23,15 @@ use crate::outputs::or_reader_left;
 pub(crate) struct TraceOptions {
     /// Write every step to this file, a JSON object a line
     ///
-    /// The file appears with the other outputs, or not at all. '-' is standard output, where lines come as steps are done.
+    /// The file appears with the other outputs, or not at all. '-' is standard output, where lines come as steps are
+    /// done.
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) trace: Option<PathBuf>,
 
     /// Draw every step into this directory, an SVG file each: 000001.svg and so on
     ///
-    /// The directory appears with the other outputs, or not at all. One that exists is replaced as a whole, and only if it is
-    /// empty or holds nothing but such pictures.
+    /// The directory appears with the other outputs, or not at all. One that exists is replaced as a whole, and only if
+    /// it is empty or holds nothing but such pictures.
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub(crate) frames: Option<PathBuf>,
 }

@@ -1,7 +1,7 @@
 //! A strategy from outside the library: how to add one, and how it does beside those inside.
 //!
-//! Step 3 of refinement says where a new vertex goes. Ours takes the middle between the circumcenter and the longest edge's
-//! middle: not clever, but bounded by the same limits and judged by the same report as every other.
+//! Step 3 of refinement says where a new vertex goes. Ours takes the middle between the circumcenter and the longest
+//! edge's middle: not clever, but bounded by the same limits and judged by the same report as every other.
 //!
 //! `cargo run -p trimalla-compare --example own_strategy`, with a name of a file for charts after it
 #![allow(clippy::print_stdout, reason = "an example talks")]

@@ -1,7 +1,9 @@
 //! Published tables to stand beside ours.
 //!
-//! A CSV file with a header that names at least `mesh`, `algorithm`, `angle_deg`, `vertices` and `triangles`, in any order; `appendix`,
-//! `priority`, `program` and `comment` are used where they are there. Empty counts are runs that gave no mesh. A comment that begins with
+//! A CSV file with a header that names at least `mesh`, `algorithm`, `angle_deg`, `vertices` and `triangles`, in any
+//! order; `appendix`,
+//! `priority`, `program` and `comment` are used where they are there. Empty counts are runs that gave no mesh. A
+//! comment that begins with
 //! `impossible` marks a row that no mesh can have.
 
 use std::path::Path;
@@ -50,8 +52,8 @@ impl Baseline {
         Ok(Self { rows: rows.collect::<Result<_, _>>()? })
     }
 
-    /// The columns of the mesh of this name, whatever the case of its letters. Columns of two appendices that agree in all these
-    /// angles are one.
+    /// The columns of the mesh of this name, whatever the case of its letters. Columns of two appendices that agree in
+    /// all these angles are one.
     pub(crate) fn columns(&self, mesh: &str, angles: &[f64]) -> Vec<Column> {
         let rows = || self.rows.iter().filter(|row| row.mesh.eq_ignore_ascii_case(mesh));
         let mut keys: Vec<(&str, &str)> = Vec::new();

@@ -44,7 +44,8 @@ impl Contender {
         self
     }
 
-    /// The same with steps of the caller's own: `change` puts them in the place of the recipe's, for the options of each run.
+    /// The same with steps of the caller's own: `change` puts them in the place of the recipe's, for the options of
+    /// each run.
     ///
     /// A journal believes an old outcome only if `version` is the same: change it with the steps.
     #[must_use]

@@ -1,8 +1,8 @@
 //! The experiment journal: outcomes so far, one JSON object a line, so that an experiment can go on after a stop.
 //!
-//! A line is written when a run ends. A line that a stop has torn has no end and is taken away; any other line that is no outcome
-//! is an error, so that no foreign file is written to. What a line says is believed only if its digest is that of the run: another
-//! drawing, recipe, angle, limit or version of the program is another run.
+//! A line is written when a run ends. A line that a stop has torn has no end and is taken away; any other line that is
+//! no outcome is an error, so that no foreign file is written to. What a line says is believed only if its digest is
+//! that of the run: another drawing, recipe, angle, limit or version of the program is another run.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -71,7 +71,8 @@ impl Journal {
     }
 }
 
-/// What is in a journal; nothing if there is no such file. What is no file cannot be one: a pipe and a device keep nothing.
+/// What is in a journal; nothing if there is no such file. What is no file cannot be one: a pipe and a device keep
+/// nothing.
 fn bytes_of(path: &Path) -> Result<Vec<u8>, CompareError> {
     let unreadable = |source| IoError::Unreadable { path: path.to_owned(), source };
     match fs::metadata(path) {
@@ -85,7 +86,8 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, CompareError> {
     }
 }
 
-/// Whether what has no end of line is a line of ours that was not written to its end, and not a file of somebody else's.
+/// Whether what has no end of line is a line of ours that was not written to its end, and not a file of somebody
+/// else's.
 fn is_torn(tail: &[u8], is_journal: bool) -> bool {
     let begins_so = tail.starts_with(LINE) || LINE.starts_with(tail) || is_journal && tail.starts_with(b"{");
     match serde_json::from_slice(tail) {

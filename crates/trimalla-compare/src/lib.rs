@@ -1,5 +1,5 @@
-//! Strategies of mesh refinement compared on equal terms: drawings × contenders × angles, each a run of its own, and tables
-//! and charts of what came of them.
+//! Strategies of mesh refinement compared on equal terms: drawings × contenders × angles, each a run of its own, and
+//! tables and charts of what came of them.
 //!
 //! ```text
 //!   Experiment ──> run ──────────> sheets ──> markdown · records · figures
@@ -16,8 +16,9 @@
 //! | [`markdown`], [`records`], [`figures`] | sheets as tables, as CSV and JSON, as charts |
 //!
 //! # What every run gets
-//! The same drawing, the same triangulation, the same test for bad triangles, the same limits in vertices and in seconds. What a
-//! strategy proposes is proved and judged by the same loop, whether it is the library's or the caller's.
+//! The same drawing, the same triangulation, the same test for bad triangles, the same limits in vertices and in
+//! seconds. What a strategy proposes is proved and judged by the same loop, whether it is the library's or the
+//! caller's.
 //!
 //! # Examples
 //! ```

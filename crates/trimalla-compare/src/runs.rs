@@ -1,7 +1,7 @@
 //! A queue of runs and the threads that empty it.
 //!
-//! Each thread takes the next run of the queue; outcomes go to the run's place, so that their order is the experiment's whatever
-//! ends first. A run is cancelled when its time is over, and all are when the caller says so.
+//! Each thread takes the next run of the queue; outcomes go to the run's place, so that their order is the experiment's
+//! whatever ends first. A run is cancelled when its time is over, and all are when the caller says so.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -52,8 +52,8 @@ impl Experiment {
     /// Does every run that the journal does not know, so many at a time.
     ///
     /// # Guarantees
-    /// Every run is bounded in vertices and in time. But for times, the outcomes depend neither on the number of jobs nor on
-    /// which run ends first.
+    /// Every run is bounded in vertices and in time. But for times, the outcomes depend neither on the number of jobs
+    /// nor on which run ends first.
     ///
     /// # Errors
     /// [`CompareError`]; what was done until then is in the journal.

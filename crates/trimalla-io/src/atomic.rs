@@ -9,20 +9,23 @@
 //!   rename    .tmp onto m.node, .tmp onto m.ele, one right after the other
 //!   clear     .old and .lock are removed
 //! ```
-//! Each file of a group is written to a temporary file in the directory of its target, flushed and synced. Only when all of
-//! them are complete are they renamed onto their targets.
+//! Each file of a group is written to a temporary file in the directory of its target, flushed and synced. Only when
+//! all of them are complete are they renamed onto their targets.
 //!
 //! * An error or a panic before the renames removes the temporary files and leaves the old files as they were.
 //! * A rename that fails undoes those before it, where the file system has hard links or there was no old file.
-//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because nobody holds their lock any more. A group
-//!   without a record is removed. A group with a record is completed, unless somebody has changed a target since.
-//! * A machine that stops leaves each file whole, but not each of a folder of pictures. Of a group, some files may be old and others new until [`recover()`].
+//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because nobody holds their lock any
+//!   more. A group without a record is removed. A group with a record is completed, unless somebody has changed a
+//!   target since.
+//! * A machine that stops leaves each file whole, but not each of a folder of pictures. Of a group, some files may be
+//!   old and others new until [`recover()`].
 //!
 //! Two processes that write the same files at the same time do not mix: whose renames come last has written them all.
 //!
 //! Symbolic links are followed, so the link stays and the file behind it is replaced. The permissions of a replaced
-//! file are kept, and a file that may not be written is not replaced. What is no regular file (a pipe, a device, `-` for standard
-//! output) is written directly. A folder of [`Pictures`] is replaced as a whole, and only if it holds nothing else.
+//! file are kept, and a file that may not be written is not replaced. What is no regular file (a pipe, a device, `-`
+//! for standard output) is written directly. A folder of [`Pictures`] is replaced as a whole, and only if it holds
+//! nothing else.
 
 mod claim;
 mod draft;
@@ -149,7 +152,8 @@ fn unwritable(path: &Path, source: io::Error) -> IoError {
     IoError::Unwritable { path: path.to_owned(), source }
 }
 
-/// Makes renames last. Not every system can sync a directory, and the files are whole either way, so failure is no error.
+/// Makes renames last. Not every system can sync a directory, and the files are whole either way, so failure is no
+/// error.
 fn sync_directory(directory: &Path) {
     if let Ok(directory) = File::open(directory) {
         let _ = directory.sync_all();

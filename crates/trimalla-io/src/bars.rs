@@ -81,8 +81,8 @@ impl fmt::Display for BarChart {
     }
 }
 
-/// Everything that can be counted of a refinement and its mesh but the [smallest angles](smallest_angles): all angles, aspect ratios, lengths of paths, insertions, leftovers,
-/// time; no chart of what did not occur.
+/// Everything that can be counted of a refinement and its mesh but the [smallest angles](smallest_angles): all angles,
+/// aspect ratios, lengths of paths, insertions, leftovers, time; no chart of what did not occur.
 ///
 /// # Examples
 /// ```

@@ -32,8 +32,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// Memory stays below twice what is there, whatever the file system says about it.
 ///
 /// # Errors
-/// [`IoError::Missing`] where there is no such file. [`IoError::Unreadable`] where it is a directory, is longer, grows while it is
-/// read, has a NUL byte, or is a pipe or device that delivers nothing for ten seconds.
+/// [`IoError::Missing`] where there is no such file. [`IoError::Unreadable`] where it is a directory, is longer, grows
+/// while it is read, has a NUL byte, or is a pipe or device that delivers nothing for ten seconds.
 pub fn read_bytes(path: impl AsRef<Path>, longest: u64) -> Result<Vec<u8>, IoError> {
     let path = path.as_ref();
     let bytes = read(path, None, longest)?;
@@ -82,8 +82,8 @@ fn grows() -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, "it grows while it is read")
 }
 
-/// Joins blocks until an empty one, or one with a NUL byte. More than `longest` bytes are a fault, and so is memory that is
-/// not there.
+/// Joins blocks until an empty one, or one with a NUL byte. More than `longest` bytes are a fault, and so is memory
+/// that is not there.
 fn gather(longest: u64, fault: io::Error, mut next: impl FnMut(&mut Vec<u8>) -> io::Result<()>) -> io::Result<Vec<u8>> {
     let (mut block, mut bytes) = (Vec::new(), Vec::new());
     loop {
@@ -117,8 +117,8 @@ fn block_of(stream: &mut impl Read, block: &mut Vec<u8>) -> io::Result<()> {
     }
 }
 
-/// Reads a pipe or device on a thread of its own: both opening it and reading it may take for ever. The thread of one that never
-/// delivers is left waiting.
+/// Reads a pipe or device on a thread of its own: both opening it and reading it may take for ever. The thread of one
+/// that never delivers is left waiting.
 fn read_patiently(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     let (sender, receiver) = sync_channel(1);
     let of_thread = path.to_owned();

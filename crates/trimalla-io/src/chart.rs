@@ -9,8 +9,8 @@
 //!  k +------------>
 //!    ticks, x label
 //! ```
-//! A curve may have gaps, may be dashed, and may carry points that are doubted: those are crosses on no line. Coordinates are rounded to
-//! hundredths, so the bytes are the same on every platform.
+//! A curve may have gaps, may be dashed, and may carry points that are doubted: those are crosses on no line.
+//! Coordinates are rounded to hundredths, so the bytes are the same on every platform.
 
 mod axis;
 mod panel;

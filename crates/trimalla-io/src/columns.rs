@@ -1,7 +1,8 @@
 //! Borrowed views of meshes and drawings for the writers, checked once before the first byte is written.
 //!
-//! The fields of [`IndexedMesh`] and [`Pslg`] are public, so their columns may have any length and their indices any value.
-//! What cannot be written so that it reads back is refused here, with its number, as an error of kind `InvalidInput`.
+//! The fields of [`IndexedMesh`] and [`Pslg`] are public, so their columns may have any length and their indices any
+//! value. What cannot be written so that it reads back is refused here, with its number, as an error of kind
+//! `InvalidInput`.
 
 use std::io;
 

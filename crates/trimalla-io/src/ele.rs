@@ -4,8 +4,9 @@
 //! <triangles> [<nodes a triangle: 3 or 6> [<attributes a triangle>]]
 //! <number> <vertex> <vertex> <vertex> [three nodes on the edges] [attributes]
 //! ```
-//! Rows are numbered like the vertices, or otherwise where the vertices that they name leave no doubt. Numbers behind the declared
-//! columns are ignored, which a [`Note`] says. Of six-node triangles the corners are kept. Orientation and shape are taken as they are; judging them is the work of a check.
+//! Rows are numbered like the vertices, or otherwise where the vertices that they name leave no doubt. Numbers behind
+//! the declared columns are ignored, which a [`Note`] says. Of six-node triangles the corners are kept. Orientation and
+//! shape are taken as they are; judging them is the work of a check.
 
 use std::io::{self, Write};
 
@@ -72,7 +73,8 @@ const SHORTEST_ROW: usize = 8;
 /// Writes the triangles of a mesh.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
     Points::of_mesh(mesh).check(first_index)?;
     check_triangles(mesh)?;

@@ -59,7 +59,8 @@ pub enum Ignored {
         /// How many rows have such numbers.
         rows: u64,
     },
-    /// The numbers of the rows of a section: they start at 0 where those of the vertices start at 1, or the other way round.
+    /// The numbers of the rows of a section: they start at 0 where those of the vertices start at 1, or the other way
+    /// round.
     Numbers {
         /// What a row of the section is: `segment` or `triangle`.
         noun: &'static str,

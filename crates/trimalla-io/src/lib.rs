@@ -38,14 +38,17 @@
 //!
 //! * One record a line; blank lines and comments (`#` to the end of the line) anywhere; LF, CR LF or a lone CR; a byte
 //!   order mark is skipped.
-//! * Records (those of a soup excepted) are numbered consecutively, from 0 or 1 as the first one says. In memory, indices count from 0.
-//! * A comma between two columns separates like a blank. Lines with commas must have exactly the declared columns, so that a decimal comma
-//!   is refused.
+//! * Records (those of a soup excepted) are numbered consecutively, from 0 or 1 as the first one says. In memory,
+//!   indices count from 0.
+//! * A comma between two columns separates like a blank. Lines with commas must have exactly the declared columns, so
+//!   that a decimal comma is refused.
 //! * Every fault is an error that names file, line and column, what was expected and what was found:
-//!   `A.poly:12:7: expected a vertex index between 1 and 29, found '31'`. Nothing is guessed, and nothing is skipped in silence:
-//!   numbers behind the declared columns of `.node`, `.poly` and `.ele` are ignored, and a [`Note`] says how many rows have such; so are row
-//!   numbers of segments and triangles that start otherwise than those of the vertices. A record too many is a fault as much as one too few.
-//! * What a header promises is never allocated before the bytes are there. Memory stays below 64 MiB + 64 times the size of the files.
+//!   `A.poly:12:7: expected a vertex index between 1 and 29, found '31'`. Nothing is guessed, and nothing is skipped in
+//!   silence: numbers behind the declared columns of `.node`, `.poly` and `.ele` are ignored, and a [`Note`] says how
+//!   many rows have such; so are row numbers of segments and triangles that start otherwise than those of the vertices.
+//!   A record too many is a fault as much as one too few.
+//! * What a header promises is never allocated before the bytes are there. Memory stays below 64 MiB + 64 times the
+//!   size of the files.
 //! * Numbers are written with the fewest digits that read back to the same bits.
 //! * What grows while it is read, has no end, or delivers nothing for ten seconds is an error, not endless work.
 //! * Files are written whole or not at all, and those of a mesh together.

@@ -10,15 +10,17 @@
 //! [<triangles>
 //! <number> <vertex> <vertex> <vertex>]
 //! ```
-//! Vertices are numbered from 0 or 1, segments and triangles like them, holes from 0 or 1. A file may end after the vertices or
-//! after the holes and is a drawing then, which `MeshSuite` triangulates when it loads it. The type of a segment is its marker;
-//! 1 is written where there are none. The format has no place for attributes, vertex markers and regions.
+//! Vertices are numbered from 0 or 1, segments and triangles like them, holes from 0 or 1. A file may end after the
+//! vertices or after the holes and is a drawing then, which `MeshSuite` triangulates when it loads it. The type of a
+//! segment is its marker; 1 is written where there are none. The format has no place for attributes, vertex markers and
+//! regions.
 //!
-//! Medit's files have the same ending; they start with a word, which is refused where the number of vertices should stand.
+//! Medit's files have the same ending; they start with a word, which is refused where the number of vertices should
+//! stand.
 //!
 //! # Source
-//! `MeshSuite`, section 3.6.1. It says that segments may be missing, not which sections go together; that holes are required
-//! after segments is ours, as in [`poly`](crate::poly).
+//! `MeshSuite`, section 3.6.1. It says that segments may be missing, not which sections go together; that holes are
+//! required after segments is ours, as in [`poly`](crate::poly).
 
 use std::io::{self, Write};
 
@@ -169,7 +171,8 @@ const SHORTEST_ROW: usize = 6;
 /// Writes a mesh, all four sections.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
     check_triangles(mesh)?;
     write_drawing(out, &Points::of_mesh(mesh), &Segments::of_mesh(mesh), first_index)?;
@@ -185,7 +188,8 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
 /// Writes a drawing: no section of triangles.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg, first_index: u32) -> io::Result<()> {
     write_drawing(out, &Points::of_pslg(pslg), &Segments::of_pslg(pslg), first_index)
 }

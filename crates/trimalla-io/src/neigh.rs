@@ -4,8 +4,8 @@
 //! <triangles> [3]
 //! <number> <triangle> <triangle> <triangle>
 //! ```
-//! The first neighbour lies opposite the first corner of the triangle, and so on; -1 is none. An edge that more than two
-//! triangles have separates them all.
+//! The first neighbour lies opposite the first corner of the triangle, and so on; -1 is none. An edge that more than
+//! two triangles have separates them all.
 
 use std::io::{self, Write};
 

@@ -4,8 +4,8 @@
 //! <vertices> [2 [<attributes a vertex> [<markers: 0 or 1>]]]
 //! <number> <x> <y> [attributes] [marker]
 //! ```
-//! Numbers are consecutive and start at 0 or 1, as the first one says; every other file of the group follows it. Numbers behind
-//! the declared columns of a row are ignored, which a [`Note`] says.
+//! Numbers are consecutive and start at 0 or 1, as the first one says; every other file of the group follows it.
+//! Numbers behind the declared columns of a row are ignored, which a [`Note`] says.
 
 use std::io::{self, Write};
 

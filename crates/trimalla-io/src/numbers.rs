@@ -52,7 +52,8 @@ impl<'a> Numbering<'a> {
         Self { noun, count, first, next: 0, first_number: None, extra: None }
     }
 
-    /// Ends a record; numbers beyond the declared columns are passed over, and [`note_extra`](Self::note_extra) says so.
+    /// Ends a record; numbers beyond the declared columns are passed over, and [`note_extra`](Self::note_extra) says
+    /// so.
     pub(crate) fn end_record(&mut self, reader: &mut Reader<'a>) -> Result<(), IoError> {
         if let Some(place) = reader.pass_over_numbers()? {
             self.extra = Some(self.extra.take().map_or((1, place), |(rows, first)| (rows + 1, first)));
@@ -67,8 +68,9 @@ impl<'a> Numbering<'a> {
         }
     }
 
-    /// Holds the first number of records that name vertices against the number of the first vertex. Where they differ, the
-    /// vertices named must show that they are not counted like the records: one of them must not exist if they were.
+    /// Holds the first number of records that name vertices against the number of the first vertex. Where they differ,
+    /// the vertices named must show that they are not counted like the records: one of them must not exist if they
+    /// were.
     /// `named` holds the vertices by index, counted from 0 after the numbers of the vertices.
     pub(crate) fn check_base(
         &self,

@@ -9,10 +9,10 @@
 //! [<regions>]
 //! <number> <x> <y> <attribute> [<largest area>]
 //! ```
-//! Segments are numbered like the vertices, or otherwise where the vertices that they name leave no doubt; holes and regions, to which
-//! nothing refers, from 0 or 1. Numbers behind the declared columns of a row are ignored, which a [`Note`] says. The section of holes
-//! is required (a drawing that lost its holes must not pass for one that has none), the one of regions is not.
-//! A largest area that is missing, zero or negative is none.
+//! Segments are numbered like the vertices, or otherwise where the vertices that they name leave no doubt; holes and
+//! regions, to which nothing refers, from 0 or 1. Numbers behind the declared columns of a row are ignored, which a
+//! [`Note`] says. The section of holes is required (a drawing that lost its holes must not pass for one that has none),
+//! the one of regions is not. A largest area that is missing, zero or negative is none.
 
 use std::io::{self, Write};
 
@@ -92,8 +92,8 @@ pub fn read_with_mesh(bytes: &[u8], name: &str, vertices: VertexRange) -> Result
     if own.points.is_empty() { read_sections(&mut reader, vertices).map(Some) } else { Ok(None) }
 }
 
-/// Reads a drawing that came without a name, such as standard input: a `.poly` file, or a `.node` file if nothing follows
-/// the vertices.
+/// Reads a drawing that came without a name, such as standard input: a `.poly` file, or a `.node` file if nothing
+/// follows the vertices.
 ///
 /// # Errors
 /// [`IoError::Syntax`] or [`IoError::Value`] with the place of the first fault.
@@ -157,7 +157,8 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
         let max_area = match reader.field() {
             None => None,
             Some(token) => {
-                // It may be missing, so that the number of columns does not tell commas between columns from decimal ones.
+                // It may be missing, so that the number of columns does not tell commas between columns from decimal
+                // ones.
                 reader.refuse_decimal_commas()?;
                 Some(reader.real_of(token, "the largest area")?).filter(|&area| area > 0.0)
             }
@@ -172,7 +173,8 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
 /// Writes a drawing with its vertices.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg, first_index: u32) -> io::Result<()> {
     write_whole(out, &Points::of_pslg(pslg), &Segments::of_pslg(pslg), first_index)
 }
@@ -180,7 +182,8 @@ pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg, first_index: u32) -> io::Res
 /// Writes the vertices, subsegments and holes of a mesh as a drawing.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
     write_whole(out, &Points::of_mesh(mesh), &Segments::of_mesh(mesh), first_index)
 }
@@ -188,7 +191,8 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::R
 /// Writes the subsegments and holes of a mesh whose vertices are in the `.node` file of the same stem.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write_beside_node(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
     let (points, segments) = (Points::of_mesh(mesh), Segments::of_mesh(mesh));
     points.check(first_index)?;

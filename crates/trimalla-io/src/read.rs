@@ -19,7 +19,8 @@ use crate::{ele, meshsuite, soup};
 pub struct Numbered<T> {
     /// The drawing or mesh; its indices count from 0.
     pub value: T,
-    /// The number of the first vertex in the file: 0 or 1 (1 where vertices have no numbers). Hand it to [`WriteOptions`](crate::WriteOptions) to keep it.
+    /// The number of the first vertex in the file: 0 or 1 (1 where vertices have no numbers). Hand it to
+    /// [`WriteOptions`](crate::WriteOptions) to keep it.
     pub first_index: u32,
     /// The files that were read, the one with the name asked for first; empty for standard input.
     pub files: Vec<PathBuf>,
@@ -43,7 +44,8 @@ impl Numbered<Pslg> {
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
-/// `MeshSuite`'s `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard input.
+/// `MeshSuite`'s `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard
+/// input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -85,7 +87,8 @@ pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoEr
 const DRAWING_ENDINGS: &str = ".poly, .node or .mesh";
 const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
 
-/// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own, the
+/// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own,
+/// the
 /// `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh.
 /// Or one file: `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
 ///
@@ -123,7 +126,8 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
 
 /// Reads the area bounds of a mesh, which lie in an `.area` file beside its `.ele` file, with the name of that file.
 ///
-/// `path` names the mesh as it does for [`read_mesh`]. `None` where there is no such file, or the mesh is in another format.
+/// `path` names the mesh as it does for [`read_mesh`]. `None` where there is no such file, or the mesh is in another
+/// format.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output; a count other than `triangles` is a fault in the file.

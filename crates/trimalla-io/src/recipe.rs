@@ -17,9 +17,9 @@
 //! length-floor = 0.001
 //! ```
 //!
-//! Every key may be left out. A step that is not named is that of `preset`, and without one that of the default preset; what is
-//! not said about criteria, limits and protection is left to whoever refines. Unknown keys and values are errors that name
-//! the place and the keys or values that would do.
+//! Every key may be left out. A step that is not named is that of `preset`, and without one that of the default preset;
+//! what is not said about criteria, limits and protection is left to whoever refines. Unknown keys and values are
+//! errors that name the place and the keys or values that would do.
 
 mod read;
 mod write;

@@ -1,7 +1,7 @@
 //! Rows of numbers as text, in blocks: what the long files consist of.
 //!
-//! Numbers are written straight into the block, without the formatting machinery of the standard library, which takes several
-//! times as long.
+//! Numbers are written straight into the block, without the formatting machinery of the standard library, which takes
+//! several times as long.
 
 use std::io::{self, Write};
 

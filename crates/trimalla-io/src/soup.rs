@@ -3,10 +3,10 @@
 //! ```text
 //! <x1> <y1> <x2> <y2> <x3> <y3>
 //! ```
-//! There is no header: a file that was cut off between two lines is a smaller soup. Corners of equal coordinates (0 and -0
-//! are equal) become one vertex, and vertices are in the order of their first corners. Clockwise triangles are turned by
-//! exchanging their second and third corner; whether a triangle is clockwise or has no area is decided exactly. The edges
-//! that one triangle only has become the subsegments. Overlaps and gaps are for a check to judge.
+//! There is no header: a file that was cut off between two lines is a smaller soup. Corners of equal coordinates (0 and
+//! -0 are equal) become one vertex, and vertices are in the order of their first corners. Clockwise triangles are
+//! turned by exchanging their second and third corner; whether a triangle is clockwise or has no area is decided
+//! exactly. The edges that one triangle only has become the subsegments. Overlaps and gaps are for a check to judge.
 //!
 //! # Source
 //! The input of Sanhueza's Lepp tool (slides, `Triangles1.txt`); hence `.txt` is read as a soup, too.
@@ -91,10 +91,12 @@ impl Vertices {
     }
 }
 
-/// Writes the triangles of a mesh. Vertices of no triangle, markers, attributes, subsegments and holes have no place in a soup.
+/// Writes the triangles of a mesh. Vertices of no triangle, markers, attributes, subsegments and holes have no place in
+/// a soup.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
     Points::of_mesh(mesh).check(0)?;
     check_triangles(mesh)?;

@@ -1,9 +1,9 @@
 //! `.svg`: pictures of meshes and drawings.
 //!
-//! Triangles are coloured by their smallest angle, from red (0°) through yellow (30°) to blue (60°), in twelve classes of
-//! five degrees; the legend is at the same time the histogram of the classes. All triangles of a class are one path, all
-//! subsegments are one path, and coordinates are rounded to hundredths of a unit on a sheet of about 1000 units, so that
-//! the file is as small as a picture of so many triangles can be, and the same on every platform.
+//! Triangles are coloured by their smallest angle, from red (0°) through yellow (30°) to blue (60°), in twelve classes
+//! of five degrees; the legend is at the same time the histogram of the classes. All triangles of a class are one path,
+//! all subsegments are one path, and coordinates are rounded to hundredths of a unit on a sheet of about 1000 units, so
+//! that the file is as small as a picture of so many triangles can be, and the same on every platform.
 //! Classes are painted from good to bad: what is thin is never hidden by what is not.
 
 mod angle;
@@ -83,7 +83,8 @@ const INK: &str = "#1d2733";
 /// Draws a mesh.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) -> io::Result<()> {
     Points::of_mesh(mesh).check(0)?;
     check_triangles(mesh)?;
@@ -110,7 +111,8 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &SvgOptions) 
 /// Draws a drawing: segments, vertices, crosses at hole seeds, rings at region seeds.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &SvgOptions) -> io::Result<()> {
     Points::of_pslg(pslg).check(0)?;
     Segments::of_pslg(pslg).check(pslg.points.len())?;

@@ -1,11 +1,11 @@
 //! Splits bytes into lines and fields and knows where each of them stands.
 //!
-//! A *record* is a line that holds at least one field; blank lines and comments (`#` to the end of the line) are skipped.
-//! Lines end with LF, CR LF or a lone CR; the last one needs no end. Blanks are space, tab, vertical tab and form feed.
-//! One comma between two fields, or after the last field of a line, separates like a blank. A decimal comma would be read as two
-//! fields, so a line with commas must have exactly the declared number of fields: [`Reader::end_record`].
-//! A byte order mark at the start is skipped. Comments may hold any bytes (old drawings carry Latin-1) except NUL, which no text
-//! has: a NUL byte anywhere is refused before anything else is read.
+//! A *record* is a line that holds at least one field; blank lines and comments (`#` to the end of the line) are
+//! skipped. Lines end with LF, CR LF or a lone CR; the last one needs no end. Blanks are space, tab, vertical tab and
+//! form feed. One comma between two fields, or after the last field of a line, separates like a blank. A decimal comma
+//! would be read as two fields, so a line with commas must have exactly the declared number of fields:
+//! [`Reader::end_record`]. A byte order mark at the start is skipped. Comments may hold any bytes (old drawings carry
+//! Latin-1) except NUL, which no text has: a NUL byte anywhere is refused before anything else is read.
 
 use crate::error::{Fault, IoError, Note, Place, quote};
 
@@ -139,7 +139,8 @@ impl<'a> Reader<'a> {
         Ok(Some(self.place(first)))
     }
 
-    /// The error for a field beyond those that the line should have: where a decimal comma may be the cause, about that.
+    /// The error for a field beyond those that the line should have: where a decimal comma may be the cause, about
+    /// that.
     fn one_too_many(&self, extra: Token<'_>) -> IoError {
         self.refuse_decimal_commas().err().unwrap_or_else(|| self.syntax(extra, "the end of the line"))
     }

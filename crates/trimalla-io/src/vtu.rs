@@ -10,8 +10,8 @@
 //! | `marker` | points | the marker, 0 where there is none | |
 //! | `attribute0`, … | points | the attributes | |
 //!
-//! All arrays but the attributes are always there, so that a state saved for one mesh fits the next. The third coordinate is 0.
-//! Hole seeds and further triangle attributes are left out.
+//! All arrays but the attributes are always there, so that a state saved for one mesh fits the next. The third
+//! coordinate is 0. Hole seeds and further triangle attributes are left out.
 
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -30,7 +30,8 @@ const TRIANGLE: u8 = 5;
 /// Writes a mesh.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
+/// finite.
 pub fn write(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
     Points::of_mesh(mesh).check(0)?;
     check_triangles(mesh)?;

@@ -90,8 +90,9 @@ pub struct Outputs {
 impl Outputs {
     /// Prepares a mesh in the format that the ending of `path` says.
     ///
-    /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone, `.poly` the
-    /// vertices, subsegments and holes in one file. Pipes, devices and `-` (standard output) are written at once, and to them
+    /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone,
+    /// `.poly` the vertices, subsegments and holes in one file. Pipes, devices and `-` (standard output) are written at
+    /// once, and to them
     /// `.ele` writes the triangles alone; add them last, as they cannot be taken back.
     ///
     /// # Errors
@@ -116,8 +117,8 @@ impl Outputs {
         self.group.add(&member(path, Format::Poly), |out| poly::write_beside_node(out, mesh, first_index))
     }
 
-    /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file, `.node`
-    /// (the vertices alone), `.mesh` or `.svg`.
+    /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file,
+    /// `.node` (the vertices alone), `.mesh` or `.svg`.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
@@ -181,7 +182,8 @@ impl Outputs {
     /// Begins a folder of numbered pictures; [hand it back](Self::end_pictures) when it is complete.
     ///
     /// # Errors
-    /// [`IoError::Unwritable`]; a folder that holds anything else than such pictures, or in which the process runs, is one.
+    /// [`IoError::Unwritable`]; a folder that holds anything else than such pictures, or in which the process runs, is
+    /// one.
     pub fn begin_pictures(&mut self, path: impl AsRef<Path>) -> Result<Pictures, IoError> {
         self.group.begin_pictures(path.as_ref())
     }
@@ -220,8 +222,8 @@ pub fn write_mesh(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOpt
 /// Writes a mesh in one format to a stream.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where the mesh cannot be expressed in the format: columns of wrong lengths, indices
-/// without a vertex, numbers that are not finite; kind `Unsupported` for [`Format::Area`], which holds no mesh.
+/// Those of `out`; kind `InvalidInput` where the mesh cannot be expressed in the format: columns of wrong lengths,
+/// indices without a vertex, numbers that are not finite; kind `Unsupported` for [`Format::Area`], which holds no mesh.
 pub fn write_mesh_to(
     out: &mut dyn Write,
     format: Format,
@@ -255,7 +257,8 @@ pub fn write_pslg(path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -
 /// Writes a drawing to a stream as `.poly`, `.node`, `.mesh` or `.svg`.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes only.
+/// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes
+/// only.
 pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: &WriteOptions) -> io::Result<()> {
     match format {
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),

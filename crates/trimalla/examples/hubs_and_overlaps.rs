@@ -1,11 +1,13 @@
-//! Drawings that make naive programs quadratic: segments from one vertex, segments nested on one line, copies of a segment.
+//! Drawings that make naive programs quadratic: segments from one vertex, segments nested on one line, copies of a
+//! segment.
 //!
 //! ```text
 //! cargo run --release -p trimalla --example hubs_and_overlaps
 //! ```
 //!
-//! Prints the least time of three, and by how much more the memory of a process grows with the segments than without (on
-//! Linux). Each growth is that of a process of its own: what an earlier drawing gave back to the allocator would hide it.
+//! Prints the least time of three, and by how much more the memory of a process grows with the segments than without
+//! (on Linux). Each growth is that of a process of its own: what an earlier drawing gave back to the allocator would
+//! hide it.
 
 #![allow(clippy::print_stdout, reason = "an example prints")]
 

@@ -1,5 +1,5 @@
-//! A triangulation refined by LEPP until every angle is at least 32 degrees: the second sample program of Valenzuela (2009),
-//! section 6.2, with his loop: the points are triangulated, and no domain is carved before.
+//! A triangulation refined by LEPP until every angle is at least 32 degrees: the second sample program of Valenzuela
+//! (2009), section 6.2, with his loop: the points are triangulated, and no domain is carved before.
 //!
 //! Run it with `cargo run -p trimalla --example refine_to_32`.
 #![allow(clippy::print_stdout, reason = "an example prints")]

@@ -16,7 +16,8 @@ pub struct DomainOptions {
     pub rule: DomainRule,
     /// What to do where segments cross.
     pub crossings: Crossings,
-    /// How the points are triangulated: vertices and triangles do not depend on it, the order of triangles and subsegments does.
+    /// How the points are triangulated: vertices and triangles do not depend on it, the order of triangles and
+    /// subsegments does.
     pub algorithm: AlgorithmKey,
 }
 
@@ -92,8 +93,8 @@ pub struct Meshed {
     pub outlook: Option<Outlook>,
 }
 
-/// [`mesh`], watched: the observer learns of the outlook, then of progress, and may cancel, in which case the mesh so far
-/// is returned.
+/// [`mesh`], watched: the observer learns of the outlook, then of progress, and may cancel, in which case the mesh so
+/// far is returned.
 ///
 /// # Errors
 /// See [`mesh`].
@@ -128,8 +129,8 @@ fn refined(
 /// Refines a mesh that exists, without triangulating it anew.
 ///
 /// With the drawing that the mesh was made from, its segments are found again: splits are computed from their ends, and
-/// the rules for small input angles hold as they did when the mesh was made. Without it, subsegments that go straight on
-/// are joined, which a warning says. Triangle attributes are handed down.
+/// the rules for small input angles hold as they did when the mesh was made. Without it, subsegments that go straight
+/// on are joined, which a warning says. Triangle attributes are handed down.
 ///
 /// # Guarantees
 /// Every vertex of the mesh is there in the result, at its index, bit for bit; new ones follow. A mesh that meets the
@@ -188,12 +189,12 @@ pub fn refine_mesh_with(
     Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
 }
 
-/// The conforming Delaunay triangulation of a drawing's domain: segments, those of boundaries among them, are split until they are edges
-/// of the Delaunay triangulation of all vertices.
+/// The conforming Delaunay triangulation of a drawing's domain: segments, those of boundaries among them, are split
+/// until they are edges of the Delaunay triangulation of all vertices.
 ///
 /// # Guarantees
-/// No circumcircle has a vertex inside, unless [`Warning::NotConforming`] says that the vertex budget or the length floor of
-/// [`Limits`] ended the splitting: then the missing pieces are constrained edges.
+/// No circumcircle has a vertex inside, unless [`Warning::NotConforming`] says that the vertex budget or the length
+/// floor of [`Limits`] ended the splitting: then the missing pieces are constrained edges.
 ///
 /// # Errors
 /// [`DomainError`].

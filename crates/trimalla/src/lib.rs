@@ -50,7 +50,8 @@
 //! * Topology is decided by exact signs, never by an epsilon. Constructed points are rounded and proved again.
 //! * Input vertices appear in the output first, in order, bit for bit.
 //! * The same input gives the same bytes: no hash order, no clock, no unseeded randomness.
-//! * Every loop is bounded. Errors are values that name indices and coordinates; nothing prints, nothing panics on input.
+//! * Every loop is bounded. Errors are values that name indices and coordinates; nothing prints, nothing panics on
+//!   input.
 
 pub mod constrained;
 pub mod delaunay;

@@ -1,5 +1,6 @@
-//! Every reader: valid files, damaged files, bytes without sense. An error names a place in the file; memory stays in proportion;
-//! what was read is written and read again; a mesh that was read can be judged, drawn and refined, whatever it is.
+//! Every reader: valid files, damaged files, bytes without sense. An error names a place in the file; memory stays in
+//! proportion; what was read is written and read again; a mesh that was read can be judged, drawn and refined, whatever
+//! it is.
 
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::{Statistics, against_input};

@@ -73,8 +73,9 @@ pub(crate) struct Options {
 
     /// A published table to stand beside ours: a CSV file with a row each mesh, algorithm and angle
     ///
-    /// Its header names mesh, algorithm, `angle_deg`, vertices and triangles, and may name appendix, priority, program and comment.
-    /// Its rows stand beside the drawing whose stem is their mesh. Rows with a comment that begins with 'impossible' are marked.
+    /// Its header names mesh, algorithm, `angle_deg`, vertices and triangles, and may name appendix, priority, program
+    /// and comment. Its rows stand beside the drawing whose stem is their mesh. Rows with a comment that begins with
+    /// 'impossible' are marked.
     #[arg(long, value_name = "FILE", help_heading = "Experiment")]
     baseline: Option<PathBuf>,
 
@@ -352,7 +353,8 @@ fn warn_of_strangers(baseline: &Baseline, experiment: &Experiment) {
     }
 }
 
-/// How far an experiment has come: a bar on standard error, if that is a terminal and the bar is wanted; ended by Ctrl-C.
+/// How far an experiment has come: a bar on standard error, if that is a terminal and the bar is wanted; ended by
+/// Ctrl-C.
 struct Bar(ProgressBar);
 
 impl Bar {

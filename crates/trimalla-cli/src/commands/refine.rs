@@ -52,7 +52,8 @@ place) is named with triangles, vertices and coordinates, in the numbers of the 
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles (.soup, .txt)
+    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles
+    /// (.soup, .txt)
     mesh: PathBuf,
 
     /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'

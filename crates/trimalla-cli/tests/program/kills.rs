@@ -1,4 +1,5 @@
-//! Runs that are killed while they save: files are whole, groups are whole after the next run, and nothing is left behind.
+//! Runs that are killed while they save: files are whole, groups are whole after the next run, and nothing is left
+//! behind.
 //!
 //! `scripts/kills.sh` runs the first test with more kills.
 #![cfg(unix)]

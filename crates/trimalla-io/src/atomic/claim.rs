@@ -1,7 +1,8 @@
 //! The lock file of a group in one directory.
 //!
-//! It is created before the first temporary file and removed after the last one, and locked all the while. A lock ends with its
-//! process, however that ends, so whoever can lock the file of another process knows that this process is no more.
+//! It is created before the first temporary file and removed after the last one, and locked all the while. A lock ends
+//! with its process, however that ends, so whoever can lock the file of another process knows that this process is no
+//! more.
 //!
 //! Two processes may look at one lock file at the same time:
 //! ```text
@@ -107,8 +108,9 @@ impl Drop for Claim {
     }
 }
 
-/// Locks directories for the moment in which files appear in them, so that two groups do not mix; unlocked when the files returned
-/// are dropped. Where a directory cannot be locked, or somebody who does not go on holds the lock, it is done without.
+/// Locks directories for the moment in which files appear in them, so that two groups do not mix; unlocked when the
+/// files returned are dropped. Where a directory cannot be locked, or somebody who does not go on holds the lock, it is
+/// done without.
 pub(super) fn lock_directories(directories: impl IntoIterator<Item = PathBuf>) -> Vec<File> {
     let in_order: BTreeSet<PathBuf> = directories.into_iter().collect(); // All in one order: nobody waits in a circle.
     let start = Instant::now();

@@ -11,11 +11,11 @@ use super::place::{directory_of, follow_links};
 use super::{sync_directory, unwritable};
 use crate::error::IoError;
 
-/// A folder of pictures, `000001.svg` and so on, that appears as a whole when the [`Outputs`](crate::Outputs) that it is
-/// [handed back](crate::Outputs::end_pictures) to are committed; dropped before, it leaves nothing behind.
+/// A folder of pictures, `000001.svg` and so on, that appears as a whole when the [`Outputs`](crate::Outputs) that it
+/// is [handed back](crate::Outputs::end_pictures) to are committed; dropped before, it leaves nothing behind.
 ///
-/// A folder that exists is replaced by it, and only if it is empty or holds nothing but such pictures. Pictures are not synced one by one, as
-/// a thousand of them would wait seconds for the disk: after a power failure some may be empty.
+/// A folder that exists is replaced by it, and only if it is empty or holds nothing but such pictures. Pictures are not
+/// synced one by one, as a thousand of them would wait seconds for the disk: after a power failure some may be empty.
 #[derive(Debug)]
 pub struct Pictures {
     /// As the caller named it.
@@ -33,8 +33,8 @@ impl Pictures {
     /// Finds out whether pictures may go to a folder, before any are made.
     ///
     /// # Errors
-    /// [`IoError::Unwritable`]: it is no folder, holds anything else than such pictures, may not be written, has the process in it,
-    /// or the folder around it does not exist.
+    /// [`IoError::Unwritable`]: it is no folder, holds anything else than such pictures, may not be written, has the
+    /// process in it, or the folder around it does not exist.
     pub fn check(path: impl AsRef<Path>) -> Result<(), IoError> {
         let path = path.as_ref();
         let around = |target: PathBuf| match directory_of(&target).is_dir() {

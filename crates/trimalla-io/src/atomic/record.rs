@@ -5,8 +5,8 @@
 //!   HEAD    in one directory:   title "head"   others   their lock files …   temporary target length time …   "end"
 //!   MEMBER  in each other one:  title "member" the head's lock file                                           "end"
 //! ```
-//! A name without a directory is one in the directory of the lock file itself. A record without its end was never finished:
-//! no rename had begun.
+//! A name without a directory is one in the directory of the lock file itself. A record without its end was never
+//! finished: no rename had begun.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};

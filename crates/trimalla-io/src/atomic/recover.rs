@@ -6,8 +6,8 @@
 //!   head                       renames had begun       those left are done: all files are new
 //!   member                     the head decides        the record of the group is settled first, in its directory
 //! ```
-//! A record is followed only if it belongs to whoever runs this process, as it says which files are replaced, and only if no
-//! target has changed since.
+//! A record is followed only if it belongs to whoever runs this process, as it says which files are replaced, and only
+//! if no target has changed since.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -32,13 +32,13 @@ pub struct Recovered {
     pub removed: Vec<PathBuf>,
 }
 
-/// Finds what processes that were killed while writing have left in a directory: completes the groups that they were putting in
-/// their places, and removes their temporary files. What belongs to a process that lives is left alone.
+/// Finds what processes that were killed while writing have left in a directory: completes the groups that they were
+/// putting in their places, and removes their temporary files. What belongs to a process that lives is left alone.
 ///
 /// # Guarantees
-/// Two processes may do this at the same time. A target that was changed after the kill is not replaced. What another user's process
-/// has left stays, except temporary files without a lock file. Where the file system has no locks, nothing is done, as nobody can
-/// tell who lives.
+/// Two processes may do this at the same time. A target that was changed after the kill is not replaced. What another
+/// user's process has left stays, except temporary files without a lock file. Where the file system has no locks,
+/// nothing is done, as nobody can tell who lives.
 ///
 /// # Examples
 /// ```
@@ -169,7 +169,8 @@ impl Recovered {
         }
     }
 
-    /// Removes what a settled group has left, the head's lock file last: as long as it is there, the others are not settled alone.
+    /// Removes what a settled group has left, the head's lock file last: as long as it is there, the others are not
+    /// settled alone.
     fn clear(&mut self, head: &Orphan, others: &[PathBuf], own: &Claim) {
         let others = others.iter().filter_map(|other| Orphan::take(other));
         others.filter(|other| other.has_owner_of(own)).for_each(|other| self.sweep(&other));

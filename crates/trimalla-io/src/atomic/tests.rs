@@ -1,4 +1,5 @@
-//! Groups whose process is gone. A directory is copied while a group is at work on it: nobody holds the lock of the copy.
+//! Groups whose process is gone. A directory is copied while a group is at work on it: nobody holds the lock of the
+//! copy.
 
 use std::env;
 use std::fs;

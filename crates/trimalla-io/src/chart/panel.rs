@@ -25,7 +25,8 @@ const GRID: &str = "#e4e7eb";
 const COLOURS: [&str; 9] =
     ["#0b5fa5", "#d1495b", "#2b8a5a", "#8f5bb5", "#e08e0b", "#17a2b8", "#7a5230", "#5b6770", "#b0a000"];
 
-/// Marks as paths about the origin: two cycles of colours and marks of different length meet again only after 63 curves.
+/// Marks as paths about the origin: two cycles of colours and marks of different length meet again only after 63
+/// curves.
 const MARKS: [&str; 7] = [
     "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0z",
     "m-2.9-2.9h5.8v5.8h-5.8z",

@@ -30,8 +30,8 @@ pub fn read_file(path: impl AsRef<Path>) -> Result<RecipeFile, IoError> {
 /// Reads a recipe; `name` is what errors call the file.
 ///
 /// # Errors
-/// [`IoError::Syntax`] where the text is no TOML or has a key that is not known, [`IoError::Value`] where a value is not
-/// allowed.
+/// [`IoError::Syntax`] where the text is no TOML or has a key that is not known, [`IoError::Value`] where a value is
+/// not allowed.
 ///
 /// # Examples
 /// ```

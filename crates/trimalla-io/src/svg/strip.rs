@@ -1,5 +1,5 @@
-//! The strip below the picture: bar charts in columns, one under the other up to the height of the tallest, and as many columns
-//! side by side as there is room for.
+//! The strip below the picture: bar charts in columns, one under the other up to the height of the tallest, and as many
+//! columns side by side as there is room for.
 
 use std::io::{self, Write};
 

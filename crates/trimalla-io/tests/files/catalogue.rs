@@ -1,6 +1,7 @@
 //! The traps that every text format has, by their ids in the catalogue of nasty inputs: E01 to E09, F01, F02 and F10.
 //!
-//! E03 is in `damage.rs`, E10 in `paths.rs`, E11 in the tests of the program, where the memory of a process can be bounded.
+//! E03 is in `damage.rs`, E10 in `paths.rs`, E11 in the tests of the program, where the memory of a process can be
+//! bounded.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
 use crate::common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};

@@ -1,4 +1,5 @@
-//! Damaged files: cut off anywhere, any bit flipped, random words. Nothing panics, and every fault has a place in the file.
+//! Damaged files: cut off anywhere, any bit flipped, random words. Nothing panics, and every fault has a place in the
+//! file.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
 use crate::common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};

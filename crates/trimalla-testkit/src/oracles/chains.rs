@@ -1,7 +1,7 @@
 //! The rule of what lies on a segment, in rationals and by brute force.
 //!
-//! Written from the words of the rule in `geometry::Strip`, by other formulas: a point is in the strip if the box around it
-//! meets the line, which is found by where the line enters and leaves the box's range of x.
+//! Written from the words of the rule in `geometry::Strip`, by other formulas: a point is in the strip if the box
+//! around it meets the line, which is found by where the line enters and leaves the box's range of x.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -3,8 +3,8 @@
 //!
 //! 1. Indices are in range, coordinates finite, input vertices first, bit for bit.
 //! 2. Every triangle is counter-clockwise, every directed edge used once.
-//! 3. No two triangles share an inner point, and no vertex of a triangle lies inside an edge of the boundary. (That areas
-//!    add up to what the boundary encloses would prove nothing: where directed edges are used once, it follows.)
+//! 3. No two triangles share an inner point, and no vertex of a triangle lies inside an edge of the boundary. (That
+//!    areas add up to what the boundary encloses would prove nothing: where directed edges are used once, it follows.)
 //! 4. Every subsegment is an edge of a triangle, every edge of the boundary a subsegment.
 //! 5. Every other edge passes the circle test, if the caller asks for it.
 //! 6. Every input segment is a chain of edges, except where it runs outside the mesh.
@@ -393,8 +393,8 @@ impl<'a> Line<'a> {
         (farthest, false)
     }
 
-    /// Whether the way between two vertices on the segment has inner points of a triangle on it, farther than the tolerance
-    /// from its sides.
+    /// Whether the way between two vertices on the segment has inner points of a triangle on it, farther than the
+    /// tolerance from its sides.
     fn pierces(&self, from: u32, to: u32, t: [u32; 3]) -> bool {
         let [p, q] = [from, to].map(|v| self.mesh.points[v as usize]);
         let of_triangle = corners(self.mesh, t);

@@ -16,10 +16,12 @@ pub(crate) struct Corridor {
 }
 
 impl Corridor {
-    /// Puts the planned edge into the triangulation, with that mark, and legalises what it has made. Where the triangulation was
-    /// constrained Delaunay it is so again: a segment only hides vertices, so it spoils no face that it does not cross.
+    /// Puts the planned edge into the triangulation, with that mark, and legalises what it has made. Where the
+    /// triangulation was constrained Delaunay it is so again: a segment only hides vertices, so it spoils no face that
+    /// it does not cross.
     ///
-    /// Returns whether it is there; where not, nothing has changed: the plan crosses constrained edges or is out of date.
+    /// Returns whether it is there; where not, nothing has changed: the plan crosses constrained edges or is out of
+    /// date.
     pub(super) fn apply<J: Journal>(
         &mut self,
         t: &mut Triangulation,

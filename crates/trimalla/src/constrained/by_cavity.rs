@@ -1,7 +1,7 @@
 //! Insertion and splits by cavity: what `delaunay::cavity` does, with segments and provenance.
 //!
-//! A cavity is found first and filled afterwards. Between the two the caller may look at its rim, which tells the neighbours
-//! that the vertex will have and the subsegments opposite it, and change his mind: nothing has changed yet.
+//! A cavity is found first and filled afterwards. Between the two the caller may look at its rim, which tells the
+//! neighbours that the vertex will have and the subsegments opposite it, and change his mind: nothing has changed yet.
 
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
@@ -15,8 +15,8 @@ use crate::locate::Locus;
 /// What is known of the cavity of a split.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplitCavity {
-    /// Whether the faces beside the edge have the point in their circles, as all others of the cavity have: it may lie off the
-    /// edge by its rounding.
+    /// Whether the faces beside the edge have the point in their circles, as all others of the cavity have: it may lie
+    /// off the edge by its rounding.
     is_proved: bool,
     /// The ends of the edge, if it is one of the boundary.
     boundary: Option<[VertexId; 2]>,
@@ -74,7 +74,8 @@ impl<J: Journal> Edit<'_, J> {
         v
     }
 
-    /// Puts a vertex into the cavity of a split that was just found; says whether the fan is as it was filled, without flips.
+    /// Puts a vertex into the cavity of a split that was just found; says whether the fan is as it was filled, without
+    /// flips.
     pub(crate) fn fill_split(
         &mut self,
         cavity: &mut Cavity,
@@ -87,9 +88,9 @@ impl<J: Journal> Edit<'_, J> {
         (v, found.is_proved || self.legalise_spokes(v) == 0)
     }
 
-    /// Legalises the spokes of a vertex that has filled its cavity off the edge it split, by its rounding: where it lies
-    /// beyond the circle of a face beside that edge, the face should have stayed. The rim has passed the same test.
-    /// Returns how many flips that took.
+    /// Legalises the spokes of a vertex that has filled its cavity off the edge it split, by its rounding: where it
+    /// lies beyond the circle of a face beside that edge, the face should have stayed. The rim has passed the same
+    /// test. Returns how many flips that took.
     fn legalise_spokes(&mut self, v: VertexId) -> u64 {
         self.data.star(v).for_each(|spoke| self.work.lawson.push(spoke));
         self.legalise()
@@ -132,8 +133,8 @@ impl<J: Journal> Edit<'_, J> {
         })
     }
 
-    /// Replaces the two faces at unconstrained edge `h` by four around a vertex at `p`, and flips nothing; `None`, and nothing
-    /// changed, where the point does not see all four sides.
+    /// Replaces the two faces at unconstrained edge `h` by four around a vertex at `p`, and flips nothing; `None`, and
+    /// nothing changed, where the point does not see all four sides.
     pub(crate) fn insert_in_pair(&mut self, p: Point, h: HalfEdgeId) -> Option<VertexId> {
         self.with_cavity(|edit, cavity| {
             cavity.take_pair(edit.data, p, h).then(|| edit.fill_cavity(cavity, p, Provenance::Free))

@@ -38,8 +38,8 @@ impl<J: Journal> Edit<'_, J> {
         true
     }
 
-    /// Makes the convex hull the domain, without the flat triangles at it; says whether the triangulation is closed by a domain now.
-    /// See [`ConstrainedDelaunay::carve_hull`](super::ConstrainedDelaunay::carve_hull).
+    /// Makes the convex hull the domain, without the flat triangles at it; says whether the triangulation is closed by
+    /// a domain now. See [`ConstrainedDelaunay::carve_hull`](super::ConstrainedDelaunay::carve_hull).
     pub fn carve_hull(&mut self) -> bool {
         if self.closure() == Closure::Domain {
             return true;

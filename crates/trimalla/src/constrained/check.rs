@@ -35,8 +35,8 @@ impl ConstrainedTriangulation {
         faults
     }
 
-    /// I13: a segment is a chain of edges from its start to its end, by the rule of [`Strip`]. In a carved domain parts may
-    /// be missing.
+    /// I13: a segment is a chain of edges from its start to its end, by the rule of [`Strip`]. In a carved domain parts
+    /// may be missing.
     fn segment_fault(&self, segment: SegmentId, places: &InputPlaces) -> Option<Fault> {
         let [a, b] = self.segments()[segment as usize];
         let chain = self.chain(segment);
@@ -55,7 +55,8 @@ impl ConstrainedTriangulation {
         if let Some(pair) = off {
             return Some(Fault::OffSegment { segment, vertex: pair[1] });
         }
-        // Of a mesh that was taken up, subsegments may have been joined without a drawing to tell which vertices were on them.
+        // Of a mesh that was taken up, subsegments may have been joined without a drawing to tell which vertices were
+        // on them.
         if !is_whole || a == b || self.is_of_mesh() {
             return None;
         }

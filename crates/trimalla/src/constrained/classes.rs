@@ -1,8 +1,9 @@
 //! Which input segments an edge is part of.
 //!
-//! A constrained edge carries a mark, which names a *class*: the input segments that run along the edge. Nearly all classes
-//! are of one segment. Where segments overlap on one line, the class is a span of that line (see `lines.rs`), and its
-//! segments are computed. Where segments that are not on one line share an edge, for rounding, the class lists them.
+//! A constrained edge carries a mark, which names a *class*: the input segments that run along the edge. Nearly all
+//! classes are of one segment. Where segments overlap on one line, the class is a span of that line (see `lines.rs`),
+//! and its segments are computed. Where segments that are not on one line share an edge, for rounding, the class lists
+//! them.
 
 use std::collections::BTreeMap;
 
@@ -15,8 +16,8 @@ const SPAN: u32 = 1 << 31;
 
 /// The classes of marks.
 ///
-/// A list is a sorted list of input segments. Lists of one segment are found by a look-up, and no class has an allocation
-/// of its own.
+/// A list is a sorted list of input segments. Lists of one segment are found by a look-up, and no class has an
+/// allocation of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Classes {
     /// The lists, one behind the other.
@@ -90,8 +91,8 @@ impl Classes {
         mark.copied().unwrap_or(0)
     }
 
-    /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is the
-    /// lowest segment that covers it, and a member of the line.
+    /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is
+    /// the lowest segment that covers it, and a member of the line.
     pub(super) fn mark_of_span<J: Journal>(&mut self, ends: [VertexId; 2], first: u32, j: &mut J) -> u32 {
         self.note_count(j);
         SPAN | self.lines.add_span(ends, first) as u32

@@ -173,12 +173,12 @@ impl ConstrainedDelaunay {
     ///
     /// # Errors
     /// [`ConstraintError::Crossing`] names the segments crossed; [`ConstraintError::UnusedVertex`],
-    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`], [`ConstraintError::TooManySegments`],
-    /// [`BuildError::TooManyPoints`]. Nothing has changed then.
+    /// [`ConstraintError::LeavesDomain`], [`ConstraintError::CrossingsExhausted`],
+    /// [`ConstraintError::TooManySegments`], [`BuildError::TooManyPoints`]. Nothing has changed then.
     ///
     /// # Complexity
-    /// Expected linear in the edges crossed, and in the degree of either end or those of the vertices on the way, whichever
-    /// is less. Stretches that overlapping segments cover on the same line cost nothing.
+    /// Expected linear in the edges crossed, and in the degree of either end or those of the vertices on the way,
+    /// whichever is less. Stretches that overlapping segments cover on the same line cost nothing.
     pub fn insert_segment(
         &mut self,
         a: VertexId,
@@ -229,7 +229,8 @@ impl ConstrainedDelaunay {
     /// Inserts a point; on a constrained edge it splits it.
     ///
     /// # Errors
-    /// [`BuildError::NotFinite`]; [`BuildError::TooManyPoints`]; [`BuildError::OutsideDomain`] where the exterior was carved away.
+    /// [`BuildError::NotFinite`]; [`BuildError::TooManyPoints`]; [`BuildError::OutsideDomain`] where the exterior was
+    /// carved away.
     pub fn insert(&mut self, p: Point) -> Result<Inserted, BuildError> {
         self.insert_with(p, &mut NoJournal)
     }
@@ -326,8 +327,8 @@ impl ConstrainedDelaunay {
         self.edit(j).carve(keep)
     }
 
-    /// Makes the convex hull the domain: what refinement needs, and [`build`](crate::domain::build()) does to a drawing without
-    /// segments.
+    /// Makes the convex hull the domain: what refinement needs, and [`build`](crate::domain::build()) does to a drawing
+    /// without segments.
     ///
     /// ```text
     ///        c                       c            A hull is exactly convex, and the middle of a–b, rounded, lies beside a–b:
@@ -335,14 +336,14 @@ impl ConstrainedDelaunay {
     ///      a───b                   a═b            its edges are constrained, and can be split where rounding allows it.
     /// ```
     ///
-    /// Returns whether the triangulation is closed by a domain now. One that was already stays as it is, and so does one without
-    /// triangles, which is refused.
+    /// Returns whether the triangulation is closed by a domain now. One that was already stays as it is, and so does
+    /// one without triangles, which is refused.
     ///
     /// # Guarantees
-    /// Half-edges of triangles keep their ids. Each edge of the hull that no segment runs along becomes a segment of its own, named
-    /// after all others. All vertices stay. Flat triangles at the hull, those whose vertices lie within 16 last places of one
-    /// side, are left out, and the boundary runs through their vertices. From then on a point outside is refused with
-    /// [`BuildError::OutsideDomain`]. A rollback takes all of it back.
+    /// Half-edges of triangles keep their ids. Each edge of the hull that no segment runs along becomes a segment of
+    /// its own, named after all others. All vertices stay. Flat triangles at the hull, those whose vertices lie within
+    /// 16 last places of one side, are left out, and the boundary runs through their vertices. From then on a point
+    /// outside is refused with [`BuildError::OutsideDomain`]. A rollback takes all of it back.
     ///
     /// # Complexity
     /// Linear, and O(n log n) in the sides of the hull.

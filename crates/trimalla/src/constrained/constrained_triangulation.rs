@@ -17,14 +17,15 @@ use crate::triangulation::Triangulation;
 /// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.
 pub type SegmentId = u32;
 
-/// A triangulation in which edges may be pieces of input segments, vertices may have been inserted, and faces may lie in regions.
+/// A triangulation in which edges may be pieces of input segments, vertices may have been inserted, and faces may lie
+/// in regions.
 ///
-/// It may be any triangulation: [`ConstrainedDelaunay`](super::ConstrainedDelaunay) is one that is constrained Delaunay and
-/// stays so.
+/// It may be any triangulation: [`ConstrainedDelaunay`](super::ConstrainedDelaunay) is one that is constrained Delaunay
+/// and stays so.
 ///
 /// # Guarantees
-/// Every real face is strictly counter-clockwise by the exact test; every input segment is a chain of edges as far as the
-/// domain reaches. Every change goes through a journal and can be taken back exactly: all that `==` compares.
+/// Every real face is strictly counter-clockwise by the exact test; every input segment is a chain of edges as far as
+/// the domain reaches. Every change goes through a journal and can be taken back exactly: all that `==` compares.
 #[derive(Clone, Debug)]
 pub struct ConstrainedTriangulation {
     t: Triangulation,
@@ -49,8 +50,8 @@ impl Deref for ConstrainedTriangulation {
     }
 }
 
-/// Equal triangulations, classes, segments, origins, regions, and limits for splits of the boundary. What is kept only because
-/// it would take time to find it again does not count.
+/// Equal triangulations, classes, segments, origins, regions, and limits for splits of the boundary. What is kept only
+/// because it would take time to find it again does not count.
 impl PartialEq for ConstrainedTriangulation {
     fn eq(&self, other: &Self) -> bool {
         self.t == other.t
@@ -187,8 +188,8 @@ impl ConstrainedTriangulation {
         (self.input_points()..self.t.points().len()).filter(|&v| self.t.is_used(VertexId::from_index(v))).count()
     }
 
-    /// Takes the order of the vertices along a space-filling curve, if a build has left it behind and it is still that of all
-    /// vertices; else computes it.
+    /// Takes the order of the vertices along a space-filling curve, if a build has left it behind and it is still that
+    /// of all vertices; else computes it.
     pub(crate) fn take_order_along_curve(&mut self) -> Vec<VertexId> {
         let known = self.curve_order.take().filter(|order| order.len() == self.t.points().len());
         debug_assert!(known.as_ref().is_none_or(|order| *order == along_curve(self.t.points())), "no vertex moves");

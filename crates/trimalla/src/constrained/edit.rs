@@ -12,12 +12,12 @@ use crate::half_edge::{FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
 use crate::triangulation::{Closure, Triangulation};
 
-/// A constrained triangulation that is being changed, with what that takes: a workspace, and the journal that notes what is
-/// overwritten.
+/// A constrained triangulation that is being changed, with what that takes: a workspace, and the journal that notes
+/// what is overwritten.
 ///
 /// # Guarantees
-/// Each operation is done as a whole or changes nothing, and leaves a triangulation. Where all edges pass the circle test
-/// before, they do so after, but for the operations that say otherwise.
+/// Each operation is done as a whole or changes nothing, and leaves a triangulation. Where all edges pass the circle
+/// test before, they do so after, but for the operations that say otherwise.
 #[derive(Debug)]
 pub struct Edit<'a, J> {
     pub(super) data: &'a mut ConstrainedTriangulation,
@@ -71,7 +71,8 @@ impl<'a, J: Journal> Edit<'a, J> {
     /// Inserts a point; on a constrained edge it splits it.
     ///
     /// # Errors
-    /// [`BuildError::NotFinite`]; [`BuildError::TooManyPoints`]; [`BuildError::OutsideDomain`] where the exterior was carved away.
+    /// [`BuildError::NotFinite`]; [`BuildError::TooManyPoints`]; [`BuildError::OutsideDomain`] where the exterior was
+    /// carved away.
     ///
     /// # Complexity
     /// A walk from the last insertion and about three flips.
@@ -103,8 +104,8 @@ impl<'a, J: Journal> Edit<'a, J> {
         v
     }
 
-    /// Inserts a point whose place is known, without flips: the circle test may fail afterwards. `None`, and nothing changed,
-    /// where rounding leaves no room.
+    /// Inserts a point whose place is known, without flips: the circle test may fail afterwards. `None`, and nothing
+    /// changed, where rounding leaves no room.
     pub(crate) fn place_vertex_at(&mut self, p: Point, locus: Locus) -> Option<VertexId> {
         match locus {
             Locus::Face(f) => {
@@ -170,11 +171,11 @@ impl<'a, J: Journal> Edit<'a, J> {
         Ok(())
     }
 
-    /// Replaces an edge by the other diagonal of its two faces, whatever the circle test says, if both new faces are strictly
-    /// counter-clockwise.
+    /// Replaces an edge by the other diagonal of its two faces, whatever the circle test says, if both new faces are
+    /// strictly counter-clockwise.
     ///
-    /// Refused, with `None` and nothing changed: constrained edges, edges of the boundary, and quadrilaterals that are not
-    /// strictly convex. Returns the new diagonal.
+    /// Refused, with `None` and nothing changed: constrained edges, edges of the boundary, and quadrilaterals that are
+    /// not strictly convex. Returns the new diagonal.
     pub fn try_flip(&mut self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         let (t, j) = self.parts();
         t.try_flip(h, j)

@@ -74,7 +74,8 @@ pub enum ConstraintError {
 }
 
 impl ConstraintError {
-    /// Half of the marks of edges name segments, the other half where segments overlap; some are left for lists of several.
+    /// Half of the marks of edges name segments, the other half where segments overlap; some are left for lists of
+    /// several.
     pub const MAX_SEGMENTS: usize = 1_000_000_000;
 }
 

@@ -11,13 +11,14 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use crate::geometry::{Segment, math};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
-/// How far from a side of the hull a vertex may lie to count as on it, in last places of the largest coordinate of the side:
-/// its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.
+/// How far from a side of the hull a vertex may lie to count as on it, in last places of the largest coordinate of the
+/// side: its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.
 const ON_HULL_ULPS: f64 = 16.0;
 
 /// Adds the flat triangles at the hull to what is outside.
 ///
-/// Segments stop it, and a vertex that bounds the domain already: the domain stays in one piece and keeps all its vertices.
+/// Segments stop it, and a vertex that bounds the domain already: the domain stays in one piece and keeps all its
+/// vertices.
 ///
 /// # Complexity
 /// O(n log n) in the sides of the hull, and linear.

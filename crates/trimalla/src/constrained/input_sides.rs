@@ -1,7 +1,7 @@
 //! Input vertices beside a segment stay beside it: rule 4 of [`Strip`].
 //!
-//! A piece a–b that is split at a rounded point p is replaced by a–p and p–b. Both have every input vertex on the side where
-//! a–b has it if none lies in the closed triangle a, b, p:
+//! A piece a–b that is split at a rounded point p is replaced by a–p and p–b. Both have every input vertex on the side
+//! where a–b has it if none lies in the closed triangle a, b, p:
 //!
 //! ```text
 //!           . p .
@@ -9,8 +9,8 @@
 //!     a ─ ─ ─ ─ ─ ─ ─ b       p may lie beyond the rim of these, and w behind an edge of that rim.
 //! ```
 //!
-//! The faces that the triangle meets are searched from those that a–b crosses, or that lie beside it where it is an edge, over
-//! edges that meet the triangle. Signs are exact.
+//! The faces that the triangle meets are searched from those that a–b crosses, or that lie beside it where it is an
+//! edge, over edges that meet the triangle. Signs are exact.
 
 use std::collections::BTreeSet;
 
@@ -30,7 +30,8 @@ pub(crate) enum Beside {
 }
 
 impl Beside {
-    /// What holds in a drawing: vertices beside segments are on chains only if any two segments cross where there is no vertex.
+    /// What holds in a drawing: vertices beside segments are on chains only if any two segments cross where there is no
+    /// vertex.
     ///
     /// # Complexity
     /// That of [`crossing_pairs`].
@@ -57,8 +58,8 @@ impl ConstrainedTriangulation {
         v.index() < self.input_points()
     }
 
-    /// Whether the chains of a class may pass through a vertex that lies exactly on a piece of them. An input vertex may lie
-    /// on a piece that rounding has bent, and beside the segment.
+    /// Whether the chains of a class may pass through a vertex that lies exactly on a piece of them. An input vertex
+    /// may lie on a piece that rounding has bent, and beside the segment.
     pub(super) fn may_pass_through(&self, v: VertexId, mark: u32, beside: impl FnOnce() -> Beside) -> bool {
         if !self.is_of_input(v) {
             return true;
@@ -133,7 +134,8 @@ impl<'a> Swept<'a> {
         !is_parted && !is_beside
     }
 
-    /// Whether the triangle holds an input vertex beyond some of these half-edges, which are of the faces to be searched.
+    /// Whether the triangle holds an input vertex beyond some of these half-edges, which are of the faces to be
+    /// searched.
     ///
     /// # Complexity
     /// The faces that the triangle meets.

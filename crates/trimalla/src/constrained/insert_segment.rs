@@ -1,8 +1,8 @@
 //! Inserting a segment: piece by piece between the vertices on it, crossings are handled as [`Crossings`] says.
 //!
 //! 1. Survey the whole way, from vertex to vertex on it, before anything changes: free, in pieces, or along others.
-//! 2. A free way is one plan, which is carried out. Otherwise pieces go in one after the other (`split_crossings.rs`), and only
-//!    where no segment on the same line is there already (`overlaps.rs`).
+//! 2. A free way is one plan, which is carried out. Otherwise pieces go in one after the other (`split_crossings.rs`),
+//!    and only where no segment on the same line is there already (`overlaps.rs`).
 
 use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 use super::crossing_pairs::crossing_pairs;
@@ -26,8 +26,8 @@ pub enum Crossings {
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. Taking back what was
-    /// done before an error is the caller's.
+    /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. Taking back
+    /// what was done before an error is the caller's.
     ///
     /// # Errors
     /// See [`ConstraintError`].
@@ -62,8 +62,8 @@ impl<J: Journal> Edit<'_, J> {
     /// Inserts the segment between two used vertices (or duplicates of such).
     ///
     /// # Errors
-    /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); where crossings are split, taking
-    /// back what was done before an error is the caller's.
+    /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); where crossings are
+    /// split, taking back what was done before an error is the caller's.
     pub fn insert_segment(
         &mut self,
         a: VertexId,

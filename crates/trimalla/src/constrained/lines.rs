@@ -1,8 +1,8 @@
 //! Segments that overlap on one line, kept once.
 //!
-//! Of 10,000 nested segments on a line, each of the 20,000 edges is part of up to 10,000. Lists of segments an edge would
-//! be quadratic. So an edge of such a line names the two vertices between which it lies, and the segments along the edge
-//! are those of the line that reach from one to the other:
+//! Of 10,000 nested segments on a line, each of the 20,000 edges is part of up to 10,000. Lists of segments an edge
+//! would be quadratic. So an edge of such a line names the two vertices between which it lies, and the segments along
+//! the edge are those of the line that reach from one to the other:
 //!
 //! ```text
 //!     segment 0    a ═══════════════════ d        line: members 0 1 2, ends a d
@@ -15,10 +15,11 @@
 //!    lexicographically along it, so that coverage is decided exactly.
 //! 2. As long as a line is *open*, every edge of its members carries a span of the line, and the members cover one
 //!    stretch without gaps. New segments join open lines only.
-//! 3. A line closes when one of its edges needs a list of its own, or a member is removed. What its spans say stays true.
+//! 3. A line closes when one of its edges needs a list of its own, or a member is removed. What its spans say stays
+//!    true.
 //!
-//! Lines and spans cost some twenty bytes for each segment: what names a span is in one place, and the list of spans grows by
-//! [blocks](Blocks).
+//! Lines and spans cost some twenty bytes for each segment: what names a span is in one place, and the list of spans
+//! grows by [blocks](Blocks).
 //!
 //! Lines that a later segment connects become a tree, whose root stands for all: undoing a connection is one entry.
 

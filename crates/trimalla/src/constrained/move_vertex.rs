@@ -2,7 +2,8 @@
 //!
 //! 1. The segments at the vertex are taken out: those that end there, and those that it lies on.
 //! 2. The vertex is removed, and inserted again at its new place under the same id.
-//! 3. The segments go back in between their ends, straight, under the same ids. One that would cross another refuses the whole.
+//! 3. The segments go back in between their ends, straight, under the same ids. One that would cross another refuses
+//!    the whole.
 
 use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 use super::edit::Edit;
@@ -117,7 +118,8 @@ impl Edit<'_, UndoLog> {
     /// Puts a segment that was removed back in, under its own id. One that is there stays as it is.
     ///
     /// # Errors
-    /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); nothing has changed then.
+    /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); nothing has changed
+    /// then.
     pub fn restore_segment(&mut self, segment: SegmentId, crossings: Crossings) -> Result<(), ConstraintError> {
         let Some(&ends @ [a, b]) = self.segments().get(segment as usize) else { return Ok(()) };
         if let Some(vertex) = ends.into_iter().find(|&v| !self.is_used(v)) {

@@ -1,7 +1,8 @@
 //! What lies outside the domain, as the proof that the boundary does not cross itself.
 //!
-//! A split of a subsegment is rounded, and proved: every triangle that it makes is counter-clockwise. On the boundary of a
-//! domain that proves one side only. Outside, once carved, there are no triangles, and two parts of the boundary may meet there:
+//! A split of a subsegment is rounded, and proved: every triangle that it makes is counter-clockwise. On the boundary
+//! of a domain that proves one side only. Outside, once carved, there are no triangles, and two parts of the boundary
+//! may meet there:
 //!
 //! ```text
 //!        inside                    inside                   a ══════════════ b      two edges leave a at an angle
@@ -11,17 +12,17 @@
 //!        inside                    inside
 //! ```
 //!
-//! So a split of the boundary is proved on both sides. [`Faces`] is a triangulation of the boundary alone, its edges constrained, that
-//! follows every split: edge a–b is led through the new vertex v if v–a and v–b cross no other edge of the boundary and touch
-//! no vertex of it, and the triangle a, b, v holds none. So the boundary is at all times the edges of a triangulation, which cross
-//! nowhere, and each split moves it over a triangle in which nothing lies: no two parts of it change sides. Nothing is measured,
-//! and no number of last places enters.
+//! So a split of the boundary is proved on both sides. [`Faces`] is a triangulation of the boundary alone, its edges
+//! constrained, that follows every split: edge a–b is led through the new vertex v if v–a and v–b cross no other edge
+//! of the boundary and touch no vertex of it, and the triangle a, b, v holds none. So the boundary is at all times the
+//! edges of a triangulation, which cross nowhere, and each split moves it over a triangle in which nothing lies: no two
+//! parts of it change sides. Nothing is measured, and no number of last places enters.
 //!
 //! # Where no proof is asked
 //! Hardly any boundary comes near itself within rounding. There no such triangulation is made:
 //!
-//! 1. Before the outside goes, every triangle outside with a boundary edge is looked at. Where an angle of one is below [`THIN`],
-//!    the boundary [may be thin](is_thin_outside), and every split needs the proof.
+//! 1. Before the outside goes, every triangle outside with a boundary edge is looked at. Where an angle of one is below
+//!    [`THIN`], the boundary [may be thin](is_thin_outside), and every split needs the proof.
 //! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it.
 //!
 //! ```text
@@ -32,16 +33,16 @@
 //!
 //! The other splits are proved once and for all, with u the last place of the largest coordinate.
 //!
-//! * Take an edge S that bounds a triangle outside that is not thin, and there the apex o, or if several edges bound the
-//!   triangle its centroid o. The triangles that o spans with the edges are disjoint, and their angles at S are above a third
-//!   of `THIN`.
-//! * Vertices that split S, or a boundary edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a boundary
-//!   edge lies within 16 u of its input segment, a computed point within 2, and each of the 26 halvings down to `SHORT_ULPS`
-//!   adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a third of `SHORT_ULPS`
-//!   from the ends of their subsegments.
-//! * Seen from o, 64 u across S shift a place along S by less than 64 u ÷ (`THIN` ÷ 3), about 10⁷ u. That is less than half
-//!   of the third of `SHORT_ULPS`, 2.2 · 10⁷ u. So from o the vertices along S are seen in their order, in front of o: what
-//!   bends beyond S stays in the triangle of o and S, where nothing else comes.
+//! * Take an edge S that bounds a triangle outside that is not thin, and there the apex o, or if several edges bound
+//!   the triangle its centroid o. The triangles that o spans with the edges are disjoint, and their angles at S are
+//!   above a third of `THIN`.
+//! * Vertices that split S, or a boundary edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a
+//!   boundary edge lies within 16 u of its input segment, a computed point within 2, and each of the 26 halvings down
+//!   to `SHORT_ULPS` adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a
+//!   third of `SHORT_ULPS` from the ends of their subsegments.
+//! * Seen from o, 64 u across S shift a place along S by less than 64 u ÷ (`THIN` ÷ 3), about 10⁷ u. That is less than
+//!   half of the third of `SHORT_ULPS`, 2.2 · 10⁷ u. So from o the vertices along S are seen in their order, in front
+//!   of o: what bends beyond S stays in the triangle of o and S, where nothing else comes.
 //!
 //! An edge of the convex hull without a triangle outside has nothing to meet there.
 
@@ -82,8 +83,8 @@ impl PartialEq for Outside {
 }
 
 impl Outside {
-    /// What is outside of the faces kept of a triangulation that is about to be carved; `before` is what is known where that
-    /// was carved once already.
+    /// What is outside of the faces kept of a triangulation that is about to be carved; `before` is what is known where
+    /// that was carved once already.
     ///
     /// # Complexity
     /// Linear in the vertices, and in the edges of the boundary.
@@ -93,7 +94,8 @@ impl Outside {
         Self { is_thin, short: short_edge(t), faces: None }
     }
 
-    /// What is outside of a domain that came without its outside: that is triangulated, and kept if the boundary is thin.
+    /// What is outside of a domain that came without its outside: that is triangulated, and kept if the boundary is
+    /// thin.
     ///
     /// # Complexity
     /// O(n log n) in the vertices of the boundary.
@@ -104,8 +106,8 @@ impl Outside {
         Self { faces, ..outside }
     }
 
-    /// Whether a split of the boundary edge between two points needs a proof. Once some did, all do, so that the triangles stay
-    /// those beside the boundary.
+    /// Whether a split of the boundary edge between two points needs a proof. Once some did, all do, so that the
+    /// triangles stay those beside the boundary.
     fn needs_proof(&self, [a, b]: [Point; 2]) -> bool {
         let is_long = |from: f64, to: f64| (to - from).abs() >= self.short;
         self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
@@ -175,8 +177,8 @@ fn short_edge(t: &Triangulation) -> f64 {
     SHORT_ULPS * math::last_place(largest)
 }
 
-/// Whether a triangle outside of the kept faces is thin and bounds the boundary, but for pockets; `boundary` are the half-edges of
-/// the boundary that lie outside.
+/// Whether a triangle outside of the kept faces is thin and bounds the boundary, but for pockets; `boundary` are the
+/// half-edges of the boundary that lie outside.
 fn is_thin_outside(t: &Triangulation, kept: &[bool], boundary: impl Iterator<Item = HalfEdgeId>) -> bool {
     // Half-edges that close pockets, seen from beyond; and thin triangles that are no pockets so far.
     let mut closing: BTreeSet<HalfEdgeId> = BTreeSet::new();
@@ -326,8 +328,9 @@ fn boundary_of(cdt: &ConstrainedTriangulation) -> Vec<[VertexId; 2]> {
 }
 
 impl Edit<'_, UndoLog> {
-    /// Leads constrained edge `h` through a new vertex at `p`, if the new edges cross and touch nothing that is constrained, and
-    /// the triangle between them and the old edge holds nothing. Otherwise `None`, and taking back what was done is the caller's.
+    /// Leads constrained edge `h` through a new vertex at `p`, if the new edges cross and touch nothing that is
+    /// constrained, and the triangle between them and the old edge holds nothing. Otherwise `None`, and taking back
+    /// what was done is the caller's.
     ///
     /// ```text
     ///          p                p
@@ -370,8 +373,8 @@ impl ConstrainedTriangulation {
         self.is_boundary_edge(h).then(|| [self.origin(h), self.dest(h)])
     }
 
-    /// [`boundary_ends`](Self::boundary_ends) for [`note_split`](Edit::note_split), which asks for them only where the outside is
-    /// kept in triangles.
+    /// [`boundary_ends`](Self::boundary_ends) for [`note_split`](Edit::note_split), which asks for them only where the
+    /// outside is kept in triangles.
     #[inline]
     pub(super) fn noted_ends(&self, h: HalfEdgeId) -> Option<[VertexId; 2]> {
         if self.outside().faces.is_some() { self.boundary_ends(h) } else { None }
@@ -394,8 +397,8 @@ impl ConstrainedTriangulation {
         self.outside().is_thin && self.boundary_ends(h).is_some()
     }
 
-    /// The vertex of the boundary opposite a boundary edge, across what is outside; `None` where there is none, or splits of that edge
-    /// need no proof.
+    /// The vertex of the boundary opposite a boundary edge, across what is outside; `None` where there is none, or
+    /// splits of that edge need no proof.
     pub(crate) fn apex_outside(&self, h: HalfEdgeId) -> Option<Point> {
         let (ends, faces) = (self.boundary_ends(h)?, self.outside().faces.as_ref()?);
         let boundary = faces.cdt.as_ref()?;

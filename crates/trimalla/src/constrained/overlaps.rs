@@ -1,16 +1,16 @@
 //! Segments that run along others on one line.
 //!
-//! 1. On the way of a new segment the survey meets an edge of a segment, or of a line of segments, that is exactly on one
-//!    line with it ([`overlap_at`](ConstrainedTriangulation::overlap_at)).
+//! 1. On the way of a new segment the survey meets an edge of a segment, or of a line of segments, that is exactly on
+//!    one line with it ([`overlap_at`](ConstrainedTriangulation::overlap_at)).
 //! 2. If that is a segment which overlapped none so far, a line is made of it, and its edges become spans of that line
 //!    ([`line_of_alone`](Edit::line_of_alone)).
-//! 3. The new segment joins the line. Stretches that the line covers need no work at all, however many edges they have; the
-//!    gaps before, between and behind them are filled as new pieces ([`fill_gaps`](Edit::fill_gaps)).
+//! 3. The new segment joins the line. Stretches that the line covers need no work at all, however many edges they have;
+//!    the gaps before, between and behind them are filled as new pieces ([`fill_gaps`](Edit::fill_gaps)).
 //!
-//! Degenerate cases: crossings bend a segment by their rounding, and a vertex off its line is none at which a span could end:
-//! both edges beside it get the span between the nearest input vertices exactly on the line. Where such a chain does not run
-//! straight forward, where the line is closed, or where the new segment starts beside the chain, nothing is joined, and
-//! each edge lists its segments instead.
+//! Degenerate cases: crossings bend a segment by their rounding, and a vertex off its line is none at which a span
+//! could end: both edges beside it get the span between the nearest input vertices exactly on the line. Where such a
+//! chain does not run straight forward, where the line is closed, or where the new segment starts beside the chain,
+//! nothing is joined, and each edge lists its segments instead.
 
 use std::borrow::Cow;
 
@@ -121,8 +121,8 @@ impl ConstrainedTriangulation {
         }
     }
 
-    /// Whether an edge belongs to a segment or an open line exactly on one line with a new segment, and leads the way that
-    /// the segment has from its start to its end.
+    /// Whether an edge belongs to a segment or an open line exactly on one line with a new segment, and leads the way
+    /// that the segment has from its start to its end.
     fn runs_on_one_line(&self, h: HalfEdgeId, [start, to]: [VertexId; 2]) -> bool {
         let forward = self.is_before(start, to);
         match self.class(self.mark(h)) {
@@ -154,8 +154,8 @@ impl ConstrainedTriangulation {
         orient2d(a, b, p) == Orientation::Collinear
     }
 
-    /// How far a line covers the way of a segment from a vertex on: the line, and the end of what it covers or of the segment,
-    /// whichever comes first. `None` where no line does.
+    /// How far a line covers the way of a segment from a vertex on: the line, and the end of what it covers or of the
+    /// segment, whichever comes first. `None` where no line does.
     pub(super) fn covered(&self, from: VertexId, [start, to]: [VertexId; 2]) -> Option<(u32, VertexId)> {
         let h = self.overlap_at(from, [start, to])?;
         let line = self.classes().line_of_mark(self.mark(h))?;
@@ -178,7 +178,8 @@ impl ConstrainedTriangulation {
         [if self.is_before(c, a) { c } else { a }, if self.is_before(b, d) { d } else { b }]
     }
 
-    /// Of the edges with the mark of `h`, which is that of one segment, the one at an end of the segment from which they lead to
+    /// Of the edges with the mark of `h`, which is that of one segment, the one at an end of the segment from which
+    /// they lead to
     /// `h`; `None` where they are not one path.
     fn first_of_chain(&self, h: HalfEdgeId, ends: [VertexId; 2]) -> Option<HalfEdgeId> {
         let mut last = self.twin(h);
@@ -200,8 +201,8 @@ impl ConstrainedTriangulation {
         self.star_from(back).find(|&g| self.mark(g) == mark && g != back)
     }
 
-    /// Whether a chain that begins with an edge at one end of its segment ends at the other, and the vertices at which spans end
-    /// come one after the other along the line of both.
+    /// Whether a chain that begins with an edge at one end of its segment ends at the other, and the vertices at which
+    /// spans end come one after the other along the line of both.
     fn runs_straight(&self, first: HalfEdgeId, ends: [VertexId; 2]) -> bool {
         let mark = self.mark(first);
         let is_forward = self.is_before(ends[0], ends[1]) == (self.origin(first) == ends[0]);
@@ -231,8 +232,8 @@ impl ConstrainedTriangulation {
 
 /// Steps 2 and 3.
 impl<J: Journal> Edit<'_, J> {
-    /// Lets a new segment join the lines that it overlaps, which become one. Returns the gaps on its way, each between two
-    /// vertices exactly on it that follow one another; `None` where there is no line that it could join.
+    /// Lets a new segment join the lines that it overlaps, which become one. Returns the gaps on its way, each between
+    /// two vertices exactly on it that follow one another; `None` where there is no line that it could join.
     pub(super) fn join_line(&mut self, segment: SegmentId, plan: &mut SegmentPlan) -> Option<Vec<[VertexId; 2]>> {
         let ends @ [start, to] = self.segments()[segment as usize];
         let (mut at, mut joined, mut gaps) = (start, None, Vec::<[VertexId; 2]>::new());

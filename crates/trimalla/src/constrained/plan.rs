@@ -84,7 +84,8 @@ impl Triangulation {
     /// `None` where an end is unused, both are the same, or the way leaves the domain.
     ///
     /// # Complexity
-    /// Linear in the edges crossed, and in the degree of `from` or in those of the vertices from `to` on, whichever is less.
+    /// Linear in the edges crossed, and in the degree of `from` or in those of the vertices from `to` on, whichever is
+    /// less.
     #[must_use]
     pub fn plan_segment(&self, from: VertexId, to: VertexId) -> Option<SegmentPlan> {
         (from != to && self.is_used(from) && self.is_used(to)).then(|| self.plan_towards(from, to).ok())?
@@ -117,8 +118,9 @@ impl Triangulation {
     /// 2. From `to` on, face by face back to `from`: costs the degrees of `to` and of the vertices on the way, and the
     ///    faces crossed, all but the last of which the plan crosses too.
     ///
-    /// Both find the same step, so that the cheaper one sets the cost and neither the result. A planar graph has few edges
-    /// between vertices of high degree: the lower degree of the two ends, summed over all edges, is linear in their number.
+    /// Both find the same step, so that the cheaper one sets the cost and neither the result. A planar graph has few
+    /// edges between vertices of high degree: the lower degree of the two ends, summed over all edges, is linear in
+    /// their number.
     ///
     /// # Source
     /// The sum of lower degrees: `[ChibaNishizeki85]`, lemma 2.
@@ -177,8 +179,8 @@ impl Triangulation {
         None
     }
 
-    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` where more than
-    /// so many spokes would have to be looked at.
+    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` where more
+    /// than so many spokes would have to be looked at.
     ///
     /// ```text
     ///        l  l            a turn that starts on the right goes counter-clockwise, one that starts

@@ -115,7 +115,8 @@ impl Origins {
         v.index().checked_sub(self.first).and_then(|i| self.provenances.parameter_on(segment, i))
     }
 
-    /// How many of three vertices are neither the input's nor free. Added up without branches: the answers are unpredictable.
+    /// How many of three vertices are neither the input's nor free. Added up without branches: the answers are
+    /// unpredictable.
     #[inline]
     pub(super) fn count_bound(&self, vertices: [VertexId; 3]) -> usize {
         // Of the input, the number wraps around, and no vertex has such a one.

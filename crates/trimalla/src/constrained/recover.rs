@@ -7,11 +7,11 @@
 //!     ╲   ╲ / ╱
 //! ```
 //!
-//! Where two segments meet at a small angle, the caller names the place of the split in the place of the middle: halves of
-//! unequal lengths would put vertices into each other's circles for ever.
+//! Where two segments meet at a small angle, the caller names the place of the split in the place of the middle: halves
+//! of unequal lengths would put vertices into each other's circles for ever.
 //!
-//! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in for one
-//! segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
+//! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in
+//! for one segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.1, recovery by unions.
@@ -140,7 +140,8 @@ impl<J: Journal> Edit<'_, J> {
         missing
     }
 
-    /// The vertex that splits a piece which is no edge, and whether it is new; `None` for edges and where limits forbid.
+    /// The vertex that splits a piece which is no edge, and whether it is new; `None` for edges and where limits
+    /// forbid.
     fn split_piece(
         &mut self,
         piece: Piece,
@@ -182,8 +183,9 @@ impl<J: Journal> Edit<'_, J> {
 impl Edit<'_, UndoLog> {
     /// Splits what was let go until it is edges, and marks those: one slice of that work.
     ///
-    /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not cross before
-    /// they were let go, that takes vertices too, and free vertices make room for them. A piece that cannot be put in is lost.
+    /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not
+    /// cross before they were let go, that takes vertices too, and free vertices make room for them. A piece that
+    /// cannot be put in is lost.
     pub(crate) fn recover_some(&mut self, recovery: &mut Recovery, limits: &SplitLimits<'_>) -> Changed {
         let mut changed = Changed::default();
         for _ in 0..limits.pieces {
@@ -229,8 +231,8 @@ impl Edit<'_, UndoLog> {
         changed
     }
 
-    /// Puts a piece in as a whole edge; `None`, and nothing changed, where that is not possible. Where it takes more vertices
-    /// than there is room for, the newest free ones make room.
+    /// Puts a piece in as a whole edge; `None`, and nothing changed, where that is not possible. Where it takes more
+    /// vertices than there is room for, the newest free ones make room.
     fn made_whole(&mut self, piece: Piece, room: usize, beside: &mut Option<Beside>) -> Option<Changed> {
         let count = |t: &Self| t.points().len() - t.free_vertices().len();
         let start = self.j.checkpoint();

@@ -1,8 +1,8 @@
 //! Regions of a domain: what holds in each, and area bounds that a mesh gave triangle by triangle.
 //!
-//! Splits leave a triangle inside the one it came from, but flips do not. So triangles that were given with bounds are kept
-//! as they were, and a triangle has the bound of the one in which its middle lies. Each face remembers some given triangle
-//! near by (its region: handed down by splits, kept by flips), from which the way there is short.
+//! Splits leave a triangle inside the one it came from, but flips do not. So triangles that were given with bounds are
+//! kept as they were, and a triangle has the bound of the one in which its middle lies. Each face remembers some given
+//! triangle near by (its region: handed down by splits, kept by flips), from which the way there is short.
 
 use std::sync::Arc;
 

@@ -2,8 +2,9 @@
 //!
 //! The work is a list of pieces still to be put in:
 //!
-//! 1. Take a piece. Plan it up to the first vertex exactly on its way; the rest goes back on the list. So vertices exactly
-//!    on a segment split it before any crossing does, and what crosses it between two of them bends no more than that part.
+//! 1. Take a piece. Plan it up to the first vertex exactly on its way; the rest goes back on the list. So vertices
+//!    exactly on a segment split it before any crossing does, and what crosses it between two of them bends no more
+//!    than that part.
 //! 2. If the plan crosses no constraint, apply it.
 //! 3. Otherwise look at the first constraint crossed. If one of the four ends lies within the reach of rounding of the
 //!    other edge, that vertex is where they meet: the other edge is led through it.
@@ -16,10 +17,10 @@
 //! work in any case.
 //!
 //! # Invariants
-//! A vertex splits a piece only if it lies in the strip of [`Strip::PARTING_PLACES`] of every input segment of its class,
-//! and its foot strictly between those of the ends: see [`Strip`] for the rule. Bends do not add up, then, and the pieces
-//! of a segment are always one monotone path from its start to its end. Where no vertex and no rounded point is so, the
-//! segments are too close to one another for coordinates, and the pair is named in an error.
+//! A vertex splits a piece only if it lies in the strip of [`Strip::PARTING_PLACES`] of every input segment of its
+//! class, and its foot strictly between those of the ends: see [`Strip`] for the rule. Bends do not add up, then, and
+//! the pieces of a segment are always one monotone path from its start to its end. Where no vertex and no rounded point
+//! is so, the segments are too close to one another for coordinates, and the pair is named in an error.
 //!
 //! # Source
 //! Leading an edge through a vertex within rounding of it is the hot-pixel rule of snap rounding `[Hobby99]`, used here
@@ -59,8 +60,8 @@ enum Meeting {
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Puts a piece of `segment` in, splitting whatever it crosses; `plan` is room for plans, and `beside` tells whether at input
-    /// vertices, too, as soon as that is known.
+    /// Puts a piece of `segment` in, splitting whatever it crosses; `plan` is room for plans, and `beside` tells
+    /// whether at input vertices, too, as soon as that is known.
     pub(super) fn insert_pieces(
         &mut self,
         first: Piece,
@@ -159,8 +160,8 @@ impl ConstrainedTriangulation {
         CrossingPair { segments: [a.min(b), a.max(b)], at }
     }
 
-    /// Where constraint `h` and the piece that crosses it are split: at the nearest of the four ends, if rounding reaches
-    /// from it to the other edge, or where they cross. `None` where every such place would break the rule.
+    /// Where constraint `h` and the piece that crosses it are split: at the nearest of the four ends, if rounding
+    /// reaches from it to the other edge, or where they cross. `None` where every such place would break the rule.
     ///
     /// `beside` tells whether input vertices count, and whether edges may be bent over them.
     fn meeting(&self, h: HalfEdgeId, piece: Piece, plan: &SegmentPlan, beside: Beside) -> Option<Meeting> {
@@ -195,8 +196,8 @@ impl ConstrainedTriangulation {
 
     /// Where the input segments cross that a piece and constraint `h` are part of, rounded, if that is within both.
     ///
-    /// Pieces are bent by rounding. Crossings computed from pieces of pieces drift; those of the segments themselves are
-    /// one point each.
+    /// Pieces are bent by rounding. Crossings computed from pieces of pieces drift; those of the segments themselves
+    /// are one point each.
     fn crossing_of_segments(&self, h: HalfEdgeId, piece: Piece) -> Option<Point> {
         let whole = |mark| self.finest_segment(mark).map(|s| self.segment_points(s));
         let within = |[a, b]: [Point; 2], p| BoundingBox::around(a).including(b).contains(p);

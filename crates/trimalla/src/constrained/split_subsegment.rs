@@ -13,18 +13,19 @@ use crate::triangulation::Closure;
 pub enum SplitError {
     /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
     TooShort,
-    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the boundary of the domain would
-    /// meet itself: another vertex or constraint is closer than rounding.
+    /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the boundary of
+    /// the domain would meet itself: another vertex or constraint is closer than rounding.
     Crowded,
 }
 
 impl ConstrainedTriangulation {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
-    /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of the
-    /// subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where crossings
-    /// have bent the segment so far that this is no point between the subsegment's own ends, it is computed from those.
-    /// Either keeps the rule of [`Strip`]; where neither does, the point is an end, at which nothing can be split.
+    /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of
+    /// the subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where
+    /// crossings have bent the segment so far that this is no point between the subsegment's own ends, it is computed
+    /// from those. Either keeps the rule of [`Strip`]; where neither does, the point is an end, at which nothing can be
+    /// split.
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
@@ -37,8 +38,8 @@ impl ConstrainedTriangulation {
         self.place_between(self.origin(h), self.dest(h), self.mark(h), t)
     }
 
-    /// The point that stands for parameter `t` of a subsegment, computed from the ends of the piece of a segment that it is
-    /// part of.
+    /// The point that stands for parameter `t` of a subsegment, computed from the ends of the piece of a segment that
+    /// it is part of.
     pub(crate) fn place_on_piece(&self, h: HalfEdgeId, piece: [VertexId; 2], t: f64) -> Point {
         let [start, end] = piece.map(|v| self.point(v));
         let whole = Segment::new(start, end);
@@ -51,14 +52,15 @@ impl ConstrainedTriangulation {
         self.place_along(self.mark(h), whole, ends.map(|v| (self.point(v), parameter(v))), t)
     }
 
-    /// The point at parameter `t` between two vertices on segments of class `mark`, whether there is an edge between them
-    /// or not, with its provenance.
+    /// The point at parameter `t` between two vertices on segments of class `mark`, whether there is an edge between
+    /// them or not, with its provenance.
     pub(super) fn point_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> (Point, Provenance) {
         let point = self.place_between(a, b, mark, t);
         (point, self.provenance_along(self.finest_segment(mark), point))
     }
 
-    /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the rule.
+    /// The point at parameter `t` between two vertices of class `mark`; the first of them where no point keeps the
+    /// rule.
     fn place_between(&self, a: VertexId, b: VertexId, mark: u32, t: f64) -> Point {
         let [p, q] = [a, b].map(|v| self.point(v));
         let class = self.class(mark);
@@ -70,8 +72,8 @@ impl ConstrainedTriangulation {
         place.unwrap_or_else(|| self.place_along(mark, whole, ends, t))
     }
 
-    /// The point at parameter `t` between two points with their parameters on `whole`, a segment of class `mark` or a piece
-    /// of one; the first of them where no point keeps the rule of [`Strip`].
+    /// The point at parameter `t` between two points with their parameters on `whole`, a segment of class `mark` or a
+    /// piece of one; the first of them where no point keeps the rule of [`Strip`].
     #[inline(never)]
     fn place_along(&self, mark: u32, whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Point {
         let on_whole = at_parameter(whole, [tp, tq], t);
@@ -136,8 +138,8 @@ impl ConstrainedTriangulation {
         })
     }
 
-    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is asked when it
-    /// is split.
+    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is
+    /// asked when it is split.
     pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
         let [x, y] = self.edge_points(h);
         if p == x || p == y {
@@ -175,8 +177,8 @@ impl<J: Journal> Edit<'_, J> {
         Ok(v)
     }
 
-    /// Legalises the spokes and the rim of a vertex that split an edge: off the edge by its rounding, it may spoil also the
-    /// spokes to the apexes, which were legal beside the straight edge.
+    /// Legalises the spokes and the rim of a vertex that split an edge: off the edge by its rounding, it may spoil also
+    /// the spokes to the apexes, which were legal beside the straight edge.
     fn legalise_star(&mut self, v: VertexId) {
         for e in self.data.star(v).flat_map(|spoke| [spoke, spoke.next()]) {
             self.work.lawson.push(e);
@@ -209,8 +211,9 @@ fn at_parameter(whole: Segment, [from, to]: [f64; 2], t: f64) -> Point {
     whole.at(from + (to - from) * t)
 }
 
-/// The point at parameter `t` between two points with their parameters on the only segment of a class, if that keeps the rule of
-/// [`Strip`]. A point at a parameter of a segment is in its strip: only its place between the two is asked for.
+/// The point at parameter `t` between two points with their parameters on the only segment of a class, if that keeps
+/// the rule of [`Strip`]. A point at a parameter of a segment is in its strip: only its place between the two is asked
+/// for.
 #[inline]
 fn place_on_only_segment(whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Option<Point> {
     let point = at_parameter(whole, [tp, tq], t);

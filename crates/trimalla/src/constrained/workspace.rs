@@ -6,11 +6,11 @@ use super::pseudo_polygon::Filling;
 use crate::delaunay::{Cavity, Lawson};
 use crate::half_edge::FaceId;
 
-/// What operations on a [`ConstrainedTriangulation`](super::ConstrainedTriangulation) work with: lists, so that none allocates,
-/// and the face at which a search begins.
+/// What operations on a [`ConstrainedTriangulation`](super::ConstrainedTriangulation) work with: lists, so that none
+/// allocates, and the face at which a search begins.
 ///
-/// Nothing in it changes what an operation does, but [`set_filling`](Self::set_filling): one workspace serves any number of
-/// triangulations, and a new one is as good as an old one.
+/// Nothing in it changes what an operation does, but [`set_filling`](Self::set_filling): one workspace serves any
+/// number of triangulations, and a new one is as good as an old one.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     /// Edges that wait for the circle test.

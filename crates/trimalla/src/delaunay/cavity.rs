@@ -1,15 +1,15 @@
 //! Insertion by cavity: every face whose circle holds the new point away, a fan in their place.
 //!
 //! 1. Start with the one or two faces in which the point lies.
-//! 2. From each edge of the rim, as long as it is unconstrained and the circle of the face beyond holds the point (the tie
-//!    rule included), take that face in as well; its two other edges take the edge's place on the rim.
+//! 2. From each edge of the rim, as long as it is unconstrained and the circle of the face beyond holds the point (the
+//!    tie rule included), take that face in as well; its two other edges take the edge's place on the rim.
 //! 3. Replace the cavity by the fan.
 //!
 //! Faces are taken in by the very test that makes Lawson's loop flip, so both give the same triangulation.
 //!
-//! The point sees every edge of the rim of a face's cavity from the left: a face is entered through an edge that the point
-//! has beyond it and within the face's circle, so it lies in the cap that this edge cuts off, and the cap lies strictly left
-//! of the two other edges. A point on an edge may lie off it by its rounding: there the fan is proved.
+//! The point sees every edge of the rim of a face's cavity from the left: a face is entered through an edge that the
+//! point has beyond it and within the face's circle, so it lies in the cap that this edge cuts off, and the cap lies
+//! strictly left of the two other edges. A point on an edge may lie off it by its rounding: there the fan is proved.
 //!
 //! # Source
 //! `[Bowyer81]`, `[Watson81]`; with constraints as walls `[Vigo97]` section 3.
@@ -52,10 +52,11 @@ impl Side {
 }
 
 impl Cavity {
-    /// Finds the cavity of a point inside a face or on an edge of the domain; a constrained edge is a wall that the point
-    /// parts, and the point may lie off it by its rounding.
+    /// Finds the cavity of a point inside a face or on an edge of the domain; a constrained edge is a wall that the
+    /// point parts, and the point may lie off it by its rounding.
     ///
-    /// Says whether the point can be inserted there: not where rounding leaves a face of the fan flat, nor at other loci.
+    /// Says whether the point can be inserted there: not where rounding leaves a face of the fan flat, nor at other
+    /// loci.
     ///
     /// # Complexity
     /// The faces to be replaced: about four on average.
@@ -104,8 +105,8 @@ impl Cavity {
         self.is_seen_from(t, p)
     }
 
-    /// Replaces the cavity found by a fan around unused vertex `v`; the faces are those of the fan then, in the order of the
-    /// rim.
+    /// Replaces the cavity found by a fan around unused vertex `v`; the faces are those of the fan then, in the order
+    /// of the rim.
     pub(crate) fn fill<J: Journal>(&mut self, t: &mut Triangulation, v: VertexId, j: &mut J) {
         t.mesh.fill_star(&mut self.faces, &self.rim, v, j);
     }

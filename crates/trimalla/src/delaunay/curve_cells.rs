@@ -1,7 +1,8 @@
 //! Grids of cells over points, by which they are put along a curve.
 //!
-//! Of a heavy-tailed set (a few points are very far out) the grid over all points has nearly all of them in a few cells.
-//! There the grid is laid over the core, which a sample tells; the points outside of it come last, all with one key.
+//! Of a heavy-tailed set (a few points are very far out) the grid over all points has nearly all of them in a few
+//! cells. There the grid is laid over the core, which a sample tells; the points outside of it come last, all with one
+//! key.
 
 use crate::geometry::{BoundingBox, Point, hilbert_key_16};
 
@@ -72,8 +73,8 @@ impl CoreCells {
 /// The box around the core of a set in `bounds`; `None` where the set is not heavy-tailed.
 ///
 /// # Guarantees
-/// At least three quarters of the points lie in it, whatever a sample says: sorting the others again takes a share of the
-/// time only.
+/// At least three quarters of the points lie in it, whatever a sample says: sorting the others again takes a share of
+/// the time only.
 fn core(len: usize, point: impl Fn(usize) -> Point, bounds: BoundingBox) -> Option<BoundingBox> {
     if len < SAMPLED_FROM {
         return None;

@@ -45,8 +45,8 @@ impl BuildError {
 
     /// The error of so many more points than there are, where they are too many.
     ///
-    /// Every vertex that is made goes through this limit or the bound on vertices of a refinement, so that no index of a
-    /// half-edge passes 32 bits.
+    /// Every vertex that is made goes through this limit or the bound on vertices of a refinement, so that no index of
+    /// a half-edge passes 32 bits.
     pub(crate) fn if_too_many(points: usize, more: usize) -> Result<(), Self> {
         let all = points.saturating_add(more);
         if all > max_points() { Err(Self::TooManyPoints(all)) } else { Ok(()) }

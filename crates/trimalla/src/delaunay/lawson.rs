@@ -40,9 +40,10 @@ impl Lawson {
     /// Every flip adds an edge at `q`, and none is ever taken away: at most as many flips as there
     /// are vertices. `BULK` says that vertices keep no half-edges meanwhile, and that there are no marks.
     ///
-    /// Edges are tested when they come to lie opposite `q`, together, and the illegal ones wait: tests that do not hang on
-    /// each other's answers overlap in the processor. A verdict stays true until its flip, as only a flip across another
-    /// edge of the same face beyond could change it, and a face with two edges opposite `q` does not hold `q` in its circle.
+    /// Edges are tested when they come to lie opposite `q`, together, and the illegal ones wait: tests that do not hang
+    /// on each other's answers overlap in the processor. A verdict stays true until its flip, as only a flip across
+    /// another edge of the same face beyond could change it, and a face with two edges opposite `q` does not hold `q`
+    /// in its circle.
     ///
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.

@@ -74,8 +74,8 @@ pub(crate) fn insertion_order(points: &[Point]) -> impl Iterator<Item = u32> {
     rounds(points.len()).map(move |i| along[i as usize].0)
 }
 
-/// The positions of `0..n` in insertion order: round after round, each along the storage, every other one backwards, so that
-/// the last point of one is near the first of the next.
+/// The positions of `0..n` in insertion order: round after round, each along the storage, every other one backwards, so
+/// that the last point of one is near the first of the next.
 pub(super) fn rounds(n: usize) -> impl Iterator<Item = u32> {
     #[allow(clippy::cast_possible_truncation, reason = "bounded by the number of vertex ids")]
     let n = n as u32;

@@ -1,10 +1,10 @@
 //! Positions sorted by their keys on the curve.
 //!
-//! Where keys are spread evenly, two digits tell nearly all of them apart: two passes, the lower digit first, and a few neighbours
-//! that agree in both. Elsewhere the bits below are a third digit, which comes before them.
+//! Where keys are spread evenly, two digits tell nearly all of them apart: two passes, the lower digit first, and a few
+//! neighbours that agree in both. Elsewhere the bits below are a third digit, which comes before them.
 //!
-//! While everything fits the cache, the two digits are the upper 22 bits of a key. Above, one pass by the uppermost 8 comes first;
-//! each of its buckets fits the cache, and the digits there have 8 bits as well.
+//! While everything fits the cache, the two digits are the upper 22 bits of a key. Above, one pass by the uppermost 8
+//! comes first; each of its buckets fits the cache, and the digits there have 8 bits as well.
 
 /// Fewer than one for so many values of a digit are sorted by comparisons.
 const FEW: usize = 8;

@@ -86,8 +86,8 @@ pub(crate) fn remove_vertex<J: Journal>(
     Ok(())
 }
 
-/// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away from the
-/// vertex, which flips and unsplits leave where they are.
+/// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away
+/// from the vertex, which flips and unsplits leave where they are.
 #[inline(never)] // Keeps the caller's loops small.
 pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, hole: &Hole, lawson: &mut Lawson, j: &mut J) {
     if t.dimension < 2 {

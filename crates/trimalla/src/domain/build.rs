@@ -22,9 +22,9 @@ pub enum DomainRule {
     Seeds,
     /// Even–odd: kept is what lies behind an odd number of segments.
     ///
-    /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts. A hole seed in a part
-    /// behind an odd number removes that part, too; in one behind 2, 4, … it removes nothing more, as that part is a hole already;
-    /// outside of all segments it is an error, as under [`Seeds`](Self::Seeds).
+    /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts. A hole seed
+    /// in a part behind an odd number removes that part, too; in one behind 2, 4, … it removes nothing more, as that
+    /// part is a hole already; outside of all segments it is an error, as under [`Seeds`](Self::Seeds).
     Nesting,
     /// The convex hull, less what hole seeds reach.
     ///
@@ -75,8 +75,8 @@ pub fn triangulate(
 /// Triangulates a drawing and carves out its domain, to be meshed.
 ///
 /// # Guarantees
-/// The result has at least one triangle, is closed by its domain, and every boundary edge is constrained. Where the domain is
-/// the convex hull, vertices within 16 last places of a side of it count as on that side.
+/// The result has at least one triangle, is closed by its domain, and every boundary edge is constrained. Where the
+/// domain is the convex hull, vertices within 16 last places of a side of it count as on that side.
 ///
 /// # Errors
 /// [`DomainError`]: crossing segments, all points on one line, an open outline, a seed that leaks.
@@ -107,8 +107,8 @@ pub fn build_exactly(
     carved(cdt, warnings, pslg, rule, |_, _| {})
 }
 
-/// [`build_exactly`] with a step before the outside is removed: it makes the triangulation of the whole drawing conforming, and
-/// says how many pieces of segments it had to put in whole.
+/// [`build_exactly`] with a step before the outside is removed: it makes the triangulation of the whole drawing
+/// conforming, and says how many pieces of segments it had to put in whole.
 ///
 /// # Errors
 /// See [`build`].
@@ -129,8 +129,8 @@ pub(crate) fn build_conforming(
     carved(cdt, warnings, pslg, rule, |_, _| {})
 }
 
-/// Removes from a triangulation of a whole drawing what does not belong to the domain; `trim` may add to that where the domain
-/// is the convex hull.
+/// Removes from a triangulation of a whole drawing what does not belong to the domain; `trim` may add to that where the
+/// domain is the convex hull.
 fn carved(
     mut cdt: ConstrainedDelaunay,
     mut warnings: Vec<Warning>,
@@ -251,7 +251,8 @@ pub(super) enum SeedPlace {
     Outside,
 }
 
-/// Where a seed lies; of the faces around an edge or a vertex at which no segment runs, the first that is inside, if any is.
+/// Where a seed lies; of the faces around an edge or a vertex at which no segment runs, the first that is inside, if
+/// any is.
 ///
 /// From which side the walk finds the edge depends on how the triangulation was built.
 pub(super) fn seed_face(cdt: &ConstrainedTriangulation, at: Point, is_inside: impl Fn(FaceId) -> bool) -> SeedPlace {

@@ -3,10 +3,10 @@
 //! A file lists subsegments, not the segments they are pieces of. But splits are computed from a segment's original
 //! ends, and the rule for small angles asks which segment a vertex lies on. Two ways lead back:
 //!
-//! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it, by the rule
-//! of [`Strip`]: see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
-//! that through the lowest vertices. Where a segment leaves the domain, it is followed from both ends as far as it goes;
-//! edges between two such gaps are looked for one by one, also among those of segments within rounding of it.
+//! *With the drawing.* Each of its segments is followed from end to end over edges whose vertices lie on it, by the
+//! rule of [`Strip`]: see `course.rs`. Of several ways that with the fewest edges counts, of equal ones
+//! that through the lowest vertices. Where a segment leaves the domain, it is followed from both ends as far as it
+//! goes; edges between two such gaps are looked for one by one, also among those of segments within rounding of it.
 //!
 //! *Without it.* Subsegments are joined at every vertex where just two meet, have one marker and go straight on:
 //!
@@ -65,8 +65,8 @@ fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
 /// Names the edges along each segment of a drawing, whose ends are given.
 ///
 /// # Complexity
-/// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges near them, and
-/// n log n in all of these.
+/// The degrees of the vertices along the segments; and for segments that leave the domain, the locked edges near them,
+/// and n log n in all of these.
 pub(super) fn follow(
     cdt: &ConstrainedTriangulation,
     drawing: &Pslg,
@@ -103,10 +103,10 @@ struct Partial {
 
 /// Gives the names of segments that leave the domain to locked edges along them, each edge looked at by itself.
 ///
-/// Where segments are within rounding of each other, edges run along several. A segment gets those that have no name yet where
-/// it has no edge of its own; what is left without a name, all segments along it. A segment may also come back along the edges
-/// of another: of what is inside it gets these, too, where it still has no edge. What is inside may be let go, and it is told
-/// from the names which segments are missing then. What is on the boundary stays.
+/// Where segments are within rounding of each other, edges run along several. A segment gets those that have no name
+/// yet where it has no edge of its own; what is left without a name, all segments along it. A segment may also come
+/// back along the edges of another: of what is inside it gets these, too, where it still has no edge. What is inside
+/// may be let go, and it is told from the names which segments are missing then. What is on the boundary stays.
 fn name_between_gaps(
     cdt: &ConstrainedTriangulation,
     courses: &Courses<'_>,

@@ -11,12 +11,12 @@ use crate::half_edge::{FaceId, NoJournal, VertexId};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ContourOrder {
-    /// As suits the algorithm. With the incremental one the vertices of all contours go in first, then the edges, the outer contour's
-    /// first, and then the other points; with divide and conquer all points, then the edges.
+    /// As suits the algorithm. With the incremental one the vertices of all contours go in first, then the edges, the
+    /// outer contour's first, and then the other points; with divide and conquer all points, then the edges.
     #[default]
     ByAlgorithm,
-    /// Holes first, then the outer contour, vertex and edge alternating, and then the other points: each edge crosses few
-    /// triangles, and keeps flips on its side from then on. Points go in one by one, whatever the algorithm.
+    /// Holes first, then the outer contour, vertex and edge alternating, and then the other points: each edge crosses
+    /// few triangles, and keeps flips on its side from then on. Points go in one by one, whatever the algorithm.
     ///
     /// # Source
     /// `CDTFace` of `[Vigo97]`, section 5. No super-triangle is needed here: points outside the hull can be inserted.
@@ -45,12 +45,12 @@ impl Contours {
     /// Triangulates the points with the contours as constraints and carves away what lies to their right.
     ///
     /// With the incremental algorithm the contours go in first, and the other points after them: each segment then
-    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] has another order to choose. The
-    /// triangulation is the same; its segments are numbered as [`segments`](Self::segments) lists them.
+    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] has another order to choose.
+    /// The triangulation is the same; its segments are numbered as [`segments`](Self::segments) lists them.
     ///
     /// # Errors
-    /// [`DomainError`]: a contour that is flat or runs the wrong way; a hole that removes nothing, since it lies outside the
-    /// outer contour or in another hole; and what [`build`](super::build()) refuses.
+    /// [`DomainError`]: a contour that is flat or runs the wrong way; a hole that removes nothing, since it lies
+    /// outside the outer contour or in another hole; and what [`build`](super::build()) refuses.
     ///
     /// # Complexity
     /// That of the triangulation, and linear.

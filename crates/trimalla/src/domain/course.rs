@@ -1,7 +1,8 @@
 //! The courses of a drawing's segments through the edges of a mesh.
 //!
-//! [`Strip`] says which chains of edges count as a segment; here they are looked for, by whoever needs them: the comparison
-//! of a mesh with its drawing and the reading of a mesh that is refined again. So both accept the same meshes.
+//! [`Strip`] says which chains of edges count as a segment; here they are looked for, by whoever needs them: the
+//! comparison of a mesh with its drawing and the reading of a mesh that is refined again. So both accept the same
+//! meshes.
 //!
 //! A *course* has stops: the two ends of the segment and the input vertices exactly on it, in order. A *leg* leads from
 //! one stop to another over edges whose vertices lie in the strip and advance strictly, so it has no loops.
@@ -231,8 +232,8 @@ impl Course {
         self.strip.reach().map(|reach| 2.0 * reach)
     }
 
-    /// Whether two points are no farther apart, in each coordinate, than the strip is wide: which of two such vertices of the
-    /// strip comes first along the segment is in doubt.
+    /// Whether two points are no farther apart, in each coordinate, than the strip is wide: which of two such vertices
+    /// of the strip comes first along the segment is in doubt.
     pub(crate) fn are_close(&self, p: Point, q: Point) -> bool {
         let [w, h] = self.reach();
         (p.x - q.x).abs() <= w && (p.y - q.y).abs() <= h

@@ -140,8 +140,8 @@ pub enum Warning {
         /// The first of them, at most [`Warning::NAMED`].
         first: Vec<u32>,
     },
-    /// Two features that nearly touch across what is outside the domain, nearer than a millionth of the drawing, and the nearest of
-    /// that kind: perhaps parts that were meant to share a vertex or a side.
+    /// Two features that nearly touch across what is outside the domain, nearer than a millionth of the drawing, and
+    /// the nearest of that kind: perhaps parts that were meant to share a vertex or a side.
     NearlyTouching {
         /// A vertex.
         vertex: u32,
@@ -159,7 +159,8 @@ pub enum Warning {
         /// The first of them and the one whose marker counts.
         first: [u32; 2],
     },
-    /// Segments that could not be split until all were edges of the Delaunay triangulation: pieces of them were put in whole.
+    /// Segments that could not be split until all were edges of the Delaunay triangulation: pieces of them were put in
+    /// whole.
     NotConforming {
         /// How many pieces.
         pieces: usize,
@@ -200,7 +201,8 @@ pub enum Warning {
         /// How many.
         subsegments: usize,
     },
-    /// Edges of a mesh between triangles with different attributes that it does not list as segments; they are kept as such.
+    /// Edges of a mesh between triangles with different attributes that it does not list as segments; they are kept as
+    /// such.
     RegionBoundaries {
         /// How many.
         edges: usize,

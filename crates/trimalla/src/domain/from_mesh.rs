@@ -36,8 +36,8 @@ pub struct FromMesh {
 /// Takes a mesh up again, with the drawing it was made from where that is known.
 ///
 /// # Shape
-/// `areas` is empty or has an entry a triangle: the largest area that triangles within it may have, in squared coordinate
-/// units.
+/// `areas` is empty or has an entry a triangle: the largest area that triangles within it may have, in squared
+/// coordinate units.
 ///
 /// # Guarantees
 /// Face `t` is triangle `t` and vertices keep their indices. Boundary edges and listed segments are constrained. With a

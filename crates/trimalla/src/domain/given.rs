@@ -1,7 +1,7 @@
 //! What a given mesh hands to the mesh that comes out of it: attributes, markers, area bounds, holes.
 //!
-//! Each combination of triangle attributes, and of the drawing's region seed where there is one, is a region; splits hand
-//! regions down, and no flip crosses the edges between them, which are locked. Where area bounds come triangle by
+//! Each combination of triangle attributes, and of the drawing's region seed where there is one, is a region; splits
+//! hand regions down, and no flip crosses the edges between them, which are locked. Where area bounds come triangle by
 //! triangle, each given triangle is a region of its own, and flips may carry a face from one to another: its attributes
 //! are the same, and its bound is looked up by its place (`constrained/area_map.rs`).
 
@@ -35,8 +35,8 @@ impl Given {
     /// The mesh as plain arrays, as [`ConstrainedTriangulation::to_indexed`] gives it, with what was given.
     ///
     /// # Guarantees
-    /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle has
-    /// the attributes of the given one that it came out of.
+    /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle
+    /// has the attributes of the given one that it came out of.
     #[must_use]
     pub fn to_indexed(&self, cdt: &ConstrainedTriangulation) -> IndexedMesh {
         let mut mesh = cdt.to_indexed(&self.drawing);
@@ -57,8 +57,8 @@ impl Given {
         mesh
     }
 
-    /// Puts subsegments into the order and direction of those given; the parts of one that was split in its place, from end
-    /// to end, and those that were not listed last.
+    /// Puts subsegments into the order and direction of those given; the parts of one that was split in its place, from
+    /// end to end, and those that were not listed last.
     fn put_subsegments_in_order(&self, mesh: &mut IndexedMesh) {
         let mut given: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
         for (index, &[a, b]) in self.subsegments.iter().enumerate() {

@@ -12,8 +12,8 @@ impl ConstrainedTriangulation {
     /// The mesh as plain arrays: vertices with markers and attributes, triangles, subsegments with markers.
     ///
     /// Input vertices come first, in order, bit for bit, also those that are unused; Steiner vertices follow in the
-    /// order of their slots. Subsegments come in the order of the input's segments, from end to end. Attributes are interpolated linearly: along the input segment, or in the triangulation of the
-    /// input alone.
+    /// order of their slots. Subsegments come in the order of the input's segments, from end to end. Attributes are
+    /// interpolated linearly: along the input segment, or in the triangulation of the input alone.
     ///
     /// # Complexity
     /// Linear.
@@ -60,8 +60,8 @@ impl ConstrainedTriangulation {
         mesh
     }
 
-    /// All subsegments in the order of the input's segments, those of a segment from its start to its end, and so directed.
-    /// Where segments overlap, the lowest counts.
+    /// All subsegments in the order of the input's segments, those of a segment from its start to its end, and so
+    /// directed. Where segments overlap, the lowest counts.
     ///
     /// # Complexity
     /// Linear, and a sort of each segment's pieces.
@@ -81,11 +81,12 @@ impl ConstrainedTriangulation {
         sorted
     }
 
-    /// The marked edges by the lowest segment that each is part of, those of none at the end, sorted by counting; and where those
-    /// of each segment end.
+    /// The marked edges by the lowest segment that each is part of, those of none at the end, sorted by counting; and
+    /// where those of each segment end.
     fn edges_by_segment(&self) -> (Vec<HalfEdgeId>, Vec<usize>) {
         let count = self.segments().len();
-        // Until the edges are in order each place holds where the edges of its segment start, after that where they end.
+        // Until the edges are in order each place holds where the edges of its segment start, after that where they
+        // end.
         let mut places = vec![0_usize; count + 2];
         let mut found = Vec::new();
         // Not collected: edge by edge the nested iterators would be a machine of states.
@@ -106,8 +107,8 @@ impl ConstrainedTriangulation {
         (sorted, places)
     }
 
-    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the boundary, 0 inside
-    /// otherwise.
+    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the boundary, 0
+    /// inside otherwise.
     fn subsegment(&self, h: HalfEdgeId, segment: Option<u32>, markers: &[i32]) -> Subsegment {
         let on_boundary = self.is_boundary_edge(h);
         let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);

@@ -1,7 +1,7 @@
 //! Domains: planar straight-line graphs, contours, holes, and what is kept of a triangulation.
 //!
-//! A [`Pslg`](crate::drawing::Pslg) is what a caller or a file says. [`build()`] triangulates it and carves away what the
-//! [`DomainRule`] puts outside:
+//! A [`Pslg`](crate::drawing::Pslg) is what a caller or a file says. [`build()`] triangulates it and carves away what
+//! the [`DomainRule`] puts outside:
 //!
 //! | rule | kept |
 //! |---|---|

@@ -15,8 +15,8 @@ use crate::half_edge::{FaceId, HalfEdgeId};
 /// A gap narrower than this part of the drawing's extent is named.
 const NARROW: f64 = 1e-6;
 
-/// The nearest two features that nearly touch: a vertex, and another one or a segment, that no segment joins, with their distance;
-/// of equally near ones those of the lowest vertices.
+/// The nearest two features that nearly touch: a vertex, and another one or a segment, that no segment joins, with
+/// their distance; of equally near ones those of the lowest vertices.
 ///
 /// They are the corners of one of the faces that are not kept, or a corner and the side opposite.
 ///
@@ -47,8 +47,9 @@ struct NearMiss {
     other: NearFeature,
 }
 
-/// Whether the height of a face over its longest side, which is less than all distances between features of it, may be below a
-/// limit, given as its square; with a factor of two to spare, far above rounding. Yes where products overflow or vanish.
+/// Whether the height of a face over its longest side, which is less than all distances between features of it, may be
+/// below a limit, given as its square; with a factor of two to spare, far above rounding. Yes where products overflow
+/// or vanish.
 #[inline]
 fn is_narrow(cdt: &ConstrainedTriangulation, limit_sq: f64, f: FaceId) -> bool {
     let [a, b, c] = cdt.face_points(f);
@@ -59,8 +60,8 @@ fn is_narrow(cdt: &ConstrainedTriangulation, limit_sq: f64, f: FaceId) -> bool {
     !is_wide || limit_sq < f64::MIN_POSITIVE
 }
 
-/// The two ends of an edge that is no subsegment; or the vertex opposite a subsegment and its segment, if the vertex lies beside
-/// the subsegment and no segment joins it to an end of that.
+/// The two ends of an edge that is no subsegment; or the vertex opposite a subsegment and its segment, if the vertex
+/// lies beside the subsegment and no segment joins it to an end of that.
 fn near_miss(cdt: &ConstrainedTriangulation, scale: f64, h: HalfEdgeId) -> Option<NearMiss> {
     let [a, b] = cdt.edge_points(h);
     let vector = |p: Point, q: Point| Vector::new(q.x * scale - p.x * scale, q.y * scale - p.y * scale);

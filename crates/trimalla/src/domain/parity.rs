@@ -5,11 +5,12 @@ use crate::constrained::ConstrainedTriangulation;
 use crate::half_edge::FaceId;
 
 impl ConstrainedTriangulation {
-    /// Which faces lie inside by parity, one entry a face slot, to be given to [`carve`](crate::constrained::ConstrainedDelaunay::carve): those behind an odd number of
-    /// segments, counted from outside.
+    /// Which faces lie inside by parity, one entry a face slot, to be given to
+    /// [`carve`](crate::constrained::ConstrainedDelaunay::carve): those behind an odd number of segments, counted from
+    /// outside.
     ///
-    /// Segments that share an edge count each. Where ways from outside cross different numbers of segments, as they do around the
-    /// end of an open chain, the least counts.
+    /// Segments that share an edge count each. Where ways from outside cross different numbers of segments, as they do
+    /// around the end of an open chain, the least counts.
     ///
     /// # Complexity
     /// Linear in the faces, times the greatest number of segments that share an edge.

@@ -64,7 +64,8 @@ pub(super) fn on_vertex(cdt: &ConstrainedTriangulation, at: Point, v: VertexId) 
     spokes.iter().find(|h| is_inside(h)).map_or(SeedPlace::OnSegment, |h| SeedPlace::Face(h.face()))
 }
 
-/// The constrained half-edges that bound the sector at its origin in which the face of `h` lies, with the sector inside.
+/// The constrained half-edges that bound the sector at its origin in which the face of `h` lies, with the sector
+/// inside.
 fn sector(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Vec<HalfEdgeId> {
     let bound = cdt.face_slots();
     let clockwise = std::iter::successors(Some(h), |&g| Some(cdt.cw(g))).take(bound).find(|&g| cdt.is_marked(g));

@@ -11,8 +11,8 @@ use crate::half_edge::{HalfEdgeId, NoJournal, VertexId};
 /// Distances this close to a power of two, relatively, are on its shell.
 const ON_SHELL: f64 = 1e-3;
 
-/// Gives each vertex that has a provenance of its own the one that its place shows; `free` is that of vertices on no segment or at
-/// the end of one.
+/// Gives each vertex that has a provenance of its own the one that its place shows; `free` is that of vertices on no
+/// segment or at the end of one.
 ///
 /// # Complexity
 /// The degrees of the vertices.

@@ -59,8 +59,8 @@ impl IndexedMesh {
         Sides::of(self).boundary().map(|s| [s.origin, s.dest]).collect()
     }
 
-    /// The neighbours of each triangle: the first lies opposite its first corner, and so on; `None` at the boundary, and where
-    /// more than two triangles share an edge.
+    /// The neighbours of each triangle: the first lies opposite its first corner, and so on; `None` at the boundary,
+    /// and where more than two triangles share an edge.
     ///
     /// # Complexity
     /// Linear, and n log n in the degree of each vertex.

@@ -31,8 +31,8 @@ pub struct Pslg {
     pub point_attributes: Vec<f64>,
     /// Input segments as pairs of vertex indices.
     pub segments: Vec<[u32; 2]>,
-    /// Marker a segment; empty or `segments.len()` entries. Where several segments run along one edge of the mesh, the edge
-    /// gets the marker of the first of them whose marker is not 0.
+    /// Marker a segment; empty or `segments.len()` entries. Where several segments run along one edge of the mesh, the
+    /// edge gets the marker of the first of them whose marker is not 0.
     pub segment_markers: Vec<i32>,
     /// Hole seeds: what can be reached from them without crossing a segment is removed.
     pub holes: Vec<Point>,
@@ -46,7 +46,8 @@ impl Pslg {
         if self.point_attributes.is_empty() { 0 } else { self.attributes_per_point }
     }
 
-    /// Checks the lengths of columns, and that seeds are finite. Points and segments are checked where they are triangulated.
+    /// Checks the lengths of columns, and that seeds are finite. Points and segments are checked where they are
+    /// triangulated.
     ///
     /// # Errors
     /// [`DrawingError`] names the first fault.

@@ -20,8 +20,9 @@ impl Pslg {
 
     /// The drawing of several rings, as polygons with holes, and islands in them, come from maps and fonts.
     ///
-    /// The rings may run either way; a ring that repeats its first point at its end is closed as it is. What is inside an odd
-    /// number of rings is the domain under [`DomainRule::Nesting`](crate::domain::DomainRule::Nesting), which needs no hole seeds.
+    /// The rings may run either way; a ring that repeats its first point at its end is closed as it is. What is inside
+    /// an odd number of rings is the domain under [`DomainRule::Nesting`](crate::domain::DomainRule::Nesting), which
+    /// needs no hole seeds.
     ///
     /// # Examples
     /// ```
@@ -52,8 +53,8 @@ impl Pslg {
     /// Adds a ring: each point is joined to the next, and the last to the first. One point gives no segment.
     ///
     /// # Shape
-    /// Columns of markers and attributes are left as they are: if there are any, entries for the new points and segments
-    /// are the caller's to add.
+    /// Columns of markers and attributes are left as they are: if there are any, entries for the new points and
+    /// segments are the caller's to add.
     pub fn add_ring(&mut self, ring: impl IntoIterator<Item = Point>) {
         let first = self.points.len();
         self.points.extend(ring);

@@ -5,7 +5,8 @@ use super::Point;
 /// The closed box between two corners.
 ///
 /// # Guarantees
-/// Nothing here overflows for corners at ±1e308 except [`width`](Self::width) and [`height`](Self::height), which say so.
+/// Nothing here overflows for corners at ±1e308 except [`width`](Self::width) and [`height`](Self::height), which say
+/// so.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundingBox {
     /// The corner with the smallest coordinates.

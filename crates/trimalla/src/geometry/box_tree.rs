@@ -1,8 +1,8 @@
 //! Boxes in a balanced tree, and which of them a segment comes near.
 //!
 //! The boxes are halved at the median of their middles, along the longer side of what holds them, until few are left. A
-//! segment is compared with a node by exact signs: the node is passed over where its box is apart from that of the segment,
-//! or where all four corners lie strictly on one side of the line.
+//! segment is compared with a node by exact signs: the node is passed over where its box is apart from that of the
+//! segment, or where all four corners lie strictly on one side of the line.
 
 use super::{BoundingBox, Orientation, Point, Segment, orient2d};
 
@@ -65,7 +65,8 @@ impl BoxTree {
         self.divide(first + half, end);
     }
 
-    /// The boxes that may come as near to a segment as that, in x and in y, in ascending order: all that do, and others.
+    /// The boxes that may come as near to a segment as that, in x and in y, in ascending order: all that do, and
+    /// others.
     ///
     /// # Complexity
     /// About the square root of the number of boxes and the boxes found, for boxes that are small and spread.

@@ -10,7 +10,8 @@ use super::{Point, Vector};
 const LARGE: f64 = f64::from_bits((1023 + 1020) << 52); // 2^1020
 /// The exact factor by which they are shrunk.
 const SHRINK: f64 = 0.125;
-/// Figures whose reach lies between these bounds need no scale: no square of them overflows or vanishes (2^-200, 2^200).
+/// Figures whose reach lies between these bounds need no scale: no square of them overflows or vanishes (2^-200,
+/// 2^200).
 const ORDINARY: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 

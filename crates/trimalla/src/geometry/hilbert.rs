@@ -1,8 +1,8 @@
 //! The Hilbert curve: keys in whose order neighbours in the plane are mostly neighbours in memory.
 //!
-//! The curve visits the four quadrants of a square one after the other, and each of them as a copy of itself that may be
-//! transposed and turned by half. These two choices are the state; one pair of coordinate bits in a state gives one digit
-//! to base four and the next state. The table takes four such steps at once: 4 states times 16 by 16 positions.
+//! The curve visits the four quadrants of a square one after the other, and each of them as a copy of itself that may
+//! be transposed and turned by half. These two choices are the state; one pair of coordinate bits in a state gives one
+//! digit to base four and the next state. The table takes four such steps at once: 4 states times 16 by 16 positions.
 
 /// Entry `state * 256 + x * 16 + y`: four digits in the low byte, the next state above them.
 const STEPS: [u16; 1024] = four_steps();

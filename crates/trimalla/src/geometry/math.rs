@@ -112,7 +112,8 @@ pub fn last_place(largest: f64) -> f64 {
 #[must_use]
 pub fn roundest_between(low: f64, high: f64) -> f64 {
     let differing = low.to_bits() ^ high.to_bits();
-    // Below the highest bit that differs, which only `high` has, everything may go; where it is one of the exponent, all but that.
+    // Below the highest bit that differs, which only `high` has, everything may go; where it is one of the exponent,
+    // all but that.
     let below = (1_u64 << (63 - differing.max(1).leading_zeros()).min(52)) - 1;
     f64::from_bits(high.to_bits() & !below)
 }

@@ -86,10 +86,11 @@ impl Segment {
         if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) }
     }
 
-    /// The parameter that stands for `p`, a rounded point of the segment: that of the nearest point, or the one with the
-    /// fewest bits among those that rounding cannot tell from it, if [`at`](Self::at) gives back `p` for that.
+    /// The parameter that stands for `p`, a rounded point of the segment: that of the nearest point, or the one with
+    /// the fewest bits among those that rounding cannot tell from it, if [`at`](Self::at) gives back `p` for that.
     ///
-    /// So the parameter is told by the point alone, and is still a half or a quarter where the point was computed from one.
+    /// So the parameter is told by the point alone, and is still a half or a quarter where the point was computed from
+    /// one.
     #[must_use]
     pub fn parameter_of(self, p: Point) -> f64 {
         let nearest = self.nearest_parameter(p);
@@ -123,8 +124,8 @@ impl Segment {
     ///
     /// # Guarantees
     /// `None` exactly if the segments share no point or more than one; that decision is exact. The result has the same
-    /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both. It is
-    /// within 8 last places of both, coordinate by coordinate, as [`Strip`] measures it.
+    /// bits whichever way the segments are directed and whichever of them comes first, and lies in the boxes of both.
+    /// It is within 8 last places of both, coordinate by coordinate, as [`Strip`] measures it.
     ///
     /// # Source
     /// The parameter is the exact ratio of the distances of the ends from the other line, rounded once.
@@ -139,9 +140,9 @@ impl Segment {
 
     /// The crossing of two segments that cross in a point inside both.
     ///
-    /// The point is first taken on the segment with the smaller coordinates, whose last places are finer. Where that is too
-    /// far off the other segment, as one segment may have the finer x and the other the finer y, each coordinate is taken
-    /// from the segment on which it is finer.
+    /// The point is first taken on the segment with the smaller coordinates, whose last places are finer. Where that is
+    /// too far off the other segment, as one segment may have the finer x and the other the finer y, each coordinate is
+    /// taken from the segment on which it is finer.
     fn proper_crossing(self, other: Self) -> Point {
         let [one, two] = Self::finer_first(self.sorted(), other.sorted(), Self::largest_coordinate);
         let on = |line: Self, across: Self| line.at(crossing_parameter(across.ends(), line.ends()));
@@ -155,8 +156,8 @@ impl Segment {
         confined(Point::new(on(by_x, across_x).x, on(by_y, across_y).y))
     }
 
-    /// How far a crossing may be off either segment, in last places: more than the error of a crossing in the coordinates
-    /// of the segment on which it was computed, so that it seldom has to be computed on both.
+    /// How far a crossing may be off either segment, in last places: more than the error of a crossing in the
+    /// coordinates of the segment on which it was computed, so that it seldom has to be computed on both.
     const CROSSING_PLACES: f64 = 8.0;
 
     /// Two sorted segments, that with the smaller magnitude first; of equal ones that with the lower start.

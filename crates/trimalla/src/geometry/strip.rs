@@ -1,11 +1,11 @@
 //! What counts as lying on a segment, rounding allowed for: one exact rule for the whole library.
 //!
 //! # The rule
-//! A vertex that is computed, the middle of a subsegment or a crossing, has rounded coordinates and lies beside its segment.
-//! How far it may lie beside is measured coordinate by coordinate. Let `X` be the largest `|x|` of the two ends of the
-//! segment, `Y` the largest `|y|`, and let the *last place* of a magnitude `M` be `2^-52 M`, or `2^-1074` where that is
-//! larger. A point lies *in the strip* of `k` last places if some point of the line through the ends differs from it by no
-//! more than `k` last places of `X` in x and no more than `k` last places of `Y` in y:
+//! A vertex that is computed, the middle of a subsegment or a crossing, has rounded coordinates and lies beside its
+//! segment. How far it may lie beside is measured coordinate by coordinate. Let `X` be the largest `|x|` of the two
+//! ends of the segment, `Y` the largest `|y|`, and let the *last place* of a magnitude `M` be `2^-52 M`, or `2^-1074`
+//! where that is larger. A point lies *in the strip* of `k` last places if some point of the line through the ends
+//! differs from it by no more than `k` last places of `X` in x and no more than `k` last places of `Y` in y:
 //!
 //! ```text
 //!                         . ' b         w = k last places of X, h = k last places of Y;
@@ -22,38 +22,40 @@
 //! 2. the chain is monotone: the feet of its vertices on the line strictly advance, see [`Strip::order`];
 //! 3. input vertices exactly on the segment are vertices of the chain;
 //! 4. other input vertices are not, and the chain has each on the side where the segment has it. But in a drawing whose
-//!    segments cross and are split, an input vertex within [`Strip::PARTING_PLACES`] may be where an edge is parted, as the
-//!    hot-pixel rule of snap rounding has it, and an input vertex in the strip may be on either side.
+//!    segments cross and are split, an input vertex within [`Strip::PARTING_PLACES`] may be where an edge is parted, as
+//!    the hot-pixel rule of snap rounding has it, and an input vertex in the strip may be on either side.
 //!
 //! # Why constructed vertices keep the rule
 //! Write `u = 2^-53` for the relative error of one rounding, so that a last place of `M` is `2 u M`.
 //!
 //! *A point at a parameter* is `a (1 - t) + b t` in each coordinate. The difference costs a relative `u`, each product
-//! another, the sum a third: in all `(3 u + O(u²)) M`, less than 1.6 last places of `M`, as `|a| (1 - t) + |b| t <= M`. Each
-//! product may lose `2^-1075` to underflow: one smallest number in all. So it differs from a point of the segment by less
-//! than 3 last places. Confining it to the box of two points, between which the exact point lies, brings it no farther.
+//! another, the sum a third: in all `(3 u + O(u²)) M`, less than 1.6 last places of `M`, as `|a| (1 - t) + |b| t <= M`.
+//! Each product may lose `2^-1075` to underflow: one smallest number in all. So it differs from a point of the segment
+//! by less than 3 last places. Confining it to the box of two points, between which the exact point lies, brings it no
+//! farther.
 //!
 //! *A crossing* of two segments is the point at the parameter `t` of one of them, where `t` is the exact ratio of two
-//! distances, rounded: their quotient has the error `3 u`, `1 / (1 + quotient)` that times `1 - t`, and `2 u` more. This
-//! moves the point along the segment by at most `t (3 (1 - t) + 2) u < 2.1 u` of its extent, which is at most `2 M`: by
-//! 2.1 last places of `M`. With the 1.6 of the point itself this is less than 4 last places of each coordinate of that
-//! segment. To be as near to the other segment, whose coordinates may be smaller, each coordinate is taken from the segment
-//! on which it is smaller, unless the point of one segment is in the strip of the other already: see
-//! [`Segment::crossing_point`].
+//! distances, rounded: their quotient has the error `3 u`, `1 / (1 + quotient)` that times `1 - t`, and `2 u` more.
+//! This moves the point along the segment by at most `t (3 (1 - t) + 2) u < 2.1 u` of its extent, which is at most
+//! `2 M`: by 2.1 last places of `M`. With the 1.6 of the point itself this is less than 4 last places of each
+//! coordinate of that segment. To be as near to the other segment, whose coordinates may be smaller, each coordinate is
+//! taken from the segment on which it is smaller, unless the point of one segment is in the strip of the other already:
+//! see [`Segment::crossing_point`].
 //!
-//! *A point between two points in the strip* of a segment is in the strip, which is convex, so an edge of a chain is, and a
-//! vertex inserted exactly on it.
+//! *A point between two points in the strip* of a segment is in the strip, which is convex, so an edge of a chain is,
+//! and a vertex inserted exactly on it.
 //!
-//! *Everything else* is proved where it is made, by [`Strip::contains`] itself: a vertex through which a segment is led, a
-//! crossing of pieces that were bent before, a split point of a bent piece or of overlapping segments. None is taken that
-//! fails. So errors never add up, however often pieces are parted.
+//! *Everything else* is proved where it is made, by [`Strip::contains`] itself: a vertex through which a segment is
+//! led, a crossing of pieces that were bent before, a split point of a bent piece or of overlapping segments. None is
+//! taken that fails. So errors never add up, however often pieces are parted.
 //!
-//! *An input vertex keeps its side* where an edge is split: the triangles that the split makes are proved counter-clockwise.
-//! Where a segment that was let go is brought back, a place for a split is taken only if no input vertex lies in the triangle
-//! between the piece and its two parts, and pieces that rounding made cross meet at no input vertex.
+//! *An input vertex keeps its side* where an edge is split: the triangles that the split makes are proved
+//! counter-clockwise. Where a segment that was let go is brought back, a place for a split is taken only if no input
+//! vertex lies in the triangle between the piece and its two parts, and pieces that rounding made cross meet at no
+//! input vertex.
 //!
-//! *At both ends of the range* nothing changes: the last place is at least the smallest number, which is what an underflow
-//! costs, and the strip is compared in sums of exact products, which do not overflow.
+//! *At both ends of the range* nothing changes: the last place is at least the smallest number, which is what an
+//! underflow costs, and the strip is compared in sums of exact products, which do not overflow.
 
 use core::cmp::Ordering;
 
@@ -109,7 +111,8 @@ impl Strip {
         let Segment { start: a, end: b } = self.segment;
         let [w, h] = self.reach;
         let (dx, dy) = (b.x - a.x, b.y - a.y);
-        // Differences of doubles are 0 where they are equal, and nowhere else. Near an axis the limit is too small for the filter.
+        // Differences of doubles are 0 where they are equal, and nowhere else. Near an axis the limit is too small for
+        // the filter.
         if dx == 0.0 && p.x == a.x || dy == 0.0 && p.y == a.y {
             return true;
         }

@@ -105,11 +105,12 @@ impl Triangle {
         view.frame.point(Vector::new((u.x + v.x) / 3.0, (u.y + v.y) / 3.0))
     }
 
-    /// The center of the inscribed circle, rounded: the mean of the corners, each weighed by the length of the edge opposite.
+    /// The center of the inscribed circle, rounded: the mean of the corners, each weighed by the length of the edge
+    /// opposite.
     ///
     /// # Guarantees
-    /// Finite for finite corners. The result does not depend on the order of the corners. It may lie on the boundary of a
-    /// triangle that is thin within rounding.
+    /// Finite for finite corners. The result does not depend on the order of the corners. It may lie on the boundary of
+    /// a triangle that is thin within rounding.
     ///
     /// # Source
     /// Section 2.2 of `[MeshSuite]`, figure 1.
@@ -145,7 +146,8 @@ impl Triangle {
         center.is_finite().then_some(center)
     }
 
-    /// The squared radius of the circle through the corners, rounded; `None` as for [`circumcenter`](Self::circumcenter).
+    /// The squared radius of the circle through the corners, rounded; `None` as for
+    /// [`circumcenter`](Self::circumcenter).
     #[must_use]
     pub fn circumradius_sq(&self) -> Option<f64> {
         let view = View::of(self);
@@ -206,8 +208,8 @@ impl Triangle {
         [Vector::new(c.x - b.x, c.y - b.y), c, b].map(Vector::length_sq)
     }
 
-    /// The same where the plain differences are good enough, as nearly always: then no other frame than a plain one is needed at
-    /// any corner.
+    /// The same where the plain differences are good enough, as nearly always: then no other frame than a plain one is
+    /// needed at any corner.
     #[inline]
     fn plain_lengths_sq(&self) -> Option<[f64; 3]> {
         let [a, b, c] = self.corners;
@@ -236,7 +238,8 @@ fn angle_at(apex: Point, u: Point, v: Point) -> Angle {
     Angle::from_radians(atan2(u.cross(v).abs(), u.dot(v)))
 }
 
-/// Squares of two edge lengths for which a plain frame does at every corner: the longest edge is neither below them nor much above.
+/// Squares of two edge lengths for which a plain frame does at every corner: the longest edge is neither below them nor
+/// much above.
 const PLAIN_SQ: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 380) << 52)..=f64::from_bits((1023 + 380) << 52); // 2^-380, 2^380
 

@@ -101,13 +101,15 @@ impl HalfEdgeMesh {
         self.star(v).any(|h| self.is_ghost(h.face()))
     }
 
-    /// The boundary half-edge that starts at `v`, the domain on its left; `None` for inner vertices, and for those without faces.
+    /// The boundary half-edge that starts at `v`, the domain on its left; `None` for inner vertices, and for those
+    /// without faces.
     ///
     /// Where the boundary passes through `v` several times, it is the first one counter-clockwise from
     /// [`outgoing`](Self::outgoing).
     ///
-    /// The source keeps this half-edge as that of every vertex on the hull, "whenever possible". Here the vertex keeps any of its
-    /// half-edges, since flips and insertions are faster so, and the boundary one is found when it is asked for.
+    /// The source keeps this half-edge as that of every vertex on the hull, "whenever possible". Here the vertex keeps
+    /// any of its half-edges, since flips and insertions are faster so, and the boundary one is found when it is asked
+    /// for.
     ///
     /// # Complexity
     /// The degree of `v`.

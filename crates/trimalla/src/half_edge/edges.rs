@@ -50,7 +50,8 @@ impl HalfEdgeMesh {
         self.is_named_by([stored(h), stored(h.next()), stored(h.prev())], h)
     }
 
-    /// [`stands_for_edge`](Self::stands_for_edge), where what is stored of the half-edge, the next one and the last one is known.
+    /// [`stands_for_edge`](Self::stands_for_edge), where what is stored of the half-edge, the next one and the last one
+    /// is known.
     #[inline(always)] // In loops over all edges.
     fn is_named_by(&self, corners: [HalfEdge; 3], h: HalfEdgeId) -> bool {
         let ([a, b, apex], t) = (corners.map(|corner| corner.origin), corners[0].twin);

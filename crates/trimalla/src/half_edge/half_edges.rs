@@ -23,8 +23,8 @@ impl HalfEdge {
 ///
 /// # Shape
 /// `half_edges`, that is `origin` and `twin`, has three entries a face slot, `outgoing` one a vertex slot.
-/// `mark` is empty until the first constraint and has one entry a face slot from then on, for its three half-edges. A dead slot
-/// holds one fixed value; free lists are last in, first out.
+/// `mark` is empty until the first constraint and has one entry a face slot from then on, for its three half-edges. A
+/// dead slot holds one fixed value; free lists are last in, first out.
 ///
 /// # Guarantees
 /// Equality compares every array, dead slots and free lists included: two equal meshes answer every
@@ -241,8 +241,8 @@ impl HalfEdgeMesh {
         real.map(|(f, stored)| (FaceId::from_index(f), [stored[0].origin, stored[1].origin, stored[2].origin]))
     }
 
-    /// The corners of the [`real_faces`](Self::real_faces) alone, where the marks were: as many words, and pages that have been
-    /// touched need not be fetched from the system again.
+    /// The corners of the [`real_faces`](Self::real_faces) alone, where the marks were: as many words, and pages that
+    /// have been touched need not be fetched from the system again.
     pub(crate) fn into_triangles(mut self) -> Vec<[u32; 3]> {
         let mut triangles = std::mem::take(&mut self.mark);
         triangles.clear();
@@ -272,8 +272,8 @@ impl HalfEdgeMesh {
         self.half_edge_at_hub(around_a, a, self.star(b))
     }
 
-    /// The half-edge to the centre of the second star, looked for among the other spokes of `a` and, in turn, in that star.
-    /// The search ends with the shorter one of the two.
+    /// The half-edge to the centre of the second star, looked for among the other spokes of `a` and, in turn, in that
+    /// star. The search ends with the shorter one of the two.
     #[cold]
     #[inline(never)]
     fn half_edge_at_hub(&self, around_a: Star<'_>, a: VertexId, around_b: Star<'_>) -> Option<HalfEdgeId> {

@@ -95,8 +95,8 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Makes room for that many faces in a mesh without any, beginning with memory that has served elsewhere: pages that
-    /// have been touched need not be fetched from the system again.
+    /// Makes room for that many faces in a mesh without any, beginning with memory that has served elsewhere: pages
+    /// that have been touched need not be fetched from the system again.
     pub(crate) fn reserve_faces<T>(&mut self, faces: usize, mut spare: Vec<T>) {
         spare.clear();
         // Collecting in place keeps the allocation of an empty vector whose elements have the same layout.

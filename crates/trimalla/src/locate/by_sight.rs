@@ -1,7 +1,7 @@
 //! Walks by sight: where to cross, rounded products tell, and only the face at which a walk ends is proved.
 //!
-//! Most of a walk needs no proof: a step aside costs another step. What rounding leaves open, on an edge or too near to one,
-//! is the business of the exact walks.
+//! Most of a walk needs no proof: a step aside costs another step. What rounding leaves open, on an edge or too near to
+//! one, is the business of the exact walks.
 
 use super::walk::Locus;
 use crate::geometry::{Point, Turn};
@@ -12,8 +12,8 @@ use crate::triangulation::Triangulation;
 const SIGHT_STEPS: usize = 64;
 
 impl Triangulation {
-    /// The visibility walk by sight, its end proved. The error is the face where rounding leaves something open, or where it was
-    /// after [`SIGHT_STEPS`].
+    /// The visibility walk by sight, its end proved. The error is the face where rounding leaves something open, or
+    /// where it was after [`SIGHT_STEPS`].
     #[inline(always)] // Before each insertion.
     pub(super) fn walk_by_sight(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
         let [a, b, _] = self.vertices_in_slot(start).ok_or(start)?.map(|v| self.points.get(v.index()));
@@ -43,8 +43,8 @@ impl Triangulation {
         Err(e.face())
     }
 
-    /// [`walk_within`](Self::walk_within) by sight: the face at which it ends, proved. `None` where rounding leaves something
-    /// open, or a constrained edge or the end of the domain is in the way.
+    /// [`walk_within`](Self::walk_within) by sight: the face at which it ends, proved. `None` where rounding leaves
+    /// something open, or a constrained edge or the end of the domain is in the way.
     pub(crate) fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
         let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
         let (mut a, mut b) = (*a?, *b?);

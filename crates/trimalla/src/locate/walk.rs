@@ -64,8 +64,8 @@ impl Triangulation {
         }
     }
 
-    /// Walks towards `p` without crossing constrained edges, along the straight line from the middle of `start` as far as
-    /// triangles allow.
+    /// Walks towards `p` without crossing constrained edges, along the straight line from the middle of `start` as far
+    /// as triangles allow.
     ///
     /// A walk that leaves the domain is blocked by the boundary edge it meets, constrained or not. Which way it
     /// takes does not depend on slots.
@@ -76,7 +76,8 @@ impl Triangulation {
         arrived.or_else(|| self.walk_within_exactly(start, p, usize::MAX)).unwrap_or(Walk::Arrived(Locus::Nowhere))
     }
 
-    /// [`walk_within`](Self::walk_within) without rounded products, in no more than so many steps; `None` where it takes more.
+    /// [`walk_within`](Self::walk_within) without rounded products, in no more than so many steps; `None` where it
+    /// takes more.
     pub(crate) fn walk_within_exactly(&self, start: FaceId, p: Point, steps: usize) -> Option<Walk> {
         let Some(start) = self.real_face_near(start) else { return Some(Walk::Arrived(Locus::Nowhere)) };
         let mut e = start.half_edge(0);
@@ -104,7 +105,8 @@ impl Triangulation {
         (steps >= most).then(|| Walk::Arrived(self.scan_or_outside(p)))
     }
 
-    /// The edge of a face by which to leave it for `p`, on the way from the middle of `start`; `None` where `p` is beyond none.
+    /// The edge of a face by which to leave it for `p`, on the way from the middle of `start`; `None` where `p` is
+    /// beyond none.
     #[inline(always)] // At each step.
     pub(super) fn exit(
         &self,
@@ -124,8 +126,8 @@ impl Triangulation {
         })
     }
 
-    /// Of the edges `first` and the next one around their face, which both have `p` beyond them, the one that the line from
-    /// the middle of `start` to `p` crosses: it passes the vertex they share on one side or the other.
+    /// Of the edges `first` and the next one around their face, which both have `p` beyond them, the one that the line
+    /// from the middle of `start` to `p` crosses: it passes the vertex they share on one side or the other.
     fn exit_towards(&self, start: FaceId, p: Point, first: HalfEdgeId) -> HalfEdgeId {
         let [a, b, c] = self.corners(start);
         let source = Triangle::new(a, b, c).centroid();

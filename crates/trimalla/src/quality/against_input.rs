@@ -1,9 +1,10 @@
 //! Is this the mesh of that drawing?
 //!
 //! 1. Input vertices come first, bit for bit. Unused ones may be duplicates or lie outside the domain.
-//! 2. Every input segment is a chain of mesh edges from end to end, by the rule of [`Strip`](crate::geometry::Strip), which
-//!    says how many last places a vertex on a segment may be off it and why those that this library puts there never are
-//!    off by more. The decision is exact. [`from_mesh`](crate::domain::from_mesh()) looks for the same chains.
+//! 2. Every input segment is a chain of mesh edges from end to end, by the rule of [`Strip`](crate::geometry::Strip),
+//!    which says how many last places a vertex on a segment may be off it and why those that this library puts there
+//!    never are off by more. The decision is exact. [`from_mesh`](crate::domain::from_mesh()) looks for the same
+//!    chains.
 //! 3. A segment may be absent where it is outside the mesh: see `cover.rs`.
 
 use super::cover::Cover;

@@ -1,8 +1,8 @@
 //! Input angles, and the angle that refinement keeps in spite of them.
 //!
 //! Where two segments meet at less than the angle bound θ, no mesh does without a small angle. How small it need be is
-//! known for Ruppert's refinement with shells: the worst triangle has two corners on one shell, at distance 1 from where
-//! the segments meet, and the third on one of them at the next cut, at distance ρ:
+//! known for Ruppert's refinement with shells: the worst triangle has two corners on one shell, at distance 1 from
+//! where the segments meet, and the third on one of them at the next cut, at distance ρ:
 //!
 //! ```text
 //!               q                        tan φ = sin θ / (ρ − cos θ)

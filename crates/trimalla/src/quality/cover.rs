@@ -1,8 +1,8 @@
 //! How the edges of a mesh cover an input segment, or where they do not.
 //!
-//! A segment is followed from stop to stop: from its start over the input vertices exactly on it to its end. A leg that no
-//! chain of edges covers from stop to stop, by the rule of [`Strip`](crate::geometry::Strip), is a fault unless the segment
-//! may be outside the mesh there. That is decided by edges that *block* it:
+//! A segment is followed from stop to stop: from its start over the input vertices exactly on it to its end. A leg that
+//! no chain of edges covers from stop to stop, by the rule of [`Strip`](crate::geometry::Strip), is a fault unless the
+//! segment may be outside the mesh there. That is decided by edges that *block* it:
 //!
 //! ```text
 //!                 p                 The edge p–q blocks the segment a–b: p is left of every chain that the rule allows, q
@@ -12,18 +12,19 @@
 //!                 q
 //! ```
 //!
-//! A vertex is left of every chain if it is on the left, outside the strip. By rule 4, so is an input vertex in the strip on
-//! the left of the segment in a drawing without crossings.
+//! A vertex is left of every chain if it is on the left, outside the strip. By rule 4, so is an input vertex in the
+//! strip on the left of the segment in a drawing without crossings.
 //!
 //! 1. A leg that some edge blocks is a fault.
-//! 2. A leg that nothing blocks is a fault, too, if edges join its stops over vertices in the strip and none of these is on the
-//!    boundary: the rule is broken some other way. So it is if no edges join the stops and the boundary does not come into
-//!    the strip between the vertices at which its chains from either stop end.
-//! 3. Else the segment is outside the mesh, or within rounding of the boundary, which the split points of other segments bend
-//!    to either side. That is no fault.
+//! 2. A leg that nothing blocks is a fault, too, if edges join its stops over vertices in the strip and none of these
+//!    is on the boundary: the rule is broken some other way. So it is if no edges join the stops and the boundary does
+//!    not come into the strip between the vertices at which its chains from either stop end.
+//! 3. Else the segment is outside the mesh, or within rounding of the boundary, which the split points of other
+//!    segments bend to either side. That is no fault.
 //!
-//! Part 1 finds every segment that runs through triangles: those that the segment passes one after the other share an edge,
-//! which it crosses. Where none of these edges blocks it, each has an end in the strip, and these ends are joined by edges.
+//! Part 1 finds every segment that runs through triangles: those that the segment passes one after the other share an
+//! edge, which it crosses. Where none of these edges blocks it, each has an end in the strip, and these ends are joined
+//! by edges.
 //!
 //! An edge along an input segment at which an end lies that the mesh does not use blocks nothing, see `near_ends.rs`.
 
@@ -200,7 +201,8 @@ impl<'a> Cover<'a> {
         (ends.into_iter().any(|v| self.sides.is_used(v)) && !may_leave).then_some(Breach::StopsAt(stops[0]))
     }
 
-    /// Notes the edges that lead from some vertices as far as they can towards an end, from which the first is the farthest.
+    /// Notes the edges that lead from some vertices as far as they can towards an end, from which the first is the
+    /// farthest.
     ///
     /// A vertex on a way that is noted leads no farther than that way, so each way is followed once.
     fn note_all_towards<'v>(&mut self, course: &Course, starts: impl Iterator<Item = &'v u32>, end: u32) {
@@ -222,8 +224,8 @@ impl<'a> Cover<'a> {
         self.leg(course, ends, self.courses.beside()).farthest
     }
 
-    /// The vertices at which a segment may enter the mesh, or begin there: used stops, and what lies between them of the
-    /// boundary in the strip, in order; `near` are the edges of the boundary near it.
+    /// The vertices at which a segment may enter the mesh, or begin there: used stops, and what lies between them of
+    /// the boundary in the strip, in order; `near` are the edges of the boundary near it.
     fn starts(&self, course: &Course, [from, to]: [u32; 2], near: &[[u32; 2]]) -> Vec<u32> {
         let mut starts: Vec<u32> = near.iter().flatten().copied().collect();
         starts.retain(|&v| v != from && v != to && self.courses.is_along(course, [from, v, to]));
@@ -234,7 +236,8 @@ impl<'a> Cover<'a> {
         starts
     }
 
-    /// The first edge that blocks a segment among those that it crosses one after the other from where it may enter the mesh.
+    /// The first edge that blocks a segment among those that it crosses one after the other from where it may enter the
+    /// mesh.
     fn blocked(&self, course: &Course, ends: [u32; 2], starts: Vec<u32>) -> Option<Block> {
         let [a, b] = ends.map(|v| self.place(v));
         let mut seen: BTreeSet<[u32; 2]> = BTreeSet::new();
@@ -294,7 +297,8 @@ impl<'a> Cover<'a> {
         false
     }
 
-    /// Whether an edge of the boundary comes into the strip between two vertices, or as near to them as makes no difference.
+    /// Whether an edge of the boundary comes into the strip between two vertices, or as near to them as makes no
+    /// difference.
     fn comes_between(&self, course: &Course, [from, to]: [u32; 2], near: &[[u32; 2]]) -> bool {
         let [from, to] =
             if self.courses.order(course, from, to) == Ordering::Greater { [to, from] } else { [from, to] };

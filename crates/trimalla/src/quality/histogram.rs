@@ -51,8 +51,8 @@ impl Histogram {
 /// How many values fall into each of some ranges of different width.
 ///
 /// # Shape
-/// Class `i` holds what is at least `bounds[i]` and less than `bounds[i + 1]`; the last one has no upper bound, and the first
-/// one holds what lies below its bound, too.
+/// Class `i` holds what is at least `bounds[i]` and less than `bounds[i + 1]`; the last one has no upper bound, and the
+/// first one holds what lies below its bound, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Classes {
     /// The lower bounds, ascending.
@@ -68,8 +68,8 @@ impl Classes {
         Self { bounds: bounds.to_vec(), counts: vec![0; bounds.len()] }
     }
 
-    /// Empty classes for [aspect ratios](super::aspect_ratio): narrow near 1, where those of good triangles lie. A smallest
-    /// angle of 30, 20 and 10 degrees allows 1.30, 1.74 and 3.14.
+    /// Empty classes for [aspect ratios](super::aspect_ratio): narrow near 1, where those of good triangles lie. A
+    /// smallest angle of 30, 20 and 10 degrees allows 1.30, 1.74 and 3.14.
     #[must_use]
     pub fn of_aspect_ratios() -> Self {
         Self::new(&[1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.75, 2.0, 3.0, 5.0, 10.0, 100.0])

@@ -30,8 +30,8 @@ impl Spread {
     /// The spread of some values; `None` of no values.
     ///
     /// # Guarantees
-    /// The mean of finite values is finite: it is carried along, not divided at the end. Where a value is infinite, so is
-    /// the mean.
+    /// The mean of finite values is finite: it is carried along, not divided at the end. Where a value is infinite, so
+    /// is the mean.
     #[must_use]
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut values = values.into_iter();

@@ -1,7 +1,8 @@
 //! Which input segments an end lies along that the mesh does not use.
 //!
-//! An end outside the domain, within rounding of a segment of the boundary, lies on one exact side of that segment. The chain
-//! of that segment bends to either side of it by the rule of [`Strip`], so the end may lie on either side of the chain:
+//! An end outside the domain, within rounding of a segment of the boundary, lies on one exact side of that segment. The
+//! chain of that segment bends to either side of it by the rule of [`Strip`], so the end may lie on either side of the
+//! chain:
 //!
 //! ```text
 //!             . b                 . b        The end e is above s–t, outside the domain. The split point m is above e, by

@@ -68,8 +68,8 @@ impl Everywhere {
         Self { is_all: false, ..self }
     }
 
-    /// Whether a triangle is bad, where the sides from its first corner are known, and no more is asked than this; `None` where
-    /// it is, or rounding leaves the answer open.
+    /// Whether a triangle is bad, where the sides from its first corner are known, and no more is asked than this;
+    /// `None` where it is, or rounding leaves the answer open.
     #[inline(always)] // In the loop over the triangles around a new vertex.
     pub(super) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
         let doubled_area = u.along.cross(v.along);

@@ -34,7 +34,8 @@ impl Region {
         Self { cos_sq }
     }
 
-    /// Whether free vertices in the diametral disk are deleted before a split: where the region is smaller than the disk.
+    /// Whether free vertices in the diametral disk are deleted before a split: where the region is smaller than the
+    /// disk.
     pub(super) fn is_lens(self) -> bool {
         self.cos_sq > 0.0
     }

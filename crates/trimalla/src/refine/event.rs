@@ -26,7 +26,8 @@ pub enum StepOutcome {
     Finished,
     /// The vertex budget is used up.
     Exhausted,
-    /// More vertices leave no fewer bad triangles: see [`StopReason::NoLongerImproves`](super::StopReason::NoLongerImproves).
+    /// More vertices leave no fewer bad triangles: see
+    /// [`StopReason::NoLongerImproves`](super::StopReason::NoLongerImproves).
     Stalled,
 }
 

@@ -1,7 +1,8 @@
 //! Which triangles of a mesh have the extreme angles, and which can be bad: nearly all are passed over at a glance.
 //!
-//! The glance takes few products and no quotient, in the units of the drawing, from any corner on. It is sure of what it
-//! says by a margin that is far above rounding; what it is not sure of, [`Extremes`] decides, and the test of the criteria.
+//! The glance takes few products and no quotient, in the units of the drawing, from any corner on. It is sure of what
+//! it says by a margin that is far above rounding; what it is not sure of, [`Extremes`] decides, and the test of the
+//! criteria.
 
 use super::bad_triangles::SureBounds;
 use super::ruler::Ruler;
@@ -67,8 +68,8 @@ impl Sides<f64> {
         (self.doubled_area / self.long) * (self.doubled_area / self.middle)
     }
 
-    /// Four times the squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's sign; `None`
-    /// where the shortest side is too short to be squared beside the others.
+    /// Four times the squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's
+    /// sign; `None` where the shortest side is too short to be squared beside the others.
     fn cosine_sq(&self) -> Option<f64> {
         let (excess, product) = (self.excess(), self.short * self.middle);
         (product >= f64::MIN_POSITIVE).then(|| excess * excess.abs() / product)
@@ -120,19 +121,19 @@ impl Extremes {
         }
     }
 
-    /// Whether a glance tells that a triangle, of two with these corners, is not bad, and that neither of its extreme angles is
-    /// one of the mesh so far.
+    /// Whether a glance tells that a triangle, of two with these corners, is not bad, and that neither of its extreme
+    /// angles is one of the mesh so far.
     ///
-    /// Twice the area is off by some last places of the longest side's square, wherever it is measured from. The squares
-    /// of the sides are the same from every corner, and in other units.
+    /// Twice the area is off by some last places of the longest side's square, wherever it is measured from. The
+    /// squares of the sides are the same from every corner, and in other units.
     #[inline(always)] // In the loop over all triangles.
     pub(super) fn are_plain(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
         let sides = Sides::of(corners.map(Two::coordinates));
         let margin = Two::of(SLACK) * sides.long;
         let least_area = sides.doubled_area - margin;
         let (area_sq, excess) = (least_area * least_area, sides.excess());
-        // Each is positive where something is sure. What is no number is lost on the way, but the last one is none then, or
-        // negative: products of what is not large are numbers.
+        // Each is positive where something is sure. What is no number is lost on the way, but the last one is none
+        // then, or negative: products of what is not large are numbers.
         let Two(least) = least_area
             .lesser(area_sq - self.glance.area_sq)
             .lesser(area_sq - self.glance.sine_sq * (sides.long * sides.middle))

@@ -22,7 +22,8 @@ pub(super) struct Floors {
     pub(super) precision_sq: f64,
     /// That distance in coordinate units.
     pub(super) precision: f64,
-    /// Bisection stops at triangles with an edge shorter than this, squared; 0 for a step 4 that does not keep small angles.
+    /// Bisection stops at triangles with an edge shorter than this, squared; 0 for a step 4 that does not keep small
+    /// angles.
     pub(super) bisection_floor_sq: f64,
 }
 

@@ -6,9 +6,9 @@
 //!     a ══ p ════ v ══════ w ══ b   A split at p lies on the piece a–v.
 //! ```
 //!
-//! Segments keep their names, and this table tells the pieces: a split is computed from the ends of its piece, and shells
-//! lie around those. So the mesh is the one of the drawing with its pieces listed, bit for bit where that lists the same
-//! vertices.
+//! Segments keep their names, and this table tells the pieces: a split is computed from the ends of its piece, and
+//! shells lie around those. So the mesh is the one of the drawing with its pieces listed, bit for bit where that lists
+//! the same vertices.
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::half_edge::{HalfEdgeId, VertexId};
@@ -39,7 +39,8 @@ pub(super) struct Joints {
 impl Joints {
     /// Finds the joints of a triangulation whose segments are all marked.
     ///
-    /// Where segments overlap, those of the segment that splits are computed from are found, and no others are asked for.
+    /// Where segments overlap, those of the segment that splits are computed from are found, and no others are asked
+    /// for.
     ///
     /// # Complexity
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
@@ -83,7 +84,8 @@ impl Joints {
         (piece != cdt.segments()[segment as usize]).then_some(piece)
     }
 
-    /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no segment.
+    /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no
+    /// segment.
     pub(super) fn piece_between(
         &self,
         cdt: &ConstrainedTriangulation,
@@ -97,7 +99,8 @@ impl Joints {
         Some([piece[0].unwrap_or(start), piece[1].unwrap_or(end)])
     }
 
-    /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of none.
+    /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of
+    /// none.
     pub(super) fn whole_of(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
         let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s as usize]);
         self.piece_along(cdt, h).or_else(segment).unwrap_or_else(|| [cdt.origin(h), cdt.dest(h)])
@@ -128,7 +131,8 @@ impl Joints {
     }
 }
 
-/// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet there.
+/// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet
+/// there.
 ///
 /// Whether a vertex that came later was put there as a crossing or by a split is not asked: a file does not tell.
 fn ends_pieces(cdt: &ConstrainedTriangulation, v: VertexId) -> bool {

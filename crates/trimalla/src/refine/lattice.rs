@@ -8,8 +8,8 @@
 //!      o───o───o───o
 //! ```
 //!
-//! Nodes are shaken by a ten thousandth of the spacing, by a hash of their place. An exact lattice would put six of them on
-//! a circle and hundreds on a line, and each test of such would need exact arithmetic.
+//! Nodes are shaken by a ten thousandth of the spacing, by a hash of their place. An exact lattice would put six of
+//! them on a circle and hundreds on a line, and each test of such would need exact arithmetic.
 
 use std::ops::ControlFlow;
 
@@ -63,8 +63,8 @@ impl Lattice {
         (high - low) / self.row_height() + 1.0
     }
 
-    /// Calls with every node of a triangle, row by row, until a call breaks off. A node on an edge is met in one of the two
-    /// triangles beside it.
+    /// Calls with every node of a triangle, row by row, until a call breaks off. A node on an edge is met in one of the
+    /// two triangles beside it.
     ///
     /// A row that runs along a triangle flat but for rounding may hold many more nodes than the area tells.
     ///

@@ -224,8 +224,8 @@ pub fn quadrilateral_centroid(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, ki
     Point::new(m.x + x / ruler.scale(), m.y + y / ruler.scale())
 }
 
-/// The areas of the two triangles that an edge makes with the ways from its start to two points, in some unit; equal where
-/// they are too small to be told apart. Never both zero.
+/// The areas of the two triangles that an edge makes with the ways from its start to two points, in some unit; equal
+/// where they are too small to be told apart. Never both zero.
 fn areas_beside(edge: Vector, ways: [Vector; 2]) -> [f64; 2] {
     let areas = |scale: f64| ways.map(|way| edge.scaled(scale).cross(way.scaled(scale)).abs());
     let plain = areas(1.0);
@@ -253,7 +253,8 @@ impl ConstrainedTriangulation {
     /// The longest-edge propagation path of a real face.
     ///
     /// # Complexity
-    /// Linear in the vertices, for the box around them; [`lepp()`] with a [`Ruler`] that is kept takes the length of the path.
+    /// Linear in the vertices, for the box around them; [`lepp()`] with a [`Ruler`] that is kept takes the length of
+    /// the path.
     #[must_use]
     pub fn lepp(&self, face: FaceId, rule: LeppRule) -> Lepp {
         lepp(self, Ruler::for_box(self.bounding_box()), face, rule)
@@ -267,24 +268,28 @@ impl ConstrainedDelaunay {
     ///
     /// 1. A constrained terminal edge is halved.
     /// 2. Else a constrained second-longest edge is halved: that of t1 if it is constrained, otherwise that of t2.
-    /// 3. Else the centroid of the two triangles goes in, or with `centroid = None` the middle of the terminal edge. Where a
-    ///    constrained edge lies between t1 and that point, as it may beside an input angle, that edge is halved instead.
+    /// 3. Else the centroid of the two triangles goes in, or with `centroid = None` the middle of the terminal edge.
+    ///    Where a constrained edge lies between t1 and that point, as it may beside an input angle, that edge is halved
+    ///    instead.
     ///
     /// # Guarantees
-    /// A triangulation that is still closed by its convex hull, as [`from_delaunay`](Self::from_delaunay) and [`new`](Self::new) make
-    /// it, is closed by a domain first: [`carve_hull`](Self::carve_hull) says what that changes. Edges of the boundary are
-    /// constrained then, as in the source, where a path ends at the boundary. If the terminal edge bounds a flat triangle that
-    /// this leaves out, the terminal edge of the triangle behind it takes its place.
+    /// A triangulation that is still closed by its convex hull, as [`from_delaunay`](Self::from_delaunay) and
+    /// [`new`](Self::new) make it, is closed by a domain first: [`carve_hull`](Self::carve_hull) says what that
+    /// changes. Edges of the boundary are constrained then, as in the source, where a path ends at the boundary. If the
+    /// terminal edge bounds a flat triangle that this leaves out, the terminal edge of the triangle behind it takes its
+    /// place.
     ///
-    /// `None` is returned where rounding leaves no room for the point, and for a half-edge that is not of a finite edge.
+    /// `None` is returned where rounding leaves no room for the point, and for a half-edge that is not of a finite
+    /// edge.
     ///
     /// # Complexity
     /// Linear in the vertices, for the box around them.
     ///
     /// # Source
-    /// `leppInsert` of `[Valenzuela09]`, section 6.1. `selectPoint` (6.1.1) is printed whole, and `centroid = None` is it. Of
-    /// `selectPointCentroid` (6.1.2) the part for a constrained second-longest edge, `SelectConstrainedQuad`, is named but not printed:
-    /// halving that edge, as `selectPoint` does, is our choice.
+    /// `leppInsert` of `[Valenzuela09]`, section 6.1. `selectPoint` (6.1.1) is printed whole, and `centroid = None` is
+    /// it. Of
+    /// `selectPointCentroid` (6.1.2) the part for a constrained second-longest edge, `SelectConstrainedQuad`, is named
+    /// but not printed: halving that edge, as `selectPoint` does, is our choice.
     ///
     /// # Examples
     /// ```
@@ -308,8 +313,8 @@ impl ConstrainedDelaunay {
         self.lepp_insert_with(terminal_edge, centroid, &mut NoJournal)
     }
 
-    /// [`lepp_insert`](Self::lepp_insert), noting what is overwritten: one rollback takes the point back, and the carving of
-    /// the hull where there was one.
+    /// [`lepp_insert`](Self::lepp_insert), noting what is overwritten: one rollback takes the point back, and the
+    /// carving of the hull where there was one.
     pub fn lepp_insert_with<J: Journal>(
         &mut self,
         terminal_edge: HalfEdgeId,
@@ -340,8 +345,8 @@ impl ConstrainedDelaunay {
         }
     }
 
-    /// A terminal edge, as a half-edge of a triangle, once the triangulation is closed by a domain; `None` where there is no
-    /// such edge.
+    /// A terminal edge, as a half-edge of a triangle, once the triangulation is closed by a domain; `None` where there
+    /// is no such edge.
     fn within_domain<J: Journal>(&mut self, ruler: Ruler, h: HalfEdgeId, j: &mut J) -> Option<HalfEdgeId> {
         if !self.is_alive(h.face()) {
             return None;

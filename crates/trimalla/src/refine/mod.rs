@@ -16,15 +16,16 @@
 //! 4. *Insert*: the point goes in; triangles around it that are bad join the queue.
 //! 5. *Recover*: segments stay edges throughout (`whole-edge`).
 //!
-//! Under an area bound, wide parts are filled with a lattice of equilateral triangles first ([`Fill`]), if the recipe says so, as
-//! the default does up to 30 degrees: that takes less time than the loop, and fewer triangles.
+//! Under an area bound, wide parts are filled with a lattice of equilateral triangles first ([`Fill`]), if the recipe
+//! says so, as the default does up to 30 degrees: that takes less time than the loop, and fewer triangles.
 //!
 //! Before the loop, an [`Outlook`] says how large the mesh will be and which angles are out of reach.
 //!
 //! # Guarantees
 //! The loop ends: the number of vertices and of insertions is bounded, and so are the lengths of edges from below.
 //! Every triangle that stays bad has a [`Reason`]. At angle bounds up to 26.45 degrees without protected segments only
-//! the input's own angles are reasons, for `circumcenter` by proof `[MillerPavWalkington03]`, for `off-center` by experience.
+//! the input's own angles are reasons, for `circumcenter` by proof `[MillerPavWalkington03]`, for `off-center` by
+//! experience.
 //!
 //! # Source
 //! The five steps: `[MeshSuite]`. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.

@@ -175,8 +175,8 @@ impl RefineOptions {
     }
 
     /// Whether wide parts are filled with a lattice, where there is an area bound and the mesh is Delaunay: not above
-    /// 30 degrees. A vertex inside a triangle of the lattice, wherever it lies, leaves an angle of 30 degrees or less; once the
-    /// loop has put one in, it would go through the whole lattice.
+    /// 30 degrees. A vertex inside a triangle of the lattice, wherever it lies, leaves an angle of 30 degrees or less;
+    /// once the loop has put one in, it would go through the whole lattice.
     pub(super) fn asks_for_lattice(&self) -> bool {
         let is_lasting = self.criteria.effective_min_angle().radians() <= Angle::from_degrees(30.0).radians();
         self.recipe.fill == Fill::Lattice && is_lasting

@@ -28,7 +28,8 @@ pub struct Outlook {
     /// The smallest angle between two segments.
     pub smallest_input_angle: Option<InputAngle>,
     /// The two features that lie nearest to each other, where that is within rounding: no vertex fits between them, and
-    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle, unless one has its end there.
+    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle, unless one has its end
+    /// there.
     pub within_rounding: Option<Gap>,
 }
 
@@ -47,8 +48,9 @@ impl Outlook {
         }
     }
 
-    /// The angle below which no angle of the finished mesh need be, the [`shell_floor`], where its argument holds: for the preset `circumcenter`
-    /// at bounds of up to 26.45 degrees, without an area bound, length floor, protected segments, or features within rounding of each other.
+    /// The angle below which no angle of the finished mesh need be, the [`shell_floor`], where its argument holds: for
+    /// the preset `circumcenter` at bounds of up to 26.45 degrees, without an area bound, length floor, protected
+    /// segments, or features within rounding of each other.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.

@@ -22,8 +22,8 @@ pub(super) struct Patches {
 }
 
 impl Patches {
-    /// Vertices in a patch to begin with, those included that an area bound asks for: many enough that the edges of patches, where the order does not hold, hardly
-    /// matter, and few enough for the cache.
+    /// Vertices in a patch to begin with, those included that an area bound asks for: many enough that the edges of
+    /// patches, where the order does not hold, hardly matter, and few enough for the cache.
     const VERTICES: usize = 6000;
 
     /// No more than so many, however fine the mesh is to be.
@@ -41,8 +41,8 @@ impl Patches {
     }
 }
 
-/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a triangle
-/// that goes and comes again is another one, whether it gets its old slot back or not.
+/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a
+/// triangle that goes and comes again is another one, whether it gets its old slot back or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Claim {
     pub(super) face: FaceId,
@@ -83,7 +83,8 @@ impl Step {
     }
 }
 
-/// Steps of patience that follow each other; room for them is made where one is needed, as few of all that there could be are.
+/// Steps of patience that follow each other; room for them is made where one is needed, as few of all that there could
+/// be are.
 #[derive(Clone, Debug, Default)]
 struct Drawer {
     /// One bit a step: whether anything waits there, or did until just now.
@@ -121,8 +122,8 @@ impl Drawer {
 /// Bad triangles by patience. Triangles that are gone stay until they come up.
 ///
 /// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
-/// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than the
-/// other way round; for an order that asks for it, those that came first.
+/// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than
+/// the other way round; for an order that asks for it, those that came first.
 ///
 /// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
 /// matter whether a triangle that went and came again got its old slot back.

@@ -10,7 +10,8 @@ use super::lepp::{Centroid, LeppRule};
 pub struct Row {
     /// The step, 1 to 5; 0 for a preset, and for what refinement starts from.
     pub step: u8,
-    /// What it is a choice of, by the key in recipes: `initial`, `prepare`, `prepare-when`, …; `preset` for whole recipes.
+    /// What it is a choice of, by the key in recipes: `initial`, `prepare`, `prepare-when`, …; `preset` for whole
+    /// recipes.
     pub option: &'static str,
     /// The key, as scripts, the program and reports spell it.
     pub key: &'static str,
@@ -154,8 +155,9 @@ step! {
 step! {
     /// Which terminal triangle gives the circumcenter or off-center.
     ///
-    /// At 37 degrees the last one of the path ends where the larger one does not: circumcenters on 9 of 9 drawings (the larger one on 4) and on
-    /// 14 of 20 sets of 50 random points (3). Up to 36 degrees both end, and the last one needs 1 to 27 % more vertices.
+    /// At 37 degrees the last one of the path ends where the larger one does not: circumcenters on 9 of 9 drawings (the
+    /// larger one on 4) and on 14 of 20 sets of 50 random points (3). Up to 36 degrees both end, and the last one needs
+    /// 1 to 27 % more vertices.
     Terminal, 3, "terminal", Last, {
         Larger = "larger", "the one with the larger circumcircle: fewer vertices up to 36 degrees, hardly ever an end at 37", "MeshSuite";
         Last = "last", "the last one of the path: ends at 37 degrees, too", "MeshSuite";
@@ -237,8 +239,8 @@ step! {
 }
 
 impl Preset {
-    /// The recipe it stands for: the documents' own, but that off-centers and circumcenters go in by cavity where those say
-    /// flips. The mesh is the same, vertex by vertex, and done sooner.
+    /// The recipe it stands for: the documents' own, but that off-centers and circumcenters go in by cavity where those
+    /// say flips. The mesh is the same, vertex by vertex, and done sooner.
     #[must_use]
     pub fn recipe(self) -> Recipe {
         let lepp = Recipe {
@@ -326,8 +328,8 @@ const UNTIL_DESTROYED: [Row; 2] = [
     },
 ];
 
-/// Every choice that a recipe has, with a row each: what `trimalla list` prints. Presets come first, then the steps in order; the choices of
-/// one [option](Row::option) stand together.
+/// Every choice that a recipe has, with a row each: what `trimalla list` prints. Presets come first, then the steps in
+/// order; the choices of one [option](Row::option) stand together.
 #[must_use]
 pub fn registry() -> Vec<Row> {
     let mut rows: Vec<Row> = Preset::ALL.iter().map(|c| c.row()).collect();

@@ -13,14 +13,15 @@ use crate::constrained::ConstrainedTriangulation;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Its small angle lies between two input segments that meet; or it lies between two that meet and are within rounding of
-    /// each other there. Segments meet at common ends, where one has a vertex inside it, and where they cross.
+    /// Its small angle lies between two input segments that meet; or it lies between two that meet and are within
+    /// rounding of each other there. Segments meet at common ends, where one has a vertex inside it, and where they
+    /// cross.
     InputAngle,
-    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from their common end on one as on the
-    /// other. Where the edge joins vertices of the input, those are within rounding of each other.
+    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from their common end on one
+    /// as on the other. Where the edge joins vertices of the input, those are within rounding of each other.
     AcrossSmallInputAngle,
-    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other. It lies across that
-    /// gap, where no vertex fits; or the split or the vertex that it needs has no room beside the gap.
+    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other. It lies
+    /// across that gap, where no vertex fits; or the split or the vertex that it needs has no room beside the gap.
     InputGap,
     /// A segment that may not be split is in the way.
     ProtectedSegment,
@@ -94,8 +95,8 @@ pub enum StopReason {
     Budget,
     /// The caller cancelled.
     Cancelled,
-    /// At an angle bound above 33 degrees, with at least twenty times the vertices of the forecast, the last doubling of the
-    /// vertices left no fewer bad triangles: more vertices would only make more of them.
+    /// At an angle bound above 33 degrees, with at least twenty times the vertices of the forecast, the last doubling
+    /// of the vertices left no fewer bad triangles: more vertices would only make more of them.
     NoLongerImproves,
 }
 
@@ -140,7 +141,8 @@ pub struct Report {
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
-    /// Both together by kind, in the order of [`InsertedKind::ALL`]; with their names: [`insertions`](Self::insertions).
+    /// Both together by kind, in the order of [`InsertedKind::ALL`]; with their names:
+    /// [`insertions`](Self::insertions).
     pub inserted: [u64; 4],
     /// Lengths of longest-edge propagation paths that the strategy followed: how many had 0, 1, 2, … triangles.
     pub lepp_lengths: Vec<u64>,
@@ -159,7 +161,8 @@ impl Report {
         self.leftovers.iter().all(|l| l.reason.is_forced()) && self.lost_segments.is_empty()
     }
 
-    /// How many vertices went in of each kind; those that were deleted later are counted, those taken back at once are not.
+    /// How many vertices went in of each kind; those that were deleted later are counted, those taken back at once are
+    /// not.
     #[must_use]
     pub fn insertions(&self) -> [(InsertedKind, u64); 4] {
         std::array::from_fn(|i| (InsertedKind::ALL[i], self.inserted[i]))
@@ -205,8 +208,8 @@ pub trait Observer {
     /// Called by [`mesh_with`](crate::mesh_with) before the refinement begins.
     fn outlook(&mut self, _outlook: &Outlook) {}
 
-    /// Called by [`mesh_with`](crate::mesh_with) and [`refine_mesh_with`](crate::refine_mesh_with) before the first step: here
-    /// triangles can be [picked](Refinement::pick).
+    /// Called by [`mesh_with`](crate::mesh_with) and [`refine_mesh_with`](crate::refine_mesh_with) before the first
+    /// step: here triangles can be [picked](Refinement::pick).
     fn begins(&mut self, _refinement: &mut Refinement) {}
 
     /// Whether it wants to know of every step.

@@ -1,7 +1,7 @@
 //! The five steps as traits.
 //!
-//! A new strategy is one file that implements one of these, and one row in `recipe.rs`; one from outside the library goes into
-//! [`Steps`].
+//! A new strategy is one file that implements one of these, and one row in `recipe.rs`; one from outside the library
+//! goes into [`Steps`].
 
 use std::fmt;
 use std::sync::Arc;
@@ -115,8 +115,8 @@ pub struct View<'a> {
 impl View<'_> {
     /// Triangles that a walk may cross where step 4 does not keep the circle test.
     ///
-    /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and what lies so far off is
-    /// no help for the triangle that the walk began at.
+    /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and what lies so far
+    /// off is no help for the triangle that the walk began at.
     const LONGEST_WALK: usize = 1 << 10;
 
     /// How many triangles a walk may cross with that step 4.
@@ -134,7 +134,8 @@ pub trait PrepareStep {
 
     /// Whether subsegment `h` is to be split before (and while) points go in.
     ///
-    /// A subsegment that is queued is asked about again only if one of the two triangles beside it has changed by its turn.
+    /// A subsegment that is queued is asked about again only if one of the two triangles beside it has changed by its
+    /// turn.
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool;
 }
 
@@ -157,8 +158,8 @@ pub trait SelectStep {
         false
     }
 
-    /// Whether a large drawing may be treated in patches of some thousand triangles, one after the other, the order holding
-    /// within each of them.
+    /// Whether a large drawing may be treated in patches of some thousand triangles, one after the other, the order
+    /// holding within each of them.
     fn works_by_patches(&self) -> bool {
         false
     }
@@ -191,9 +192,9 @@ pub enum Proposal {
 }
 
 impl Proposal {
-    /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its way
-    /// that is to be split instead. `None` where a vertex is there already, for a point that is not finite, or where the point is
-    /// too far off in a mesh that does not keep the circle test.
+    /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its
+    /// way that is to be split instead. `None` where a vertex is there already, for a point that is not finite, or
+    /// where the point is too far off in a mesh that does not keep the circle test.
     #[must_use]
     pub fn towards(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
         if !point.is_finite() {
@@ -233,8 +234,8 @@ impl Proposal {
         f.half_edges().into_iter().all(|h| cdt.side_of(h, point) == Orientation::CounterClockwise)
     }
 
-    /// [`is_true`](Self::is_true), where a step of the library proposes the place: a point inside a face is not asked about,
-    /// since it was proved by the walk that found the face.
+    /// [`is_true`](Self::is_true), where a step of the library proposes the place: a point inside a face is not asked
+    /// about, since it was proved by the walk that found the face.
     #[inline(always)] // Before each insertion.
     pub(super) fn is_true_after_walk(self, cdt: &ConstrainedTriangulation) -> bool {
         let is_walked_to = matches!(self, Self::Free { locus: Locus::Face(_), .. });
@@ -264,8 +265,8 @@ impl Proposal {
 
 /// Step 3: where a new vertex goes.
 pub trait PointStep {
-    /// Adds places for a new vertex that helps `face`, the best first; the next is tried where the one before cannot be had
-    /// for rounding or the length floor, or is not [true](Proposal::is_true).
+    /// Adds places for a new vertex that helps `face`, the best first; the next is tried where the one before cannot be
+    /// had for rounding or the length floor, or is not [true](Proposal::is_true).
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>);
 
     /// Whether it follows longest-edge propagation paths, whose lengths are counted then.
@@ -309,9 +310,9 @@ pub trait InsertStep {
         provenance: Provenance,
     ) -> Result<VertexId, SplitError>;
 
-    /// Whether vertices go in by replacing the faces whose circle holds them: then the loop finds that cavity itself, sees
-    /// before anything changes what will be around the new vertex, and asks neither for [`insert`](Self::insert) of a free point
-    /// nor for [`split`](Self::split) of a subsegment.
+    /// Whether vertices go in by replacing the faces whose circle holds them: then the loop finds that cavity itself,
+    /// sees before anything changes what will be around the new vertex, and asks neither for [`insert`](Self::insert)
+    /// of a free point nor for [`split`](Self::split) of a subsegment.
     fn by_cavity(&self) -> bool {
         false
     }
@@ -334,8 +335,8 @@ pub trait RecoverStep {
     /// Whether interior segments are locked while points go in.
     fn locks_segments(&self) -> bool;
 
-    /// Whether segments that were not locked are brought back by splitting when no triangle is bad any more; the loop then
-    /// goes on with them locked.
+    /// Whether segments that were not locked are brought back by splitting when no triangle is bad any more; the loop
+    /// then goes on with them locked.
     fn splits_back(&self) -> bool {
         false
     }

@@ -1,8 +1,8 @@
 //! All triangles with their corners, read block by block.
 //!
-//! Vertices keep the caller's order, so that the corners of a triangle may lie anywhere in memory. Whoever tests one triangle
-//! after the other waits for the corners of nearly each; those of a block, read before any of them is tested, arrive side by
-//! side.
+//! Vertices keep the caller's order, so that the corners of a triangle may lie anywhere in memory. Whoever tests one
+//! triangle after the other waits for the corners of nearly each; those of a block, read before any of them is tested,
+//! arrive side by side.
 
 use super::triangulation::Triangulation;
 use crate::geometry::Point;
@@ -30,8 +30,8 @@ pub(crate) fn corners_of_two([s, t]: &[TriangleInBlock; 2]) -> [[Point; 2]; 3] {
 }
 
 impl Triangulation {
-    /// Calls `look` with every two triangles, in the order of slots, which can be measured side by side; and with how many there
-    /// are, for the last one may be alone, something else in the second's place.
+    /// Calls `look` with every two triangles, in the order of slots, which can be measured side by side; and with how
+    /// many there are, for the last one may be alone, something else in the second's place.
     ///
     /// # Complexity
     /// Linear.

@@ -2,8 +2,8 @@
 //!
 //! 1. Triangle `t` becomes face `t`, its corners in the order given; sides that run opposite ways between the same two
 //!    vertices become twins.
-//! 2. What is left has no triangle beyond: the boundary. Each boundary half-edge gets a ghost, and the ghosts around a vertex
-//!    meet where the outside is.
+//! 2. What is left has no triangle beyond: the boundary. Each boundary half-edge gets a ghost, and the ghosts around a
+//!    vertex meet where the outside is.
 //! 3. Where the boundary touches itself in a vertex, several fans of triangles meet there. Their first edges are put in
 //!    order around the vertex by exact signs, and each fan is joined to the one before it:
 //!
@@ -31,8 +31,8 @@ impl Triangulation {
     /// Nothing is marked yet, and nothing need be Delaunay. A mesh without triangles gives a triangulation of nothing.
     ///
     /// # Guarantees
-    /// Face `t` is triangle `t`, its half-edge `k` starts at corner `k`. Vertices keep their indices; those that no triangle
-    /// uses stay unused, and are noted as duplicates where they lie exactly on one that is used.
+    /// Face `t` is triangle `t`, its half-edge `k` starts at corner `k`. Vertices keep their indices; those that no
+    /// triangle uses stay unused, and are noted as duplicates where they lie exactly on one that is used.
     ///
     /// # Errors
     /// Every fault that [`check_mesh`] finds.
@@ -114,7 +114,8 @@ fn around(center: Point, p: Point, q: Point) -> Ordering {
     below(p).cmp(&below(q)).then_with(by_turn)
 }
 
-/// Unused vertices that lie exactly on others, with the one that stands for all there, sorted: the one in use, else the first.
+/// Unused vertices that lie exactly on others, with the one that stands for all there, sorted: the one in use, else the
+/// first.
 fn unused_on_others(t: &Triangulation) -> Vec<(VertexId, VertexId)> {
     let mut order: Vec<VertexId> =
         (0..t.points.len()).map(VertexId::from_index).filter(|&v| t.point(v).is_finite()).collect();

@@ -7,8 +7,8 @@ use crate::half_edge::{FaceId, HalfEdgeId, Journal, VertexId};
 impl Triangulation {
     /// Replaces an edge by the other diagonal of its two faces, if both new faces are strictly counter-clockwise.
     ///
-    /// Refused, with `None` and nothing changed: constrained edges, edges of the boundary, and quadrilaterals that are not
-    /// strictly convex. Returns the new diagonal.
+    /// Refused, with `None` and nothing changed: constrained edges, edges of the boundary, and quadrilaterals that are
+    /// not strictly convex. Returns the new diagonal.
     pub fn try_flip<J: Journal>(&mut self, h: HalfEdgeId, j: &mut J) -> Option<HalfEdgeId> {
         let t = self.twin(h);
         let real = self.is_real(h.face()) && self.is_real(t.face());
@@ -29,7 +29,8 @@ impl Triangulation {
     }
 
     /// Puts a new vertex on an edge, if every face that this makes is strictly counter-clockwise; the vertex may lie
-    /// off the edge by its rounding, but on the convex hull it lies exactly on it. `None`, and nothing changed, otherwise.
+    /// off the edge by its rounding, but on the convex hull it lies exactly on it. `None`, and nothing changed,
+    /// otherwise.
     pub fn try_split_edge<J: Journal>(&mut self, h: HalfEdgeId, p: Point, j: &mut J) -> Option<VertexId> {
         let on_hull = self.closure == Closure::Hull && self.is_boundary_edge(h);
         let fits = self.may_split_edge(h, p) && (!on_hull || self.side_of(h, p) == Orientation::Collinear);

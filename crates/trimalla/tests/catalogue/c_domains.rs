@@ -198,7 +198,8 @@ fn c15_curves_of_great_depth() {
     sound(PslgKind::Hilbert, 20_000, DomainRule::Seeds).expect("a domain");
 }
 
-/// A map of cells given ring by ring: shared boundaries differ by a billionth, so that slivers and overlaps are everywhere.
+/// A map of cells given ring by ring: shared boundaries differ by a billionth, so that slivers and overlaps are
+/// everywhere.
 #[test]
 fn c16_a_map_whose_boundaries_do_not_match() {
     let n = 12;

@@ -1,8 +1,8 @@
 //! The catalogue of inputs that have broken triangulators and refiners, entry by entry.
 //!
 //! A test is named by the entry that it covers: a letter for the family (points, segments, domains, refinement) and a
-//! number. `docs/reliability.md` lists every entry with its test, also those of files, outputs and processes, whose tests
-//! stand beside the readers and the program.
+//! number. `docs/reliability.md` lists every entry with its test, also those of files, outputs and processes, whose
+//! tests stand beside the readers and the program.
 
 #[path = "../common/agreement.rs"]
 mod agreement;

@@ -8,7 +8,8 @@ use trimalla::geometry::{Point, Ring, Triangle};
 use trimalla::half_edge::{NoJournal, VertexId};
 use trimalla_testkit::generators::SplitMix64;
 
-/// A drawing of an outline, some rings in it, and points everywhere; corners on a grid, so that many are collinear or equal.
+/// A drawing of an outline, some rings in it, and points everywhere; corners on a grid, so that many are collinear or
+/// equal.
 fn drawing(seed: u64) -> (Vec<Point>, Contours) {
     let mut rng = SplitMix64::new(seed);
     let mut points = Vec::new();

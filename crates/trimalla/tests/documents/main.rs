@@ -1,4 +1,5 @@
-//! What the five documents under this library ask for, each passage as it is printed there: docs/documents.md lists them all.
+//! What the five documents under this library ask for, each passage as it is printed there: docs/documents.md lists
+//! them all.
 
 mod contours;
 mod flow;

@@ -1,4 +1,5 @@
-//! Drawings on which time and memory grew faster than the drawing. The example `hubs_and_overlaps` shows what they cost.
+//! Drawings on which time and memory grew faster than the drawing. The example `hubs_and_overlaps` shows what they
+//! cost.
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
@@ -96,8 +97,8 @@ fn on_a_line(direction: Point, places: &[i32]) -> Vec<Point> {
     on_line.chain(beside).collect()
 }
 
-/// Every edge lists exactly the segments that reach from one of its ends to the other on their line, and each segment is the
-/// chain of the edges that list it.
+/// Every edge lists exactly the segments that reach from one of its ends to the other on their line, and each segment
+/// is the chain of the edges that list it.
 fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) {
     assert_eq!(cdt.check(), [], "{note}");
     let key = |v: VertexId| (cdt.point(v).x, cdt.point(v).y);
@@ -125,8 +126,8 @@ fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) 
     }
 }
 
-/// B03 of the catalogue: overlaps, containments and staircases in every order, on lines of all directions; the journal takes
-/// every one of them back.
+/// B03 of the catalogue: overlaps, containments and staircases in every order, on lines of all directions; the journal
+/// takes every one of them back.
 #[test]
 fn b03_overlapping_segments_are_named_edge_by_edge() {
     let directions = [[1.0, 0.0], [0.0, 1.0], [1.0, 3.0], [-2.0, 1.0], [3.0, -0.5]].map(Point::from);
@@ -251,8 +252,8 @@ fn nested_segments_are_kept_once() {
     assert_eq!(cdt.segments_of(middle).len(), N as usize);
 }
 
-/// B02 of the catalogue: one segment again and again, in both directions, is one edge; also where another one crossed it
-/// before. 16,000 copies took 1.1 GB.
+/// B02 of the catalogue: one segment again and again, in both directions, is one edge; also where another one crossed
+/// it before. 16,000 copies took 1.1 GB.
 #[test]
 fn b02_copies_of_a_segment_are_one_edge() {
     let copies = |n: u32, [a, b]: [u32; 2]| (0..n).map(move |i| if i % 2 == 0 { [a, b] } else { [b, a] });

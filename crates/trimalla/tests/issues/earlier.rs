@@ -133,8 +133,8 @@ fn an_absurd_number_of_attributes_is_an_error() {
     assert!(matches!(mesh(&pslg, &options), Err(Error::Domain(DomainError::Drawing(DrawingError::Column { .. })))));
 }
 
-/// `constrained::split_subsegment::point_on_subsegment` trusted the far ends of a bent segment, and the parameter of a vertex
-/// on a long segment overflowed.
+/// `constrained::split_subsegment::point_on_subsegment` trusted the far ends of a bent segment, and the parameter of a
+/// vertex on a long segment overflowed.
 #[test]
 fn a_bent_segment_is_split_between_the_ends_of_its_pieces() {
     refined(&issue("bent-segment-huge"), DomainRule::Nesting, RefineOptions::default().with_max_vertices(500));
@@ -147,8 +147,8 @@ fn boundaries_with_something_within_rounding_outside_are_not_split() {
     refined(&issue("crack-within-rounding"), DomainRule::Nesting, fine);
 }
 
-/// Splits were computed from what a file does not keep, vertices deleted that left no room behind, and segments not found
-/// again where they leave the domain or end at a point given twice outside it.
+/// Splits were computed from what a file does not keep, vertices deleted that left no room behind, and segments not
+/// found again where they leave the domain or end at a point given twice outside it.
 #[test]
 fn a_mesh_from_a_file_is_refined_as_it_would_have_been() {
     let options = RefineOptions::default().with_min_angle_deg(22.0).with_max_vertices(5000);

@@ -28,7 +28,8 @@ fn above(x: f64, count: u64) -> f64 {
     f64::from_bits(x.to_bits() + count)
 }
 
-/// Drawings with features so many doubles apart: ends of a fan, parallel segments, lone vertices, a vertex beside a segment.
+/// Drawings with features so many doubles apart: ends of a fan, parallel segments, lone vertices, a vertex beside a
+/// segment.
 fn gaps(corner: [f64; 2], count: u64) -> Vec<(&'static str, Pslg)> {
     let [x, y] = corner;
     let (apex, end) = ([x + 0.7, y + 1.1], [x + 3.3, y + 1.7]);
@@ -76,8 +77,8 @@ fn what_is_left_beside_gaps_within_rounding_is_forced() {
     }
 }
 
-/// Two segments that leave a vertex an ulp apart: a triangle beside them had 26 degrees, since neither could be split where the
-/// other one had its vertex.
+/// Two segments that leave a vertex an ulp apart: a triangle beside them had 26 degrees, since neither could be split
+/// where the other one had its vertex.
 #[test]
 fn a_needle_within_rounding_spoils_no_triangle_beside_it() {
     let (_, report) = refined(&issue("needle-an-ulp-wide"), DomainRule::Seeds, RefineOptions::default());

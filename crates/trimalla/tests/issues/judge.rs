@@ -32,7 +32,8 @@ fn crosses(drawing: &Pslg) -> bool {
     !crossing_pairs(drawing).is_empty()
 }
 
-/// What is wrong with the mesh of a drawing's hull, by all who judge it; a refinement of it without bounds changes nothing.
+/// What is wrong with the mesh of a drawing's hull, by all who judge it; a refinement of it without bounds changes
+/// nothing.
 fn verdicts(drawing: &Pslg, options: RefineOptions) -> Vec<String> {
     let (mesh, _) = refined(drawing, DomainRule::Hull, options);
     let mut said: Vec<String> = against_input(&mesh, drawing).faults.iter().map(ToString::to_string).collect();

@@ -91,8 +91,8 @@ fn drawing(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
     Pslg { points, segments: segments.to_vec(), ..Pslg::default() }
 }
 
-/// The largest quotient of vertices of a drawing of two segments that meet, whole over in pieces, by every preset and rule, at
-/// bounds of 20 and 30 degrees.
+/// The largest quotient of vertices of a drawing of two segments that meet, whole over in pieces, by every preset and
+/// rule, at bounds of 20 and 30 degrees.
 fn largest_quotient(name: &str, [whole, pieces]: [Pslg; 2]) -> f64 {
     let rules = |preset| DomainRule::ALL.map(|rule| (preset, rule));
     let mut largest = 0.0_f64;
@@ -223,7 +223,8 @@ fn flat_triangles_at_the_hull_are_not_meshed() {
     }
 }
 
-/// A fine mesh has shells much smaller than the segments: across the 45 degrees of a square's diagonal, too, nothing is left.
+/// A fine mesh has shells much smaller than the segments: across the 45 degrees of a square's diagonal, too, nothing is
+/// left.
 #[test]
 fn wide_input_angles_force_nothing_in_fine_meshes() {
     let square = drawing(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]);

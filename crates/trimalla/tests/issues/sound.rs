@@ -30,7 +30,8 @@ fn begun(drawing: &Pslg, options: RefineOptions) -> Refinement {
     Refinement::new(cdt, options).expect("good options")
 }
 
-/// Refines the domain of a drawing, crossings split, by any recipe; the mesh is valid, and Delaunay where the recipe keeps that.
+/// Refines the domain of a drawing, crossings split, by any recipe; the mesh is valid, and Delaunay where the recipe
+/// keeps that.
 fn refined_by_any(drawing: &Pslg, rule: DomainRule, options: RefineOptions) -> (IndexedMesh, Report) {
     let (cdt, _) = build(drawing, rule, Crossings::Split, AlgorithmKey::default()).expect("a domain");
     let mut refinement = Refinement::new(cdt, options).expect("good options");
@@ -43,7 +44,8 @@ fn refined_by_any(drawing: &Pslg, rule: DomainRule, options: RefineOptions) -> (
     (mesh, report)
 }
 
-/// Only vertices within 64 last places of a boundary edge were looked for, not edges that leave a vertex at a tiny angle.
+/// Only vertices within 64 last places of a boundary edge were looked for, not edges that leave a vertex at a tiny
+/// angle.
 #[test]
 fn boundaries_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
     let drawing = issue("boundary-crosses-near-a-corner");
@@ -305,8 +307,8 @@ fn a_refinement_that_no_longer_improves_stops() {
     }
 }
 
-/// A row of the lattice that runs along a flat triangle has many more nodes than the area of the triangle tells: the plan
-/// took gigabytes.
+/// A row of the lattice that runs along a flat triangle has many more nodes than the area of the triangle tells: the
+/// plan took gigabytes.
 #[test]
 fn a_lattice_plan_keeps_to_the_budget() {
     let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_area(1e-16).with_max_vertices(1000);

@@ -1,9 +1,9 @@
 //! A constrained triangulation survives a hundred thousand random edits, and every edit can be taken back.
 //!
 //! *Edits*: insertion of points (on a constrained edge they split it), removal of vertices, moves (removal and
-//! insertion, and as one edit with the segments at the vertex), segments in with crossings refused and split, segments out
-//! and back in, subsegments merged, and carving of a random subset of the faces, followed by edits inside the domain, one of
-//! which carves once more, and a rollback.
+//! insertion, and as one edit with the segments at the vertex), segments in with crossings refused and split, segments
+//! out and back in, subsegments merged, and carving of a random subset of the faces, followed by edits inside the
+//! domain, one of which carves once more, and a rollback.
 //!
 //! *Claims*
 //! 1. The full check is silent after every edit while the triangulation is small, now and then while it is large.

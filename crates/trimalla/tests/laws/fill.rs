@@ -1,14 +1,14 @@
 //! Wide parts filled with a lattice under an area bound.
 //!
-//! *Inputs*: every kind of drawing that the testkit knows (crossings split), at several sizes and seeds; squares, combs, two
-//! regions, all under area bounds that ask for some hundred triangles.
+//! *Inputs*: every kind of drawing that the testkit knows (crossings split), at several sizes and seeds; squares,
+//! combs, two regions, all under area bounds that ask for some hundred triangles.
 //!
 //! *Claims*
 //! 1. Triangles above the bound are explained; all checkers find the mesh sound; every builder gives the same one.
 //! 2. Refined again with its drawing it comes back as it is.
-//! 3. Where there is room the mesh is hardly larger than the area asks for, also where the domain is no convex one; on all
-//!    drawings together it is smaller by a tenth, on none twice as large (where a gap is 1e-16 wide, where its sides are cut
-//!    matters). Above 30 degrees nothing is filled.
+//! 3. Where there is room the mesh is hardly larger than the area asks for, also where the domain is no convex one; on
+//!    all drawings together it is smaller by a tenth, on none twice as large (where a gap is 1e-16 wide, where its
+//!    sides are cut matters). Above 30 degrees nothing is filled.
 //! 4. Each region has the lattice of its own bound.
 //! 5. Protected segments stay whole, the length floor holds, and a lattice beyond the vertex budget is not begun.
 //! 6. Every step can be taken back.

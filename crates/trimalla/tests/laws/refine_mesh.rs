@@ -1,13 +1,14 @@
 //! Refining a mesh that exists.
 //!
-//! *Inputs*: every kind of drawing that the testkit knows (crossings split), at several sizes and seeds, meshed at 20 to
-//! 28 degrees: a thousand meshes. Meshes with hand-made faults; meshes that are not Delaunay; attributes and area bounds.
+//! *Inputs*: every kind of drawing that the testkit knows (crossings split), at several sizes and seeds, meshed at 20
+//! to 28 degrees: a thousand meshes. Meshes with hand-made faults; meshes that are not Delaunay; attributes and area
+//! bounds.
 //!
 //! *Claims*
-//! 1. Refined again at the same bounds, with its drawing, a mesh comes back as it is: no vertex more, the same triangles in
-//!    the same order. Without its drawing too, unless rounding matters: where triangles were given up at the precision floor or
-//!    in a gap of the input, and where crossings bend the segments of float soups, the result of one refinement comes back from
-//!    the next.
+//! 1. Refined again at the same bounds, with its drawing, a mesh comes back as it is: no vertex more, the same
+//!    triangles in the same order. Without its drawing too, unless rounding matters: where triangles were given up at
+//!    the precision floor or in a gap of the input, and where crossings bend the segments of float soups, the result of
+//!    one refinement comes back from the next.
 //! 2. At a tighter bound, all old vertices are there, in order, bit for bit; all checkers find the result sound.
 //! 3. What is no mesh is refused with triangles, vertices and coordinates; nothing panics.
 //! 4. A start that is not Delaunay is flipped first, unless the recipe flips nothing: then its edges stay.
@@ -55,8 +56,8 @@ fn options(degrees: f64) -> RefineOptions {
     RefineOptions::default().with_min_angle_deg(degrees).with_max_vertices(BUDGET)
 }
 
-/// Claim 1. Without the drawing, segments that bend by less than rounding may be joined that were apart, and others that
-/// rounding bent may stay apart: where that matters, what comes of the first refinement comes back.
+/// Claim 1. Without the drawing, segments that bend by less than rounding may be joined that were apart, and others
+/// that rounding bent may stay apart: where that matters, what comes of the first refinement comes back.
 fn comes_back(drawing: &Pslg, options: RefineOptions, with_drawing: bool, bent: bool) -> Verdict {
     let Some((mesh, report, drawing)) = meshed(drawing, options)? else { return Ok(()) };
     let input = with_drawing.then_some(&drawing);

@@ -141,7 +141,8 @@ fn other_recipes_are_as_small_as_published() {
             assert_eq!(check_indexed(&mesh, Some(&a)), Vec::<String>::new(), "{name} at {degrees}");
         }
     }
-    // The preset takes the last terminal triangle, which ends at 37 degrees on more drawings; the larger one needs fewer vertices here.
+    // The preset takes the last terminal triangle, which ends at 37 degrees on more drawings; the larger one needs
+    // fewer vertices here.
     let preset = Preset::LeppCircumcenter.recipe();
     let larger = Recipe { terminal: Terminal::Larger, ..preset };
     for (recipe, goals) in

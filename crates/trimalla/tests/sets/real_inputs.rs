@@ -1,4 +1,5 @@
-//! Every shared real input is triangulated with its segments, meshed, and checked by programs that know nothing of ours.
+//! Every shared real input is triangulated with its segments, meshed, and checked by programs that know nothing of
+//! ours.
 //!
 //! For each input of each family (Triangle's examples, CDT's and earcut's test files, poly2tri's bug reports,
 //! straight-skeleton tests, maps, crossing polygons, point sets):
@@ -6,8 +7,8 @@
 //! 1. *Crossings*. Where segments cross (by comparison of all with all, exact), the input is refused, naming exactly
 //!    the pairs that cross. It is then resolved by splitting; all others go in with crossings refused.
 //! 2. *Triangulation*. The library's full check is silent; every segment is a chain of edges from end to end.
-//! 3. *Domain*. Rings are read by nesting, `.poly` files by their hole seeds, everything else as its convex hull. Inputs
-//!    without a domain of two dimensions are listed here, with the error that each must give.
+//! 3. *Domain*. Rings are read by nesting, `.poly` files by their hole seeds, everything else as its convex hull.
+//!    Inputs without a domain of two dimensions are listed here, with the error that each must give.
 //! 4. *Mesh* at 20 degrees with 200 000 vertices at most: clean by the library's checkers of plain meshes, by its
 //!    comparison with the input, and by the testkit's checker, which shares no line with it.
 //! 5. *Leftovers* are exactly the triangles below the bound, each with a reason; nothing is left because the strategy

@@ -14,13 +14,13 @@
 //!
 //! Two ways to fill it, with one result:
 //! * [`randomised`]: expected linear time, the default for all but short boundaries;
-//! * [`recursive`]: Vigo's, quadratic; quick where the boundary is short, the step view's, the oracle's, and what is fallen
-//!   back on where the former meets a region too twisted for it.
+//! * [`recursive`]: Vigo's, quadratic; quick where the boundary is short, the step view's, the oracle's, and what is
+//!   fallen back on where the former meets a region too twisted for it.
 //!
 //! # Guarantees
-//! Every vertex of the boundary sees the base: edges lead from it across the base, which no other part of the boundary crosses.
-//! So the constrained Delaunay triangulation of the region is found by circles alone, as `[Vigo97]` shows. Only signs of the
-//! exact predicates decide.
+//! Every vertex of the boundary sees the base: edges lead from it across the base, which no other part of the boundary
+//! crosses. So the constrained Delaunay triangulation of the region is found by circles alone, as `[Vigo97]` shows.
+//! Only signs of the exact predicates decide.
 
 mod randomised;
 mod recursive;
@@ -105,8 +105,8 @@ impl Boundary<'_> {
     }
 }
 
-/// Whether a point lies inside the circle of a counter-clockwise triangle; a vertex that stands on the boundary twice is not
-/// inside a circle through itself.
+/// Whether a point lies inside the circle of a counter-clockwise triangle; a vertex that stands on the boundary twice
+/// is not inside a circle through itself.
 #[inline]
 fn is_inside([a, b, c]: [Point; 3], d: Point) -> bool {
     in_circle_perturbed(a, b, c, d) == CircleSide::Inside && d != a && d != b && d != c

@@ -13,9 +13,10 @@
 //!     \  x  /                 \ | / x
 //! ```
 //!
-//! Every triangle is counter-clockwise: proved, or one of the two that a vertex inside the circle beyond an edge that it
-//! sees makes with the far corner. Where one is not, the region is too twisted for this method and the caller falls back.
-//! A triangle dug out for want of sight alone may leave edges that fail the circle test: Lawson's loop looks at them then.
+//! Every triangle is counter-clockwise: proved, or one of the two that a vertex inside the circle beyond an edge that
+//! it sees makes with the far corner. Where one is not, the region is too twisted for this method and the caller falls
+//! back. A triangle dug out for want of sight alone may leave edges that fail the circle test: Lawson's loop looks at
+//! them then.
 //!
 //! # Source
 //! `[ShewchukBrown15]`, after Chew's algorithm for convex polygons; written from the paper's idea. The paper marks
@@ -121,7 +122,8 @@ fn below(n: u64, random: u64) -> usize {
     (((random >> 32) * n) >> 32) as usize
 }
 
-/// Triangles in the making. `patch.rim[i]` is the side along the edge of the growing boundary that begins at vertex `i`.
+/// Triangles in the making. `patch.rim[i]` is the side along the edge of the growing boundary that begins at vertex
+/// `i`.
 struct Growing<'a> {
     boundary: Boundary<'a>,
     patch: &'a mut Patch,

@@ -1,6 +1,7 @@
 //! The final proof that an angle is not below a bound.
 //!
-//! With `u`, `v` the edges at the apex and `c = cos²(alpha)`, `alpha` in (0°, 90°]: the angle is below `alpha` exactly if
+//! With `u`, `v` the edges at the apex and `c = cos²(alpha)`, `alpha` in (0°, 90°]: the angle is below `alpha` exactly
+//! if
 //! `u.v > 0` and `(u.v)² > c |u|² |v|²`. All of it is a polynomial of degree five in the input, whose sign is exact.
 
 use super::super::lanes::{Number, Two};
@@ -12,14 +13,15 @@ use core::cmp::Ordering;
 
 /// Error bound of the rounded polynomial against `|u|² |v|²`.
 ///
-/// In roundings: each squared length carries 4, their product 9, times `c <= 1` makes 10. The scalar product is off by at
-/// most 4 times `|ux vx| + |uy vy| <= |u| |v|`, hence its square by 8 + 1. The subtraction adds 2. That is 21; 32 leaves
-/// room for the terms of second order and for the rounding of the bound itself.
+/// In roundings: each squared length carries 4, their product 9, times `c <= 1` makes 10. The scalar product is off by
+/// at most 4 times `|ux vx| + |uy vy| <= |u| |v|`, hence its square by 8 + 1. The subtraction adds 2. That is 21; 32
+/// leaves room for the terms of second order and for the rounding of the bound itself.
 const ANGLE_BOUND: f64 = 32.0 * ROUNDING;
 /// Squared lengths between these bounds keep every product of the filter a normal number (2^-400, 2^400).
 const SQUARES: core::ops::RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
 
-/// Tells whether the angle at `apex` between the rays to `u` and `v` is at least the one whose squared cosine is `cos_sq`.
+/// Tells whether the angle at `apex` between the rays to `u` and `v` is at least the one whose squared cosine is
+/// `cos_sq`.
 ///
 /// # Units
 /// `cos_sq` is taken as the exact number that it is, in `[0, 1]`; it stands for an angle of at most 90 degrees.
@@ -72,16 +74,19 @@ fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<
     (excess != 0.0).then_some(excess > 0.0)
 }
 
-/// [`triangle_angles_at_least`] by the rounded squares of a triangle's sides, and twice its area as the rounded cross product of
-/// any two of them: positive where it holds, negative where it does not, zero where rounding leaves that open. `sine_sq` is
+/// [`triangle_angles_at_least`] by the rounded squares of a triangle's sides, and twice its area as the rounded cross
+/// product of any two of them: positive where it holds, negative where it does not, zero where rounding leaves that
+/// open. `sine_sq` is
 /// `1 - cos_sq`, rounded.
 ///
-/// The smallest angle lies between the two longest edges and is at most 60 degrees, where the sine rises with the angle: with
+/// The smallest angle lies between the two longest edges and is at most 60 degrees, where the sine rises with the
+/// angle: with
 /// `d` twice the area and `P` the product of the two longest squared lengths, it is below the bound exactly if
 /// `d² < (1 - c) P`. In roundings, against `P`: each product of two squared lengths carries 9, and the largest of the
-/// three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`, hence its
-/// square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice as long
-/// as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not matter.
+/// three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`, hence
+/// its square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice
+/// as long as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not
+/// matter.
 #[inline(always)]
 pub(crate) fn sides_angle_excess<N: Number>(doubled_area: N, [u_sq, v_sq, w_sq]: [N; 3], sine_sq: f64) -> N {
     let longest = (u_sq * v_sq).greater(v_sq * w_sq).greater(w_sq * u_sq);

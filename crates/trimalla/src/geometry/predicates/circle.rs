@@ -101,17 +101,18 @@ pub fn in_circle_perturbed(a: Point, b: Point, c: Point, d: Point) -> CircleSide
 ///        d          figure, also where d lies on the side of c.
 /// ```
 ///
-/// Why angles: fewer operations than the determinant of lifted points, and the filter fails only for angles whose sum is within
-/// 24 u of a multiple of two right angles, however large and thin the figure is; u is [`ROUNDING`].
+/// Why angles: fewer operations than the determinant of lifted points, and the filter fails only for angles whose sum
+/// is within 24 u of a multiple of two right angles, however large and thin the figure is; u is [`ROUNDING`].
 ///
-/// Errors: let P = |ac| |bc| and Q = |ad| |bd|. Products of two rounded differences err by 3 u each and their sum by u more: sine and
-/// cosine at c, times P, err by at most 4 u P, those at d by 4 u Q. With A = |sin C| + |cos C| and B the same of D, both at least
-/// one, this moves the result by at most 4 u P Q (A + B), which is at most 8 u P A Q B; its own rounding adds 2 u P A Q B.
-/// The bound is 12 u P A Q B: 2 u are left for terms of second order and the rounding of the bound.
+/// Errors: let P = |ac| |bc| and Q = |ad| |bd|. Products of two rounded differences err by 3 u each and their sum by u
+/// more: sine and cosine at c, times P, err by at most 4 u P, those at d by 4 u Q. With A = |sin C| + |cos C| and B the
+/// same of D, both at least one, this moves the result by at most 4 u P Q (A + B), which is at most 8 u P A Q B; its
+/// own rounding adds 2 u P A Q B. The bound is 12 u P A Q B: 2 u are left for terms of second order and the rounding of
+/// the bound.
 ///
-/// Underflow: sine and cosine lose at most 2^-1074, which moves the result by 2^-1074 (P A + Q B + 1) or so. The guard added to both
-/// factors of the bound raises it by 2^-550 (P A + Q B) and 2^-1050, which is more. Where anything overflows, the bound
-/// is infinite or the comparison undefined.
+/// Underflow: sine and cosine lose at most 2^-1074, which moves the result by 2^-1074 (P A + Q B + 1) or so. The guard
+/// added to both factors of the bound raises it by 2^-550 (P A + Q B) and 2^-1050, which is more. Where anything
+/// overflows, the bound is infinite or the comparison undefined.
 #[inline(always)]
 fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     let [a, b, c, d] = [a, b, c, d].map(|p| [p.x, p.y]);
@@ -123,7 +124,8 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     is_proved.then_some(if is_negative { CircleSide::Inside } else { CircleSide::Outside })
 }
 
-/// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can prove both.
+/// Whether `d` lies inside the circle through `a[i]`, `b[i]`, `c[i]`, for two of them, where [`filtered_sign`] can
+/// prove both.
 #[inline(always)]
 pub(crate) fn inside_two_circles(a: [Point; 2], b: [Point; 2], c: [Point; 2], d: Point) -> Option<[bool; 2]> {
     let [a, b, c, d] = [a, b, c, [d; 2]].map(Two::coordinates);

@@ -27,7 +27,8 @@ pub(in crate::geometry) struct Difference {
 }
 
 impl Difference {
-    /// The difference `a - b`: rounded value and rounding error, or the two numbers themselves where that could overflow.
+    /// The difference `a - b`: rounded value and rounding error, or the two numbers themselves where that could
+    /// overflow.
     #[inline]
     pub(in crate::geometry) fn new(a: f64, b: f64) -> Self {
         if a.abs().max(b.abs()) > SPLITTABLE {

@@ -10,8 +10,8 @@ const NOT_FINITE: u64 = 0x7ff;
 /// Integers `n` below 2^61 in magnitude such that every value is exactly `n` times one common power of two.
 ///
 /// # Guarantees
-/// Any exponents are allowed, the power of two need not be an `f64`. `None` where the values are spread over more than 61
-/// binary digits, or are not finite.
+/// Any exponents are allowed, the power of two need not be an `f64`. `None` where the values are spread over more than
+/// 61 binary digits, or are not finite.
 #[inline]
 pub(super) fn common_integers<const N: usize>(values: [f64; N]) -> Option<[i64; N]> {
     let largest = values.iter().fold(1, |m, v| m.max(biased_exponent(*v)));
@@ -37,7 +37,8 @@ const SCALABLE: core::ops::RangeInclusive<u64> = 1023 - 900..=1023 + 900;
 
 /// The differences `a - b` as integers below 2^12 in magnitude, up to a common power of two.
 ///
-/// Polynomials of degree four with up to sixteen terms have no rounding errors in them: sixteen products of 48 bits make
+/// Polynomials of degree four with up to sixteen terms have no rounding errors in them: sixteen products of 48 bits
+/// make
 /// 52. This is how neighbours of a grid look, and it costs less than [`common_integers`].
 ///
 /// # Guarantees

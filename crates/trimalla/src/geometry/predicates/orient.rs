@@ -152,8 +152,8 @@ fn summed(a: Point, b: Point, c: Point) -> ExactSum {
     sum
 }
 
-/// Where between `p` and `q` the line through `a` and `b` passes, as the parameter from `p`, of points on different sides of
-/// it: the exact ratio of their distances from the line, rounded.
+/// Where between `p` and `q` the line through `a` and `b` passes, as the parameter from `p`, of points on different
+/// sides of it: the exact ratio of their distances from the line, rounded.
 pub(in crate::geometry) fn crossing_parameter([a, b]: [Point; 2], [p, q]: [Point; 2]) -> f64 {
     let ((from_p, p_exponent), (from_q, q_exponent)) = (summed(a, b, p).magnitude(), summed(a, b, q).magnitude());
     let exponent = q_exponent.saturating_sub(p_exponent).clamp(-1022, 1023);

@@ -1,13 +1,16 @@
 //! Where the adaptive stages of the `robust` crate are exact.
 //!
 //! Those stages multiply differences of coordinates and rounding errors of such differences, and compare with an error
-//! bound that is about 2^-103 times a sum of magnitudes. They lie as soon as one of these numbers underflows or overflows.
+//! bound that is about 2^-103 times a sum of magnitudes. They lie as soon as one of these numbers underflows or
+//! overflows.
 //!
-//! Let every coordinate be zero or at least 2^-L. It is then a multiple of 2^(-L-52); so is every difference, rounded or
-//! exact, and every rounding error. A term of degree k is a multiple of 2^(-k(L+52)), and so is the sum of magnitudes:
-//! where it is not zero, the bound is at least 2^(-k(L+52)-103). This is a normal number, and so is all the rest, if
-//! `k (L + 52) + 103 <= 1022`: L <= 407 for orientation (k = 2), L <= 177 for the circle (k = 4). If every coordinate is
-//! at most 2^U, terms stay below 2^(k(U+1)+6), which must not pass 2^996, from where the splitting of factors overflows.
+//! Let every coordinate be zero or at least 2^-L. It is then a multiple of 2^(-L-52); so is every difference, rounded
+//! or exact, and every rounding error. A term of degree k is a multiple of 2^(-k(L+52)), and so is the sum of
+//! magnitudes: where it is not zero, the bound is at least 2^(-k(L+52)-103). This is a normal number, and so is all the
+//! rest, if
+//! `k (L + 52) + 103 <= 1022`: L <= 407 for orientation (k = 2), L <= 177 for the circle (k = 4). If every coordinate
+//! is at most 2^U, terms stay below 2^(k(U+1)+6), which must not pass 2^996, from where the splitting of factors
+//! overflows.
 
 use super::super::Point;
 

@@ -12,8 +12,8 @@ pub(crate) struct Boundary {
 }
 
 impl HalfEdgeMesh {
-    /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each boundary of
-    /// what is left with new ghosts.
+    /// Removes every face but those `kept` (one entry a face slot, true for real faces alone), and closes each boundary
+    /// of what is left with new ghosts.
     ///
     /// ```text
     ///        \  kept  /                     \  kept  /
@@ -55,7 +55,8 @@ impl HalfEdgeMesh {
         Boundary { edges, before }
     }
 
-    /// Hangs a ghost on each half-edge of a boundary, with its mark, and joins it to the ghost of the one before; returns the ghosts.
+    /// Hangs a ghost on each half-edge of a boundary, with its mark, and joins it to the ghost of the one before;
+    /// returns the ghosts.
     pub(crate) fn close_boundary<J: Journal>(&mut self, boundary: &Boundary, marks: &[u32], j: &mut J) -> Vec<FaceId> {
         let ghosts: Vec<FaceId> = boundary.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
         for (&ghost, &b) in ghosts.iter().zip(&boundary.before) {
@@ -81,8 +82,8 @@ impl HalfEdgeMesh {
         ghost
     }
 
-    /// From boundary half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the half-edge
-    /// c→a at which a kept face begins again.
+    /// From boundary half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the
+    /// half-edge c→a at which a kept face begins again.
     fn turn_through(&self, h: HalfEdgeId, kept: &[bool]) -> HalfEdgeId {
         let mut incoming = self.twin(h);
         for _ in 0..self.face_slots() {

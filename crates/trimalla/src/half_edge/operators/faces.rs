@@ -8,7 +8,8 @@
 //!          e
 //! ```
 //!
-//! Either operator says for each of the three corners which gaps are there afterwards, and joins the ghosts accordingly.
+//! Either operator says for each of the three corners which gaps are there afterwards, and joins the ghosts
+//! accordingly.
 
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};
 
@@ -68,9 +69,10 @@ impl HalfEdgeMesh {
     /// ```
     ///
     /// # Guarantees
-    /// Every edge has at most one face on each side, and the faces around a vertex are one ring, or fans with gaps between. Where a
-    /// vertex gets one fan more, the fan goes into the gap at [`boundary_half_edge`](Self::boundary_half_edge). Vertices on the
-    /// boundary keep a boundary half-edge as their [`outgoing`](Self::outgoing) one.
+    /// Every edge has at most one face on each side, and the faces around a vertex are one ring, or fans with gaps
+    /// between. Where a vertex gets one fan more, the fan goes into the gap at
+    /// [`boundary_half_edge`](Self::boundary_half_edge). Vertices on the boundary keep a boundary half-edge as their
+    /// [`outgoing`](Self::outgoing) one.
     ///
     /// # Errors
     /// [`FaceError`], and nothing has changed.
@@ -140,8 +142,8 @@ impl HalfEdgeMesh {
     /// ```
     ///
     /// # Guarantees
-    /// Those of [`add_face`](Self::add_face), which takes the removal back but for the slots. A vertex without a face left has no
-    /// edge either.
+    /// Those of [`add_face`](Self::add_face), which takes the removal back but for the slots. A vertex without a face
+    /// left has no edge either.
     ///
     /// # Errors
     /// [`FaceError::NoSuchFace`], and nothing has changed.
@@ -240,8 +242,8 @@ impl HalfEdgeMesh {
         Ok(())
     }
 
-    /// The gap that appears or changes where a face goes whose side `out` starts at the corner; `in_beyond` and `out_beyond` are
-    /// the half-edges of real faces beyond the sides that end and start there.
+    /// The gap that appears or changes where a face goes whose side `out` starts at the corner; `in_beyond` and
+    /// `out_beyond` are the half-edges of real faces beyond the sides that end and start there.
     fn gap_without_corner(
         &self,
         out: HalfEdgeId,

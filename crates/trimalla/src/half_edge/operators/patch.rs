@@ -4,7 +4,8 @@ use crate::half_edge::{FaceId, HalfEdgeId};
 
 /// Triangles that fill a region beside an edge, the *base*; they know nothing of the mesh that they are meant for.
 ///
-/// Boundary vertices are numbered along the boundary from one end of the base to the other, the region on the left; *rim*
+/// Boundary vertices are numbered along the boundary from one end of the base to the other, the region on the left;
+/// *rim*
 /// `i` is the edge of the boundary between vertices `i` and `i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Patch {

@@ -25,8 +25,8 @@ struct Rim {
 }
 
 impl Half {
-    /// The half left of the edge from `first` to `last`, with the boundary `between` them and the inner half-edges of its rims
-    /// in that order; not filled yet.
+    /// The half left of the edge from `first` to `last`, with the boundary `between` them and the inner half-edges of
+    /// its rims in that order; not filled yet.
     pub(crate) fn start<'a>(
         &mut self,
         first: VertexId,
@@ -71,7 +71,8 @@ impl HalfEdgeMesh {
                 self.set_twin(rim.outer, side.half_edge(faces), j);
             }
         }
-        // The inner half-edge of an edge that dangles was told, as the other rim's outside, what comes in that one's place.
+        // The inner half-edge of an edge that dangles was told, as the other rim's outside, what comes in that one's
+        // place.
         for (_, half) in &mut halves {
             for rim in &mut half.rims {
                 rim.outer = self.twin(rim.inner);

@@ -118,7 +118,8 @@ impl HalfEdgeMesh {
         n0
     }
 
-    /// The four edges opposite the vertex that [`split_edge`](Self::split_edge) of `e` put in, `n` being what it returned.
+    /// The four edges opposite the vertex that [`split_edge`](Self::split_edge) of `e` put in, `n` being what it
+    /// returned.
     pub(crate) fn opposite_edges_after_split(&self, e: HalfEdgeId, n: HalfEdgeId) -> [HalfEdgeId; 4] {
         let (m, o) = (self.twin(e), self.twin(n));
         [n.next(), e.prev(), m.next(), o.prev()]

@@ -1,7 +1,7 @@
 //! The laws of refinement: what holds whatever the strategies are.
 //!
-//! 1. *Sound*: after every step the triangulation has all its invariants, the circle test among them where step 4 keeps it. (Before
-//!    the loop, while many edges are being flipped, only at the end.)
+//! 1. *Sound*: after every step the triangulation has all its invariants, the circle test among them where step 4 keeps
+//!    it. (Before the loop, while many edges are being flipped, only at the end.)
 //! 2. *Faithful*: the vertices of the drawing stay where they are.
 //! 3. *Bounded*: it ends by itself, and with no more vertices than the budget.
 //! 4. *Deterministic*: another triangulator before it leads to the same mesh; ties and rounding depend on no slot.

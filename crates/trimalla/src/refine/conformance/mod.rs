@@ -1,4 +1,5 @@
-//! What every strategy must keep: one suite for each of the five steps, for the library's own strategies and for any other.
+//! What every strategy must keep: one suite for each of the five steps, for the library's own strategies and for any
+//! other.
 //!
 //! | suite | asks of the step itself | and of refinement with it |
 //! |---|---|---|

@@ -10,14 +10,14 @@
 //!     └───────────────┘        └──┴──┴──┴──┴──┘        └──┴──┴──┴──┴──┘     3. The loop does what is left along them.
 //! ```
 //!
-//! Nodes go in in the order in which a point set is triangulated, with no look at what is around them: only when all are in
-//! the bad triangles are looked for. That is faster than the loop, and the mesh is smaller: a lattice of triangles just below
-//! the bound has about two for every three that the loop makes.
+//! Nodes go in in the order in which a point set is triangulated, with no look at what is around them: only when all
+//! are in the bad triangles are looked for. That is faster than the loop, and the mesh is smaller: a lattice of
+//! triangles just below the bound has about two for every three that the loop makes.
 //!
 //! # Guarantees
-//! Those of the loop, which has the last word. When a node goes in, no vertex that it sees and no subsegment around its cavity
-//! is nearer than [`CLEARANCE`] spacings, and it encroaches upon none of these: it is no finer a feature than what the area
-//! bound asks for anyhow.
+//! Those of the loop, which has the last word. When a node goes in, no vertex that it sees and no subsegment around its
+//! cavity is nearer than [`CLEARANCE`] spacings, and it encroaches upon none of these: it is no finer a feature than
+//! what the area bound asks for anyhow.
 //!
 //! # Source
 //! Ours. The lattice is the densest packing, `[FejesToth53]`.
@@ -37,8 +37,8 @@ use crate::refine::stopwatch::Part;
 
 /// A node goes in where nothing is nearer than this, in spacings.
 const CLEARANCE: f64 = 0.65;
-/// Subsegments beside the lattice are at most this long, squared, in spacings: about as long as the loop would leave them
-/// under the same area bound at 30 degrees.
+/// Subsegments beside the lattice are at most this long, squared, in spacings: about as long as the loop would leave
+/// them under the same area bound at 30 degrees.
 const LONGEST_SQ: f64 = 3.0;
 /// In triangles narrower than this, squared, in spacings, subsegments may be longer.
 const NARROWEST_SQ: f64 = 0.25;
@@ -163,8 +163,8 @@ impl Refinement {
         long.into_iter().filter(|&h| self.queue_subsegment(h, true).is_ok()).count() > 0
     }
 
-    /// Whether a subsegment is longer than the lattice needs, and not because the domain is narrow there: a triangle beside it
-    /// that is so wide and stays so long is too large.
+    /// Whether a subsegment is longer than the lattice needs, and not because the domain is narrow there: a triangle
+    /// beside it that is so wide and stays so long is too large.
     fn is_long(&self, h: HalfEdgeId, bounds: BoundingBox) -> bool {
         let [a, b] = self.cdt.edge_points(h);
         let is_long_beside = |f: FaceId| {
@@ -289,8 +289,8 @@ impl Refinement {
         self.way_to(p, spoke.face())
     }
 
-    /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none upon
-    /// which the point encroaches.
+    /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none
+    /// upon which the point encroaches.
     fn is_clear(&self, p: Point, clearance_sq: f64) -> bool {
         let (rim, starts) = (self.scratch.cavity.rim(), self.scratch.cavity.rim_starts());
         let is_near = starts.iter().fold(false, |near, &q| near | ((q - p).length_sq() < clearance_sq));

@@ -1,5 +1,5 @@
-//! Features of the input that are within rounding of each other: what lies across such a gap, and how a subsegment is split
-//! beside one.
+//! Features of the input that are within rounding of each other: what lies across such a gap, and how a subsegment is
+//! split beside one.
 //!
 //! ```text
 //!             r                      The vertices p and q are nearer to each other than rounding lets a new vertex be to
@@ -21,8 +21,9 @@ use crate::refine::report::Reason;
 use crate::refine::steps::Proposal;
 
 impl Refinement {
-    /// Why a triangle has a bad shape whose shortest edge joins two vertices of the input, or on segments, that are within
-    /// rounding of each other; and whether that holds for every triangle on that edge, so that no point can help.
+    /// Why a triangle has a bad shape whose shortest edge joins two vertices of the input, or on segments, that are
+    /// within rounding of each other; and whether that holds for every triangle on that edge, so that no point can
+    /// help.
     #[inline]
     pub(super) fn across_gap(&self, f: FaceId) -> Option<(Reason, bool)> {
         let [a, b, c] = self.cdt.corners(f);
@@ -48,7 +49,8 @@ impl Refinement {
         Some((reason, self.problem.test.is_misshapen(best)))
     }
 
-    /// Whether two vertices are on, or at the ends of, two pieces of segments that meet elsewhere, at an angle that is bad itself.
+    /// Whether two vertices are on, or at the ends of, two pieces of segments that meet elsewhere, at an angle that is
+    /// bad itself.
     fn joins_wedge(&self, [p, q]: [VertexId; 2]) -> bool {
         let apexes =
             self.pieces_at(p).flat_map(|one| self.pieces_at(q).filter_map(move |other| common_end(one, other)));
@@ -56,7 +58,8 @@ impl Refinement {
         apexes.into_iter().any(|apex| apex != p && apex != q && is_bad(apex))
     }
 
-    /// The reason of a triangle that was given up for a reason: where two of its corners are within rounding of each other, the gap.
+    /// The reason of a triangle that was given up for a reason: where two of its corners are within rounding of each
+    /// other, the gap.
     pub(super) fn reason_of_given_up(&self, f: FaceId, reason: Reason) -> Reason {
         if reason != Reason::PrecisionFloor {
             return reason;
@@ -64,8 +67,8 @@ impl Refinement {
         self.across_gap(f).map_or(reason, |(reason, _)| reason)
     }
 
-    /// Why a subsegment has no room for a split that was refused for a reason: where a vertex beside it is within rounding of it,
-    /// the gap.
+    /// Why a subsegment has no room for a split that was refused for a reason: where a vertex beside it is within
+    /// rounding of it, the gap.
     #[cold]
     pub(super) fn reason_of_refusal(&self, h: HalfEdgeId, reason: Reason) -> Reason {
         let is_beside_gap =
@@ -83,8 +86,8 @@ impl Refinement {
         })
     }
 
-    /// The reason of a triangle for which all places were refused for a reason: where one of them lies in a triangle across a gap,
-    /// the gap.
+    /// The reason of a triangle for which all places were refused for a reason: where one of them lies in a triangle
+    /// across a gap, the gap.
     #[cold]
     pub(super) fn reason_of_refused_places(&self, places: &[Proposal], reason: Reason) -> Reason {
         let is_across = |f: FaceId| self.cdt.is_real(f) && self.across_gap(f).is_some();
@@ -105,8 +108,8 @@ impl Refinement {
         if is_beside_gap { beside(place, self.cdt.edge_points(h)).skip(1).collect() } else { Vec::new() }
     }
 
-    /// Places at which a boundary edge can be split that are last places beside one, for boundaries that come near themselves
-    /// outside: there the rounded place may lie beyond the other part.
+    /// Places at which a boundary edge can be split that are last places beside one, for boundaries that come near
+    /// themselves outside: there the rounded place may lie beyond the other part.
     #[cold]
     pub(super) fn places_beside_on_boundary(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
         if !self.cdt.is_on_thin_boundary(h) {
@@ -140,11 +143,12 @@ impl Refinement {
         is_near(self.cdt.apex(h)) || is_near(self.cdt.apex(self.cdt.twin(h)))
     }
 
-    /// Where `h` is split beside vertices that are within rounding of it: in the middle of the longest part that those leave of it;
+    /// Where `h` is split beside vertices that are within rounding of it: in the middle of the longest part that those
+    /// leave of it;
     /// `None` where there are none, or no such place.
     ///
-    /// Two pieces of segments that are within rounding of each other over a part only are none of that kind: beyond that part
-    /// their vertices must lie side by side.
+    /// Two pieces of segments that are within rounding of each other over a part only are none of that kind: beyond
+    /// that part their vertices must lie side by side.
     #[cold]
     pub(super) fn staggered_place(&self, h: HalfEdgeId) -> Option<Point> {
         let sides = [h, self.cdt.twin(h)].into_iter().filter(|&side| self.is_apex_within_rounding(side));
@@ -188,8 +192,8 @@ impl Refinement {
     }
 }
 
-/// A place on an edge, and some that are last places beside it, on both sides: where a vertex is a last place beside the edge, the
-/// rounded place may lie beyond it.
+/// A place on an edge, and some that are last places beside it, on both sides: where a vertex is a last place beside
+/// the edge, the rounded place may lie beyond it.
 fn beside(place: Point, [a, b]: [Point; 2]) -> impl Iterator<Item = Point> {
     let along = b - a;
     let is_flat = along.x.abs() > along.y.abs();

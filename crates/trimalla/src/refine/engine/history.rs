@@ -1,15 +1,15 @@
 //! Going back: states remembered now and then, and what was done after them done again.
 //!
-//! A refinement is a function of its input, its options and what the caller does between steps. So a state some steps before
-//! is the newest one remembered before it, and the steps and picks between once more, as they were recorded:
+//! A refinement is a function of its input, its options and what the caller does between steps. So a state some steps
+//! before is the newest one remembered before it, and the steps and picks between once more, as they were recorded:
 //!
 //! ```text
 //!     state ── step 1 ── pick ── step 2 ── step 3 ── (own test) ── state ── step 4
 //!       0                                                           3, kept: no state before it knows the test
 //! ```
 //!
-//! Of states long past fewer and fewer are kept: about as many as the logarithm of the number of steps, so that memory stays
-//! within a few times the triangulation's own.
+//! Of states long past fewer and fewer are kept: about as many as the logarithm of the number of steps, so that memory
+//! stays within a few times the triangulation's own.
 
 use super::Refinement;
 use crate::half_edge::{FaceId, VertexId};
@@ -111,8 +111,8 @@ impl Refinement {
         }
     }
 
-    /// Takes the last step back: everything is what it was right before it, with what was picked and chosen by then. Says
-    /// whether there was one.
+    /// Takes the last step back: everything is what it was right before it, with what was picked and chosen by then.
+    /// Says whether there was one.
     ///
     /// A [`run`](Self::run) between steps cannot be taken back, and ends what can be.
     ///
@@ -143,8 +143,8 @@ impl Refinement {
         true
     }
 
-    /// Runs step by step until a condition holds, asked after each step, or nothing is left to do; says how the last step
-    /// ended. The steps can be taken back.
+    /// Runs step by step until a condition holds, asked after each step, or nothing is left to do; says how the last
+    /// step ended. The steps can be taken back.
     pub fn run_until(&mut self, mut holds: impl FnMut(&Self) -> bool) -> StepOutcome {
         loop {
             self.remember();

@@ -2,8 +2,8 @@
 //!
 //! Up to about 33 degrees refinements end. Above, many go on for ever: every vertex leaves more bad triangles than it
 //! removes, until the mesh is full of them. So above [`UNPROVED_DEG`] the bad triangles are counted when the mesh has
-//! [`FACTOR`] times the vertices of the [`forecast()`], and each time it has doubled since. When there are no fewer than
-//! the time before, the refinement stops.
+//! [`FACTOR`] times the vertices of the [`forecast()`], and each time it has doubled since. When there are no fewer
+//! than the time before, the refinement stops.
 //!
 //! ```text
 //!   vertices   forecast ······ 10 × ─────── 20 × ─────── 40 ×

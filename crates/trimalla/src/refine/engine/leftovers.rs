@@ -145,11 +145,11 @@ impl Refinement {
         across.or_else(|| self.within_rounding(f))
     }
 
-    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end, where
-    /// they meet at an angle that is bad itself: splitting the triangle would only make the same one smaller.
+    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end,
+    /// where they meet at an angle that is bad itself: splitting the triangle would only make the same one smaller.
     ///
-    /// Where the pieces meet at a wider angle, the triangle is treated like any other. That may go on with smaller and smaller
-    /// shells, at bounds that are hard to reach; the length floor ends it after some forty of them.
+    /// Where the pieces meet at a wider angle, the triangle is treated like any other. That may go on with smaller and
+    /// smaller shells, at bounds that are hard to reach; the length floor ends it after some forty of them.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
@@ -168,8 +168,8 @@ impl Refinement {
         if self.may_be_within_rounding(corners) { self.within_rounding_of_side(f) } else { None }
     }
 
-    /// Whether some corner of a triangle may lie within rounding of the line through the two others: where its height over the
-    /// longest side is below twice the distance that rounding lets vertices be apart.
+    /// Whether some corner of a triangle may lie within rounding of the line through the two others: where its height
+    /// over the longest side is below twice the distance that rounding lets vertices be apart.
     ///
     /// What the area loses to rounding is less than a tenth of what is between the two distances.
     #[inline]
@@ -198,13 +198,14 @@ impl Refinement {
         self.place_within_rounding(h) == Some(Place::Beside)
     }
 
-    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it or on a piece of a
-    /// segment that leaves the piece of `h` at less than 90 degrees.
+    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it or on a
+    /// piece of a segment that leaves the piece of `h` at less than 90 degrees.
     pub(super) fn is_gap_beside(&self, h: HalfEdgeId) -> bool {
         self.place_within_rounding(h).is_some_and(|place| place == Place::Beside || self.lies_in_wedge(h))
     }
 
-    /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets vertices be.
+    /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets
+    /// vertices be.
     fn place_within_rounding(&self, h: HalfEdgeId) -> Option<Place> {
         let apex = self.cdt.apex(h);
         if !apex.is_finite() {

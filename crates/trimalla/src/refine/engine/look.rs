@@ -73,8 +73,9 @@ impl Looker<'_> {
         self.queue.push(self.view.cdt, f, patch, patience);
     }
 
-    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that depends on
-    /// no slot, from the lowest vertex of the rim on. Adds those edges of the rim and those spokes that are subsegments to a list.
+    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that
+    /// depends on no slot, from the lowest vertex of the rim on. Adds those edges of the rim and those spokes that are
+    /// subsegments to a list.
     ///
     /// ```text
     ///        d ─ c           One turn around the rim: each triangle's second spoke is the first one of the next, and what is
@@ -210,7 +211,8 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the list.
+    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the
+    /// list.
     #[inline(always)] // After each insertion, and most are near no subsegment.
     fn queue_encroached_of(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
         if !subsegments.is_empty() {

@@ -7,8 +7,8 @@
 //!                                       from A as q is, nothing is in the disk of any piece.
 //! ```
 //!
-//! Shells do this near `A`, where subsegments end at it. Farther out the vertices of both segments are where the ends of
-//! the segments and the splits of either put them.
+//! Shells do this near `A`, where subsegments end at it. Farther out the vertices of both segments are where the ends
+//! of the segments and the splits of either put them.
 //!
 //! # Source
 //! Our own, after the concentric shells of `[Ruppert95]` section 5.
@@ -20,15 +20,16 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 use crate::refine::joints::{Joints, Piece, common_end};
 use crate::refine::ruler::Ruler;
 
-/// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle cost
-/// little, and the mesh is more even.
+/// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle
+/// cost little, and the mesh is more even.
 pub(in crate::refine) const MIRRORED_DEG: f64 = 1.000_000_02;
 pub(in crate::refine) const SMALL_SINE_SQ: f64 = 3.045_865e-4;
-/// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other piece.
+/// The squared sine of 60 degrees, below which vertices at equal distances from the apex are in no disk of the other
+/// piece.
 const SHELL_SINE_SQ: f64 = 0.75;
 
-/// Whether two subsegments meet at less than two degrees somewhere, or may do so outside the domain: elsewhere nothing is mirrored
-/// at less than one.
+/// Whether two subsegments meet at less than two degrees somewhere, or may do so outside the domain: elsewhere nothing
+/// is mirrored at less than one.
 ///
 /// # Complexity
 /// Linear in the segments, the marked edges, and the degrees of the vertices where two of those meet.
@@ -86,8 +87,8 @@ impl Wedge {
         self.sine_sq(ruler).is_some_and(|found| found < sine_sq)
     }
 
-    /// The parameter of the point of the subsegment that is as far from the apex as the vertex is, if that is no nearer to an
-    /// end than the vertex is to the subsegment: an end as near is its mirror image already.
+    /// The parameter of the point of the subsegment that is as far from the apex as the vertex is, if that is no nearer
+    /// to an end than the vertex is to the subsegment: an end as near is its mirror image already.
     pub(super) fn mirrored(&self, ruler: Ruler) -> Option<f64> {
         let [first, last] = self.distances(ruler);
         let t = (ruler.length_sq(self.apex, self.vertex).sqrt() - first) / (last - first);
@@ -104,8 +105,8 @@ impl Wedge {
 }
 
 impl Refinement {
-    /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of less
-    /// than a degree; `None` where no such vertex is beside it.
+    /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of
+    /// less than a degree; `None` where no such vertex is beside it.
     pub(super) fn mirrored_place(&self, h: HalfEdgeId) -> Option<f64> {
         if !self.problem.has_small_wedge {
             return None;
@@ -143,8 +144,8 @@ impl Refinement {
     }
 }
 
-/// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is, where the
-/// pieces meet at less than 60 degrees, and in the middle elsewhere.
+/// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is,
+/// where the pieces meet at less than 60 degrees, and in the middle elsewhere.
 pub(super) struct Mirrors<'a> {
     joints: &'a Joints,
     /// [All pieces](Joints::pieces).

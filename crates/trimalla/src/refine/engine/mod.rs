@@ -75,9 +75,11 @@ impl Refinement {
     /// Prepares the refinement of a triangulation carved by [`domain::build`](crate::domain::build), or taken over by
     /// [`domain::from_mesh`](crate::domain::from_mesh()).
     ///
-    /// One that is still closed by its convex hull, as [`from_delaunay`](crate::constrained::ConstrainedDelaunay::from_delaunay) and
-    /// [`new`](crate::constrained::ConstrainedDelaunay::new) make it, is closed by a domain first: [`carve_hull`](crate::constrained::ConstrainedDelaunay::carve_hull) says what that
-    /// changes. Its convex hull is refined then, whatever its segments enclose.
+    /// One that is still closed by its convex hull, as
+    /// [`from_delaunay`](crate::constrained::ConstrainedDelaunay::from_delaunay) and
+    /// [`new`](crate::constrained::ConstrainedDelaunay::new) make it, is closed by a domain first:
+    /// [`carve_hull`](crate::constrained::ConstrainedDelaunay::carve_hull) says what that changes. Its convex hull is
+    /// refined then, whatever its segments enclose.
     ///
     /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
     ///
@@ -87,7 +89,8 @@ impl Refinement {
         Self::timed(start, options, None)
     }
 
-    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by: [`Report::step_times`](super::Report::step_times).
+    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by:
+    /// [`Report::step_times`](super::Report::step_times).
     ///
     /// # Errors
     /// [`OptionError`].
@@ -131,7 +134,8 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked at.
+    /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked
+    /// at.
     pub(super) fn begin(&mut self, bounds: Option<BoundingBox>) {
         let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
         self.agenda.queue = self.empty_queue(bounds, expected);
@@ -153,7 +157,8 @@ impl Refinement {
         }
     }
 
-    /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's own.
+    /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's
+    /// own.
     pub(super) fn has_area_bound(&self) -> bool {
         self.problem.test.sure_bounds(self.cdt.regions().rules()).doubled_area < f64::INFINITY
     }
@@ -213,8 +218,8 @@ impl Refinement {
 
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
     ///
-    /// The test is asked about a triangle and the attribute of its region: [`Asked`]. It must answer the same for the same triangle, or
-    /// the result depends on when it is asked; whatever it answers, the limits end the work.
+    /// The test is asked about a triangle and the attribute of its region: [`Asked`]. It must answer the same for the
+    /// same triangle, or the result depends on when it is asked; whatever it answers, the limits end the work.
     ///
     /// # Examples
     /// ```
@@ -245,8 +250,8 @@ impl Refinement {
         self
     }
 
-    /// Whether every edge that is not constrained passes the circle test between steps: not in a mesh that is refined as it was
-    /// given.
+    /// Whether every edge that is not constrained passes the circle test between steps: not in a mesh that is refined
+    /// as it was given.
     pub(super) fn holds_circle_test(&self) -> bool {
         self.strategy.facts.keeps_delaunay && !self.problem.is_as_given
     }
@@ -358,8 +363,8 @@ impl Refinement {
         StepOutcome::Triangle
     }
 
-    /// Lets triangles wait again that were given up for want of room, and subsegments that could not be split, if anything has
-    /// changed since; says whether it did.
+    /// Lets triangles wait again that were given up for want of room, and subsegments that could not be split, if
+    /// anything has changed since; says whether it did.
     ///
     /// So a mesh that is refined again finds nothing left to do.
     fn retry(&mut self) -> bool {

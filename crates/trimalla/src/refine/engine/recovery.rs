@@ -96,11 +96,11 @@ impl Refinement {
     }
 }
 
-/// Splits the segments of a triangulation from which nothing was removed, until each is a chain of edges of the Delaunay
-/// triangulation of all vertices.
+/// Splits the segments of a triangulation from which nothing was removed, until each is a chain of edges of the
+/// Delaunay triangulation of all vertices.
 ///
-/// Returns how many pieces are edges only because they are constrained: those that `max_vertices`, or the distance of 256 units
-/// in the last place of the largest coordinate between vertices, left no room to split.
+/// Returns how many pieces are edges only because they are constrained: those that `max_vertices`, or the distance of
+/// 256 units in the last place of the largest coordinate between vertices, left no room to split.
 pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize) -> usize {
     let bounds = cdt.bounding_box();
     let ruler = Ruler::for_box(bounds);

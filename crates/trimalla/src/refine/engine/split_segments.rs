@@ -70,7 +70,8 @@ impl Refinement {
         sides.into_iter().any(|side| is_near(self.cdt.apex(side))) && self.is_encroached_by_flat(sides, [a, b])
     }
 
-    /// [`is_encroached_within_rounding`](Self::is_encroached_within_rounding) where the triangle on one of the sides is flat.
+    /// [`is_encroached_within_rounding`](Self::is_encroached_within_rounding) where the triangle on one of the sides is
+    /// flat.
     #[cold]
     #[inline(never)]
     fn is_encroached_by_flat(&self, sides: [HalfEdgeId; 2], [a, b]: [Point; 2]) -> bool {
@@ -116,8 +117,8 @@ impl Refinement {
 
     /// Splits a subsegment; says whether it could.
     ///
-    /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is sharp
-    /// then and wants a cut on a circle, they come back.
+    /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is
+    /// sharp then and wants a cut on a circle, they come back.
     fn split(&mut self, h: HalfEdgeId, found: Option<Found>) -> bool {
         let acute = found.map_or_else(|| self.acute_ends(h), |found| found.acute);
         let cut = found.map(|found| found.cut);
@@ -142,7 +143,8 @@ impl Refinement {
         self.split_between(ends, cut)
     }
 
-    /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the queue.
+    /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the
+    /// queue.
     fn look_again(&mut self, mut slots: Vec<FaceId>) {
         slots.retain(|f| f.index() < self.cdt.face_slots() && self.cdt.is_real(*f));
         self.put_in_order(&mut slots);
@@ -199,8 +201,9 @@ impl Refinement {
         Some(v)
     }
 
-    /// Splits an edge by its cavity, whose rim tells the neighbours before anything is cut. Returns the vertex, and whether it is
-    /// the middle of the fan that fills the cavity; `None`, and nothing changed, where another vertex is too near.
+    /// Splits an edge by its cavity, whose rim tells the neighbours before anything is cut. Returns the vertex, and
+    /// whether it is the middle of the fan that fills the cavity; `None`, and nothing changed, where another vertex is
+    /// too near.
     ///
     /// Nobody takes the split back; an event is told by what the log holds.
     ///
@@ -297,8 +300,8 @@ impl Refinement {
         self.problem.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
     }
 
-    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins; away from there,
-    /// beside another segment at less than a degree, as far out as that one's vertex.
+    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins; away from
+    /// there, beside another segment at less than a degree, as far out as that one's vertex.
     ///
     /// Cuts at distances that are powers of two from a shared end lie on common circles, so that the subsegments of two
     /// segments that meet at a small angle stop encroaching upon each other.

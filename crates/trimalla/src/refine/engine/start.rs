@@ -7,8 +7,8 @@ use crate::refine::report::Report;
 use crate::triangulation::Triangulation;
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain
-/// ([`domain::build`](crate::domain::build)), or a mesh that was taken up ([`domain::from_mesh`](crate::domain::from_mesh())),
-/// some of whose edges may fail the circle test.
+/// ([`domain::build`](crate::domain::build)), or a mesh that was taken up
+/// ([`domain::from_mesh`](crate::domain::from_mesh())), some of whose edges may fail the circle test.
 #[derive(Clone, Debug)]
 pub struct Start {
     pub(super) cdt: ConstrainedTriangulation,
@@ -39,8 +39,8 @@ impl From<ConstrainedTriangulation> for Start {
 }
 
 impl Refinement {
-    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria. A test of the
-    /// caller's own stays; what was picked does not. [`back`](Self::back) leads to the old options, too.
+    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria. A
+    /// test of the caller's own stays; what was picked does not. [`back`](Self::back) leads to the old options, too.
     ///
     /// # Errors
     /// [`OptionError`]; nothing has changed then.

@@ -2,9 +2,9 @@
 //!
 //! 1. Those that no point can help are given up, with the reason.
 //! 2. The point strategy proposes places, the best first.
-//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; so does, instead of the point, one
-//!    that a point would encroach upon. Step 4 by cavity sees that before it cuts; otherwise the point goes in through the
-//!    journal and comes out again, as it does if it is too near to another vertex.
+//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; so does, instead of the
+//!    point, one that a point would encroach upon. Step 4 by cavity sees that before it cuts; otherwise the point goes
+//!    in through the journal and comes out again, as it does if it is too near to another vertex.
 
 use super::{Refinement, ends_of};
 use crate::constrained::Provenance;
@@ -29,7 +29,8 @@ impl Refinement {
         places.clear();
         self.strategy.steps.point.propose(self.view(), face, &mut places);
         self.ledger.stopwatch.enter(Part::Insert);
-        // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never will.
+        // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never
+        // will.
         let is_kept = self.strategy.facts.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
@@ -43,7 +44,8 @@ impl Refinement {
         outcome
     }
 
-    /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape is.
+    /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape
+    /// is.
     fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
         if !self.problem.test.minds_shape() {
             return None;
@@ -129,8 +131,8 @@ impl Refinement {
         Err(refused)
     }
 
-    /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing is cut
-    /// that would have to be taken back.
+    /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing
+    /// is cut that would have to be taken back.
     fn try_cavity(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
         if !self.cdt.find_cavity(&mut self.scratch.cavity, point, locus) {
             return Err(Reason::PrecisionFloor);
@@ -155,8 +157,8 @@ impl Refinement {
         Ok(())
     }
 
-    /// Whether a vertex on the rim of the cavity found last is closer to a point than the length floor allows, and marks: 0 where
-    /// no edge of the rim is a subsegment.
+    /// Whether a vertex on the rim of the cavity found last is closer to a point than the length floor allows, and
+    /// marks: 0 where no edge of the rim is a subsegment.
     #[inline(always)] // Before each insertion.
     pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
         let cavity = &self.scratch.cavity;

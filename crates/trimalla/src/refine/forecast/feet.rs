@@ -10,8 +10,9 @@
 //! ```
 //!
 //! 1. Every constrained edge waits.
-//! 2. One is taken; if the apex of a triangle on it is an input vertex nearer to the edge than its foot to the ends, the
-//!    edge is split at the foot. Afterwards the apex is above the end of both halves, and asks for no further foot there.
+//! 2. One is taken; if the apex of a triangle on it is an input vertex nearer to the edge than its foot to the ends,
+//!    the edge is split at the foot. Afterwards the apex is above the end of both halves, and asks for no further foot
+//!    there.
 //! 3. The halves and what is constrained around the foot wait.
 //!
 //! A vertex whose own segment meets the edge at a common end is passed over: at a small input angle refinement stops at

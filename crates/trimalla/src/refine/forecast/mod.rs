@@ -35,7 +35,8 @@ use feet::Footed;
 use profile::{Facing, Sample, profile};
 use sizes::Sizes;
 
-/// Growth of the size per distance. This and the following constants are fitted to the runs of `tests/laws/forecast.rs`.
+/// Growth of the size per distance. This and the following constants are fitted to the runs of
+/// `tests/laws/forecast.rs`.
 const GRADING: f64 = 0.7;
 /// Triangles per unit of the integral at 30 degrees.
 const TRIANGLES: f64 = 4.1;
@@ -59,7 +60,8 @@ pub struct Forecast {
     pub vertices: f64,
     /// What most of the triangles are needed for.
     pub cause: Cause,
-    /// The part of the triangles that are needed for the cause, from 0 to 1: for a gap, with all gaps up to twice as wide.
+    /// The part of the triangles that are needed for the cause, from 0 to 1: for a gap, with all gaps up to twice as
+    /// wide.
     pub share: f64,
 }
 
@@ -70,8 +72,8 @@ impl Forecast {
         self.vertices > limits.max_vertices as f64
     }
 
-    /// The gap for which more than half of the triangles are needed, if it is narrower than a millionth of the drawing: two
-    /// features that were perhaps meant to touch.
+    /// The gap for which more than half of the triangles are needed, if it is narrower than a millionth of the drawing:
+    /// two features that were perhaps meant to touch.
     #[must_use]
     pub fn narrow_gap(&self) -> Option<Gap> {
         match self.cause {
@@ -141,8 +143,8 @@ impl fmt::Display for Feature {
 ///
 /// # Guarantees
 /// Ends, and the result is finite: no size is below the length floor of the refinement. Made for the presets
-/// `off-center` and `circumcenter` with segments that may be split, at bounds of up to 33 degrees; beyond, refinement may
-/// run away. Held within a factor of 3 of real runs; forecast over outcome at 30 degrees:
+/// `off-center` and `circumcenter` with segments that may be split, at bounds of up to 33 degrees; beyond, refinement
+/// may run away. Held within a factor of 3 of real runs; forecast over outcome at 30 degrees:
 ///
 /// | gap boxes, 10 to 0.001 | `data/shapes` | Triangle's A | 100 to 10 000 points | wedges |
 /// |---|---|---|---|---|
@@ -151,7 +153,8 @@ impl fmt::Display for Feature {
 /// `cargo test -p trimalla --test laws -- --nocapture forecast` measures them again.
 ///
 /// # Complexity
-/// O(n log n) and one insertion a foot, in a copy of the triangulation: near linear where segments see few vertices each.
+/// O(n log n) and one insertion a foot, in a copy of the triangulation: near linear where segments see few vertices
+/// each.
 ///
 /// # Source
 /// `[Ruppert95]`: the number of triangles is the integral of the inverse square of the local feature size, up to a

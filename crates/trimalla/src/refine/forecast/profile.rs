@@ -57,7 +57,8 @@ pub(super) struct Facing {
     pub(super) edge: HalfEdgeId,
 }
 
-/// The profile of one side of a subsegment, from `origin(h)` to `dest(h)`, piecewise linear; returns what faces it nearest.
+/// The profile of one side of a subsegment, from `origin(h)` to `dest(h)`, piecewise linear; returns what faces it
+/// nearest.
 pub(super) fn profile(
     footed: &Footed,
     sizes: &Sizes,
@@ -191,8 +192,8 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
 
 /// Whether the segment that a ray from a side met counts as close to it where the ray starts.
 ///
-/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one. Those
-/// that meet at less than a degree do not at all: splits of one mirror those of the other.
+/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one.
+/// Those that meet at less than a degree do not at all: splits of one mirror those of the other.
 fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
     let (own, other) = (footed.piece_of(h), footed.piece_of(met));
     if own == other {

@@ -3,8 +3,8 @@
 //! Only the apexes of the two triangles at a subsegment are looked at: in a constrained Delaunay triangulation, if any
 //! visible vertex is in the region, one of them is.
 //!
-//! Under a bound on areas also those are split that no good triangle fits: else the triangles beside them would be refined
-//! first, and their vertices deleted when the subsegment is split after all.
+//! Under a bound on areas also those are split that no good triangle fits: else the triangles beside them would be
+//! refined first, and their vertices deleted when the subsegment is split after all.
 
 use crate::half_edge::HalfEdgeId;
 use crate::refine::encroachment::Region;
@@ -35,8 +35,8 @@ impl PrepareStep for SplitEncroached {
 }
 
 impl SplitEncroached {
-    /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it: the one
-    /// that has the bound as its angle at either end.
+    /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it:
+    /// the one that has the bound as its angle at either end.
     fn is_too_long(view: View<'_>, h: HalfEdgeId) -> bool {
         if view.criteria.max_area.is_none() && view.cdt.regions().is_empty() {
             return false;

@@ -1,8 +1,8 @@
 //! `shortest-edge`: the triangle with the shortest edge first, to within an eighth of an octave of its square.
 //!
 //! Of those the newest comes first, and large meshes are made patch by patch, so that the work stays in one place: the
-//! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at 30
-//! degrees.
+//! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at
+//! 30 degrees.
 
 use super::{shortest_sq, shortest_sq_of};
 use crate::geometry::Point;

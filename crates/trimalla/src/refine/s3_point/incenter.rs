@@ -7,8 +7,9 @@
 //!       a ─── b             a ─── b
 //! ```
 //!
-//! The trivial way to more triangles where they are wanted. Every angle is halved, which is why the source shows it: whoever bounds
-//! angles should not use it, and a refinement that does ends when it no longer improves. For areas it does its work.
+//! The trivial way to more triangles where they are wanted. Every angle is halved, which is why the source shows it:
+//! whoever bounds angles should not use it, and a refinement that does ends when it no longer improves. For areas it
+//! does its work.
 //!
 //! # Source
 //! `[MeshSuite]` 2.2, figure 1.

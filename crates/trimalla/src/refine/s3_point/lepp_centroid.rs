@@ -1,7 +1,9 @@
-//! `lepp-centroid`: the centroid of the two terminal triangles; where there is no room for it, the middle of the terminal edge.
+//! `lepp-centroid`: the centroid of the two terminal triangles; where there is no room for it, the middle of the
+//! terminal edge.
 //!
 //! # Source
-//! `[RivaraCalderon10]`; `selectPointCentroid` of `[Valenzuela09]`, section 6.1.2. What that does beside a constrained second-longest edge,
+//! `[RivaraCalderon10]`; `selectPointCentroid` of `[Valenzuela09]`, section 6.1.2. What that does beside a constrained
+//! second-longest edge,
 //! `SelectConstrainedQuad`, is not printed there; the split of that edge, as in `selectPoint`, is our choice.
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};

@@ -1,4 +1,5 @@
-//! `lepp-circumcenter`: the circumcenter of a terminal triangle; where there is no room for it, the middle of the terminal edge.
+//! `lepp-circumcenter`: the circumcenter of a terminal triangle; where there is no room for it, the middle of the
+//! terminal edge.
 //!
 //! # Source
 //! `[MeshSuite]` 4.2.

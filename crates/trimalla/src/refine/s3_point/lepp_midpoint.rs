@@ -1,7 +1,8 @@
 //! `lepp-midpoint`: the middle of the terminal edge.
 //!
 //! # Source
-//! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.1, which is this step with `constrained-second = always` and
+//! `[Rivara97]`; `selectPoint` of `[Valenzuela09]`, section 6.1.1, which is this step with
+//! `constrained-second = always` and
 //! `lepp-stop = boundary`.
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};

@@ -1,9 +1,9 @@
 //! `off-center`: the circumcenter, or nearer to the shortest edge the point that makes its triangle just good.
 //!
 //! # Source
-//! `[Ungor09]`; section 2.5.1.4 of `[MeshSuite]`, figure 15. The off-center O of these sources lies at half of cot(α/2) times the length of
-//! the shortest edge from its middle, where the angle at O is the bound α: `off-center-exact`. At 95 % of that, as `off-center` has it,
-//! the new triangle is strictly good, and no rounding makes it bad.
+//! `[Ungor09]`; section 2.5.1.4 of `[MeshSuite]`, figure 15. The off-center O of these sources lies at half of cot(α/2)
+//! times the length of the shortest edge from its middle, where the angle at O is the bound α: `off-center-exact`. At
+//! 95 % of that, as `off-center` has it, the new triangle is strictly good, and no rounding makes it bad.
 
 use super::circumcenter::center_of;
 use crate::geometry::{Angle, Point, Triangle, angle_at_least, lexicographically_less, math};
@@ -63,8 +63,8 @@ impl OffCenter {
     }
 }
 
-/// The point at that share of the way at which the edge is seen at the bound; where rounding has made the angle smaller, the first
-/// point nearer by some last places at which it is not.
+/// The point at that share of the way at which the edge is seen at the bound; where rounding has made the angle
+/// smaller, the first point nearer by some last places at which it is not.
 #[cold] // Out of the way of the default.
 #[inline(never)]
 fn just_good([p, q]: [Point; 2], [middle, center]: [Point; 2], share: f64, cos_sq: f64) -> Point {

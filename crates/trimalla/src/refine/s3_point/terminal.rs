@@ -8,8 +8,9 @@
 //!            d
 //! ```
 //!
-//! A terminal edge that is constrained is split. Where the second-longest edge s of a terminal triangle is constrained, a
-//! vertex on the terminal edge would leave the small angle between the two behind, for ever smaller triangles; the rules:
+//! A terminal edge that is constrained is split. Where the second-longest edge s of a terminal triangle is constrained,
+//! a vertex on the terminal edge would leave the small angle between the two behind, for ever smaller triangles; the
+//! rules:
 //!
 //! | rule | split s instead, where |
 //! |---|---|
@@ -39,8 +40,9 @@ pub(super) fn unsplit_terminal_edge(
     (!is_split).then_some(h)
 }
 
-/// The constrained second-longest edge to split instead of inserting `point`. If there are two it is the longer one, but under
-/// [`Always`](ConstrainedSecond::Always) that of the triangle of `h`, as `selectPoint` of `[Valenzuela09]` 6.1.1 has it.
+/// The constrained second-longest edge to split instead of inserting `point`. If there are two it is the longer one,
+/// but under [`Always`](ConstrainedSecond::Always) that of the triangle of `h`, as `selectPoint` of `[Valenzuela09]`
+/// 6.1.1 has it.
 pub(super) fn second_to_split(
     rule: ConstrainedSecond,
     view: View<'_>,
