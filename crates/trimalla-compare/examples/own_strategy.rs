@@ -12,14 +12,14 @@ use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Triangle};
 use trimalla::half_edge::FaceId;
 use trimalla::refine::Preset;
-use trimalla::refine::steps::{PointStep, Proposal, View};
+use trimalla::refine::steps::{Places, PointStep, Proposal, View};
 use trimalla_compare::{Contender, Experiment, NoWatch, figures, markdown};
 
 /// Halfway from the middle of the longest edge to the circumcenter.
 struct Halfway;
 
 impl PointStep for Halfway {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.corners(face);
         let longest = trimalla::refine::lepp::longest_edge(view.cdt, view.ruler, face);
         let middle = trimalla::refine::lepp::edge_midpoint(view.cdt, longest);

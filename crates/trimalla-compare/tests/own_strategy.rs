@@ -10,7 +10,7 @@ use trimalla::drawing::Pslg;
 use trimalla::geometry::{Point, Triangle};
 use trimalla::half_edge::FaceId;
 use trimalla::refine::Preset;
-use trimalla::refine::steps::{PointStep, Proposal, View};
+use trimalla::refine::steps::{Places, PointStep, Proposal, View};
 use trimalla_compare::{
     Cell, CompareError, Contender, End, Experiment, Journal, NoWatch, Outcome, Task, Times, Watch, figures, markdown,
     records,
@@ -20,7 +20,7 @@ use trimalla_compare::{
 struct Barycenter;
 
 impl PointStep for Barycenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.corners(face);
         places.extend(Proposal::towards(view, face, Triangle::new(a, b, c).centroid()));
     }

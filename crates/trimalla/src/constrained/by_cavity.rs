@@ -53,8 +53,10 @@ impl ConstrainedTriangulation {
         in_circle_perturbed(a, b, c, p) == CircleSide::Inside
     }
 
-    /// Whether unconstrained edge `h` between two faces fails the circle test (ties included): its flip is proved then.
-    pub(crate) fn fails_circle_test(&self, h: HalfEdgeId) -> bool {
+    /// Whether `h` is an unconstrained edge between two faces that fails the circle test, ties included: then its two
+    /// faces form a strictly convex quadrilateral, and it can be flipped.
+    #[must_use]
+    pub fn fails_circle_test(&self, h: HalfEdgeId) -> bool {
         let o = self.twin(h);
         let inner = self.is_real(h.face()) && self.is_real(o.face()) && !self.is_marked(h);
         inner && {
@@ -96,12 +98,6 @@ impl<J: Journal> Edit<'_, J> {
         self.legalise()
     }
 
-    /// Flips an edge that fails the circle test.
-    pub(crate) fn flip_edge(&mut self, h: HalfEdgeId) -> HalfEdgeId {
-        let (t, j) = self.parts();
-        t.mesh.flip(h, j)
-    }
-
     /// Inserts a point whose place is known, by cavity; `None`, and nothing changed, where rounding leaves no room.
     pub(crate) fn insert_by_cavity(&mut self, p: Point, locus: Locus) -> Option<VertexId> {
         let (provenance, boundary) = match locus {
@@ -139,6 +135,21 @@ impl<J: Journal> Edit<'_, J> {
         self.with_cavity(|edit, cavity| {
             cavity.take_pair(edit.data, p, h).then(|| edit.fill_cavity(cavity, p, Provenance::Free))
         })
+    }
+
+    /// Replaces some faces by a fan around a vertex at `p`, and flips nothing; `None`, and nothing changed, where they are
+    /// no disk without a vertex inside, are parted by constrained edges, or the point does not see all of their sides.
+    pub(crate) fn insert_in_faces(&mut self, p: Point, faces: &[FaceId]) -> Option<VertexId> {
+        self.with_cavity(|edit, cavity| {
+            cavity.take_faces(edit.data, p, faces).then(|| edit.fill_cavity(cavity, p, Provenance::Free))
+        })
+    }
+
+    /// Flips edges at a vertex and opposite it, and beside flipped ones, until all pass the circle test.
+    pub(crate) fn legalise_around(&mut self, v: VertexId) {
+        let star: Vec<HalfEdgeId> = self.data.star(v).flat_map(|spoke| [spoke, spoke.next()]).collect();
+        star.into_iter().for_each(|h| self.work.lawson.push(h));
+        self.legalise();
     }
 
     /// Does something with the cavity of the workspace.

@@ -42,6 +42,7 @@ mod split_subsegment;
 mod tests;
 mod workspace;
 
+pub(crate) use by_cavity::SplitCavity;
 pub use constrained_delaunay::ConstrainedDelaunay;
 pub use constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 pub use crossing_pairs::crossing_pairs;

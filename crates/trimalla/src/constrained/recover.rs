@@ -81,6 +81,11 @@ impl Recovery {
         Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new(), beside: None }
     }
 
+    /// The recovery of segments that were let go as whole edges.
+    pub(crate) fn as_whole_edges(released: Vec<Released>) -> Self {
+        Self { next: released, ..Self::of(Vec::new()) }
+    }
+
     /// Whether nothing is left to do.
     pub(crate) fn is_done(&self) -> bool {
         self.stage == Stage::Done

@@ -105,6 +105,54 @@ impl Cavity {
         self.is_seen_from(t, p)
     }
 
+    /// Takes some faces as the cavity, whatever their circles hold.
+    ///
+    /// Says whether the point can be inserted there: not where the faces are no disk without a vertex inside, joined by
+    /// unconstrained edges, or where the point does not see the whole rim from inside.
+    ///
+    /// # Complexity
+    /// n log n in the faces.
+    pub(crate) fn take_faces(&mut self, t: &Triangulation, p: Point, faces: &[FaceId]) -> bool {
+        self.clear();
+        self.faces.extend_from_slice(faces);
+        let mut sorted = faces.to_vec();
+        sorted.sort_unstable();
+        let are_faces = sorted.iter().all(|&f| t.is_alive(f) && t.is_real(f));
+        if !are_faces || sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+            return false;
+        }
+        let is_taken = |h: HalfEdgeId| sorted.binary_search(&h.face()).is_ok();
+        let sides = faces.iter().flat_map(|f| f.half_edges());
+        let (inner, outer): (Vec<HalfEdgeId>, Vec<HalfEdgeId>) = sides.partition(|&h| is_taken(t.twin(h)));
+        // By Euler's formula: one boundary loop of that length, and no vertex inside.
+        let Some(&start) = outer.first().filter(|_| outer.len() == faces.len() + 2) else { return false };
+        if inner.iter().any(|&h| t.is_marked(h)) {
+            return false;
+        }
+        let mut side = start;
+        for _ in 0..outer.len() {
+            let (from, mark) = (t.origin(side), t.mark(side));
+            self.rim.push(RimEdge { from, outer: t.twin(side), mark, region: t.region(side.face()), spoke: 0 });
+            self.starts.push(t.point(from));
+            side = side.next();
+            // The next side of the rim, around the end of this one: fewer turns than there are faces.
+            for _ in 0..faces.len() {
+                if !is_taken(t.twin(side)) {
+                    break;
+                }
+                side = t.twin(side).next();
+            }
+            if side == start {
+                break;
+            }
+        }
+        if self.rim.len() < outer.len() {
+            return false;
+        }
+        self.close_rim();
+        self.is_seen_from(t, p)
+    }
+
     /// Replaces the cavity found by a fan around unused vertex `v`; the faces are those of the fan then, in the order
     /// of the rim.
     pub(crate) fn fill<J: Journal>(&mut self, t: &mut Triangulation, v: VertexId, j: &mut J) {

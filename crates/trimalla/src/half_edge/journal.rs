@@ -137,6 +137,11 @@ impl UndoLog {
         self.entries.iter()
     }
 
+    /// What was noted since a checkpoint, oldest first.
+    pub(crate) fn entries_since(&self, here: Checkpoint) -> impl DoubleEndedIterator<Item = &Entry> {
+        self.entries.iter().skip(here.0)
+    }
+
     /// Forgets everything: what was noted can no longer be taken back.
     pub fn clear(&mut self) {
         self.entries.clear();

@@ -3,7 +3,7 @@
 use super::options::RefineOptions;
 use super::report::Reason;
 use super::ruler::Ruler;
-use super::steps::InsertStep;
+use super::steps::InsertTraits;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::BoundingBox;
 use crate::half_edge::HalfEdgeId;
@@ -32,7 +32,7 @@ impl Floors {
         cdt: &ConstrainedTriangulation,
         options: &RefineOptions,
         ruler: Ruler,
-        insert: &dyn InsertStep,
+        insert: InsertTraits,
     ) -> Self {
         let bounds = cdt.bounding_box();
         let (floor, floor_reason) = length_floor(bounds, options, ruler);
@@ -50,8 +50,8 @@ impl Floors {
     /// The same for that step 4.
     ///
     /// Edges that are shorter than rounding leaves room for do not count.
-    pub(super) fn for_insert(self, cdt: &ConstrainedTriangulation, ruler: Ruler, insert: &dyn InsertStep) -> Self {
-        if !insert.keeps_small_angles() {
+    pub(super) fn for_insert(self, cdt: &ConstrainedTriangulation, ruler: Ruler, insert: InsertTraits) -> Self {
+        if !insert.keeps_small_angles {
             return Self { bisection_floor_sq: 0.0, ..self };
         }
         let length_sq = |h: HalfEdgeId| {

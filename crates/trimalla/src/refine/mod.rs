@@ -55,6 +55,7 @@ mod s4_insert;
 mod s5_recover;
 pub mod steps;
 mod stopwatch;
+mod strategies;
 #[cfg(test)]
 mod tests;
 

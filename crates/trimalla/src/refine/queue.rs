@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!    1 ── 2   7 ── 8       Where step 2 allows, a large drawing is cut into patches along a Hilbert curve. Those that wait in
-//!         │   │    │       the present patch lie in steps of patience; those of every other patch in a list, until it is its
+//!         │   │    │       the present patch lie in steps of priority; those of every other patch in a list, until it is its
 //!    4 ── 3   6   …        turn: when nothing waits in the present patch any more, the next one along the curve comes up in
 //!    └──────── 5           which anything does, after the last the first again.
 //! ```
@@ -49,14 +49,14 @@ pub(super) struct Claim {
     look: u32,
 }
 
-/// A triangle of another patch, with its step of patience.
+/// A triangle of another patch, with its step of priority.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
     claim: Claim,
     step: u32,
 }
 
-/// Triangles of one step of patience, the newest last.
+/// Triangles of one step of priority, the newest last.
 #[derive(Clone, Debug, Default)]
 struct Step {
     claims: Vec<Claim>,
@@ -83,7 +83,7 @@ impl Step {
     }
 }
 
-/// Steps of patience that follow each other; room for them is made where one is needed, as few of all that there could
+/// Steps of priority that follow each other; room for them is made where one is needed, as few of all that there could
 /// be are.
 #[derive(Clone, Debug, Default)]
 struct Drawer {
@@ -119,9 +119,9 @@ impl Drawer {
     }
 }
 
-/// Bad triangles by patience. Triangles that are gone stay until they come up.
+/// Bad triangles by priority. Triangles that are gone stay until they come up.
 ///
-/// Patience is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
+/// Priority is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
 /// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than
 /// the other way round; for an order that asks for it, those that came first.
 ///
@@ -147,7 +147,7 @@ pub(super) struct Queue {
 impl Queue {
     /// Mantissa bits that do not choose the step.
     const SHIFT: u32 = 45;
-    /// Exponents below this one, biased, share the first step: patience is measured in units that fit the drawing.
+    /// Exponents below this one, biased, share the first step: priority is measured in units that fit the drawing.
     const LEAST: u64 = (1023 - 220) << 7;
 
     /// An empty queue that takes one patch after the other.
@@ -168,10 +168,10 @@ impl Queue {
         self.elsewhere.iter_mut().for_each(|patch| patch.reserve(each + each / 4));
     }
 
-    /// Adds a triangle of a patch, whose patience is not negative.
+    /// Adds a triangle of a patch, whose priority is not negative.
     #[inline]
-    pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, patience: f64) {
-        let waiting = Waiting { claim: self.claim(cdt, face), step: Self::step_of(patience) };
+    pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, priority: f64) {
+        let waiting = Waiting { claim: self.claim(cdt, face), step: Self::step_of(priority) };
         self.len += 1;
         if patch == self.present {
             self.put_into_step(waiting);
@@ -181,9 +181,9 @@ impl Queue {
     }
 
     #[inline]
-    fn step_of(patience: f64) -> u32 {
+    fn step_of(priority: f64) -> u32 {
         // Positive numbers are ordered as their bits.
-        let bits = if patience > 0.0 { patience.to_bits() } else { 0 };
+        let bits = if priority > 0.0 { priority.to_bits() } else { 0 };
         (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as u32
     }
 
@@ -252,7 +252,7 @@ impl Queue {
         }
     }
 
-    /// The least patient triangle of the patch that is still there; every face that changes is looked at again.
+    /// The most urgent triangle of the patch that is still there; every face that changes is looked at again.
     ///
     /// # Complexity
     /// Constant, amortised over the triangles that are gone.

@@ -179,6 +179,7 @@ step! {
     Recover, 5, "recover", WholeEdge, {
         None = "none", "segments inside are let go, and what is missing in the end is reported", "MeshSuite";
         BySplitting = "by-splitting", "segments inside are let go, and in the end split until they are chains of edges", "MeshSuite";
+        Complete = "complete", "segments inside are let go, and in the end put in as whole edges", "MeshSuite";
         WholeEdge = "whole-edge", "segments are edges that nothing removes", "Vigo97";
     }
 }

@@ -4,9 +4,11 @@
 //! |---|---|---|
 //! | `whole-edge` | segments are edges that no flip crosses | they are there |
 //! | `by-splitting` | segments inside are let go | those missing are halved until they are chains of edges |
+//! | `complete` | segments inside are let go | those missing are put in as whole edges |
 //! | `none` | segments inside are let go | what is missing is reported |
 
 mod by_splitting;
+mod complete;
 mod none;
 mod whole_edge;
 
@@ -15,6 +17,7 @@ use std::sync::Arc;
 use super::recipe::{Recipe, Recover};
 use super::steps::RecoverStep;
 use by_splitting::BySplitting;
+use complete::Complete;
 use none::Nothing;
 use whole_edge::WholeEdge;
 
@@ -23,6 +26,7 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
     match recipe.recover {
         Recover::WholeEdge => Arc::new(WholeEdge),
         Recover::BySplitting => Arc::new(BySplitting),
+        Recover::Complete => Arc::new(Complete),
         Recover::None => Arc::new(Nothing),
     }
 }
@@ -31,5 +35,6 @@ pub(super) fn step(recipe: &Recipe) -> Arc<dyn RecoverStep + Send + Sync> {
 super::conformance::conforms!(recover, recover: Recover {
     none => None,
     by_splitting => BySplitting,
+    complete => Complete,
     whole_edge => WholeEdge,
 });

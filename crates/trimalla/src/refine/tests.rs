@@ -1,14 +1,13 @@
 //! Refinement of small domains: bound reached, invariants kept, reasons given.
 
-use super::steps::InsertStep;
+use super::steps::{InsertStep, InsertTraits, Plan, Proposal, SelectStep, View};
 use super::*;
-use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Edit, Provenance, SplitError};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, build};
 use crate::drawing::Pslg;
 use crate::geometry::Point;
-use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
-use crate::locate::Locus;
+use crate::half_edge::FaceId;
 
 fn carved(pslg: &Pslg, algorithm: AlgorithmKey) -> ConstrainedDelaunay {
     build(pslg, DomainRule::Seeds, Crossings::Refuse, algorithm).unwrap().0
@@ -202,26 +201,12 @@ fn paths_rise_to_their_terminal_edge() {
 struct Halving;
 
 impl InsertStep for Halving {
-    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
-        edit.place_vertex_at(p, locus)
+    fn plan(&self, _: View<'_>, _: Proposal, _: &mut Vec<FaceId>) -> Plan {
+        Plan::Parts
     }
 
-    fn split(
-        &self,
-        edit: &mut Edit<'_, UndoLog>,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-    ) -> Result<VertexId, SplitError> {
-        edit.cut_subsegment(h, p, provenance)
-    }
-
-    fn keeps_small_angles(&self) -> bool {
-        true
-    }
-
-    fn keeps_delaunay(&self) -> bool {
-        false
+    fn traits(&self) -> InsertTraits {
+        InsertTraits { keeps_delaunay: false, keeps_small_angles: true }
     }
 }
 
@@ -277,8 +262,8 @@ fn every_step_is_timed_where_there_is_a_clock() {
 /// The shortest edge first, in the whole drawing at once.
 struct AllAtOnce;
 
-impl steps::SelectStep for AllAtOnce {
-    fn patience(&self, view: steps::View<'_>, face: crate::half_edge::FaceId, _: u64) -> f64 {
+impl SelectStep for AllAtOnce {
+    fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
         let [a, b, c] = view.cdt.corners(face);
         view.ruler.length_sq(a, b).min(view.ruler.length_sq(b, c)).min(view.ruler.length_sq(c, a))
     }

@@ -10,7 +10,7 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Orientation, Point, orient2d};
 use trimalla::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use trimalla::locate::Locus;
-use trimalla::refine::steps::{PointStep, Proposal, Steps, View};
+use trimalla::refine::steps::{Places, PointStep, Proposal, Steps, View};
 use trimalla::refine::{
     Initial, Insert, NoObserver, Preset, Progress, Recover, RefineOptions, Refinement, Report, Select, StopReason,
 };
@@ -102,7 +102,7 @@ fn the_centroid_of_triangles_without_area_is_a_point() {
 struct Proposes(fn(View<'_>, FaceId) -> Proposal);
 
 impl PointStep for Proposes {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         places.push((self.0)(view, face));
     }
 }
@@ -168,7 +168,7 @@ fn a_run_that_inserts_nothing_can_be_cancelled() {
     // Every triangle is bad, and none can be helped: all segments are protected, no point is proposed.
     struct Nowhere;
     impl PointStep for Nowhere {
-        fn propose(&self, _: View<'_>, _: FaceId, _: &mut Vec<Proposal>) {}
+        fn propose(&self, _: View<'_>, _: FaceId, _: &mut Places) {}
     }
     let points: Vec<Point> =
         (0..40_u8).flat_map(|i| (0..40_u8).map(move |j| Point::new(f64::from(i), f64::from(j)))).collect();

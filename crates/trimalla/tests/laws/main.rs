@@ -13,6 +13,7 @@ mod forecast;
 mod layers;
 mod library_errors;
 mod operators;
+mod own_steps;
 mod predicates;
 mod quality;
 mod references;

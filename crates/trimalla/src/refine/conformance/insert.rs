@@ -9,8 +9,10 @@ use crate::drawing::Pslg;
 use crate::geometry::{Point, Triangle};
 use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
+use crate::refine::engine::insertion::{Site, carry_out};
+use crate::refine::options::RefineOptions;
 use crate::refine::recipe::{Insert, Recipe};
-use crate::refine::steps::{InsertStep, Proposal};
+use crate::refine::steps::{InsertStep, Plan, Proposal};
 
 /// Puts a step 4 through its suite.
 ///
@@ -30,7 +32,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
         goes_in_and_comes_out(&*step, &start, place)?;
         flips_only_what_can_be(subject, &start, place)?;
     }
-    if !step.keeps_delaunay() {
+    if !step.traits().keeps_delaunay {
         return Ok(());
     }
     let flips = Subject::of(Recipe { insert: Insert::Flip, ..Recipe::default() }).steps().insert;
@@ -57,16 +59,24 @@ fn places(cdt: &ConstrainedTriangulation) -> Vec<Proposal> {
     inside.chain(cdt.edges().map(on_edge)).collect()
 }
 
-/// Puts a vertex in at a place; `None` where it was refused.
+/// Puts a vertex in at a place as the step plans it; `None` where it was refused.
 fn put_in(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal) -> (Point, Option<VertexId>) {
-    match place {
-        Proposal::Free { point, locus } => (point, step.insert(edit, point, locus)),
-        Proposal::OnEdge { edge, point } => (point, step.split(edit, edge, point, Provenance::Free).ok()),
+    let site = match place {
+        Proposal::Free { point, locus } => Site::Free(point, locus),
+        Proposal::OnEdge { edge, point } => Site::Edge(edge, point, Provenance::Free),
         Proposal::Split(h) => {
             let (point, provenance) = edit.point_on_subsegment(h, 0.5);
-            (point, step.split(edit, h, point, provenance).ok())
+            Site::Edge(h, point, provenance)
         }
-    }
+    };
+    (site.point(), carried_out(step, edit, place, site))
+}
+
+/// Carries out what the step plans for a place, at a site.
+fn carried_out(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal, site: Site) -> Option<VertexId> {
+    let (mut faces, options) = (Vec::new(), RefineOptions::default());
+    let plan = step.plan(view(edit, &options), place, &mut faces);
+    carry_out(edit, (plan, &faces), site, step.traits().keeps_delaunay)
 }
 
 /// The vertex lies where it was put, the triangulation is sound, segments are whole, and all of it can be taken back.
@@ -82,7 +92,7 @@ fn goes_in_and_comes_out(
         return ensure(cdt == *start, || format!("{point} is refused, and yet something has changed"));
     };
     ensure(cdt.point(v) == point && cdt.is_used(v), || format!("{point} is put in and is not there"))?;
-    let faults = if step.keeps_delaunay() { cdt.check_delaunay() } else { cdt.check() };
+    let faults = if step.traits().keeps_delaunay { cdt.check_delaunay() } else { cdt.check() };
     ensure(faults.is_empty(), || format!("{point} leaves {} faults, the first: {:?}", faults.len(), faults[0]))?;
     let marks = |cdt: &ConstrainedTriangulation| cdt.edges().filter(|&h| cdt.is_marked(h)).count();
     let expected = marks(start) + usize::from(matches!(place, Proposal::Split(_)));
@@ -91,12 +101,13 @@ fn goes_in_and_comes_out(
     ensure(cdt == *start, || format!("{point} taken out, it is not what it was"))
 }
 
-/// What is flipped instead of an insertion is no segment, and fails the circle test.
+/// What is flipped instead of an insertion is no segment, and fails the circle test where that is kept.
 fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(), Breach> {
     let (step, options) = (subject.steps().insert, subject.options());
-    let Some(h) = step.flip_instead(view(cdt, &options), place) else { return Ok(()) };
-    let ends = [cdt.origin(h), cdt.dest(h)];
-    ensure(!cdt.is_marked(h) && cdt.fails_circle_test(h), || format!("edge {ends:?} is flipped without need"))
+    let Plan::Flip(h) = step.plan(view(cdt, &options), place, &mut Vec::new()) else { return Ok(()) };
+    let is_inner = cdt.is_alive(h.face()) && !cdt.is_marked(h) && !cdt.is_boundary_edge(h);
+    let is_fine = is_inner && (!step.traits().keeps_delaunay || cdt.fails_circle_test(h));
+    ensure(is_fine, || format!("half-edge {h} is to be flipped, and must not be"))
 }
 
 /// The mesh of all middles, one after the other, each where it lies by then.
@@ -114,7 +125,8 @@ fn all_in(step: &Arc<dyn InsertStep + Send + Sync>, mut cdt: ConstrainedDelaunay
             _ => false,
         };
         if is_free {
-            step.insert(&mut cdt.edit(&mut log), point, locus);
+            let place = Proposal::Free { point, locus };
+            carried_out(&**step, &mut cdt.edit(&mut log), place, Site::Free(point, locus));
         }
     }
     (cdt.points().to_vec(), cdt.canonical())

@@ -53,7 +53,7 @@ pub(super) fn run(
     refinement: &mut Refinement,
     mut more: impl FnMut(&Refinement, &Event) -> Result<(), Breach>,
 ) -> Result<usize, Breach> {
-    let keeps_delaunay = subject.steps().insert.keeps_delaunay();
+    let keeps_delaunay = subject.steps().insert.traits().keeps_delaunay;
     for number in 1..=MOST_STEPS {
         let event = refinement.step();
         let at = |breach: String| format!("step {number}: {breach}");

@@ -4,10 +4,10 @@
 //! | suite | asks of the step itself | and of refinement with it |
 //! |---|---|---|
 //! | [`prepare()`] | one answer for both sides of a subsegment | nothing that asks for a split is left unsplit |
-//! | [`select()`] | patience is a number and depends on no slot | the least patient is taken; what is taken is there, and bad |
+//! | [`select()`] | priority is a number and depends on no slot | the most urgent is taken; what is taken is there, and bad |
 //! | [`point()`] | places lie where their locus says, and depend on no slot | |
 //! | [`insert()`] | the vertex is where it was put, and can be taken back | with the circle test kept: the mesh of Lawson's flips |
-//! | [`recover()`] | | segments are locked, recovered or reported, as it says |
+//! | [`recover()`] | | segments are locked as it says; what is missing is reported |
 //!
 //! Each of them ends with the [laws of refinement](laws()): sound after every step, bounded, deterministic, reversible.
 //!
@@ -17,12 +17,12 @@
 //! use trimalla::geometry::Triangle;
 //! use trimalla::half_edge::FaceId;
 //! use trimalla::refine::conformance::{self, Subject};
-//! use trimalla::refine::steps::{PointStep, Proposal, View};
+//! use trimalla::refine::steps::{Places, PointStep, Proposal, View};
 //!
 //! struct Barycenter;
 //!
 //! impl PointStep for Barycenter {
-//!     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+//!     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
 //!         let [a, b, c] = view.cdt.corners(face);
 //!         places.extend(Proposal::towards(view, face, Triangle::new(a, b, c).centroid()));
 //!     }

@@ -7,7 +7,7 @@ use crate::drawing::Pslg;
 use crate::geometry::{Orientation, Point, Segment, math, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::refine::steps::Proposal;
+use crate::refine::steps::{Places, Proposal};
 
 /// No strategy needs more places than this for one triangle.
 const MOST_PLACES: usize = 16;
@@ -51,20 +51,24 @@ type Description = (&'static str, Option<[VertexId; 2]>, Option<[u64; 2]>);
 fn described(subject: &Subject, cdt: &ConstrainedTriangulation) -> Result<Vec<Vec<Description>>, Breach> {
     let (step, options) = (subject.steps().point, subject.options());
     let of_face = |face: FaceId| {
-        let mut places = Vec::new();
+        let mut places = Places::new();
         step.propose(view(cdt, &options), face, &mut places);
         let at = |breach: &str| Breach(format!("{breach}, proposed for {:?}", name(cdt, face)));
-        if places.len() > MOST_PLACES {
+        if places.proposals().len() > MOST_PLACES {
             return Err(at("more places than anyone can try"));
         }
-        places.iter().try_for_each(|&place| is_where_it_says(cdt, place)).map_err(|Breach(breach)| at(&breach))?;
+        places
+            .proposals()
+            .iter()
+            .try_for_each(|&place| is_where_it_says(cdt, place))
+            .map_err(|Breach(breach)| at(&breach))?;
         let before = places.clone();
         places.clear();
         step.propose(view(cdt, &options), face, &mut places);
         if places != before {
             return Err(at("other places when asked again"));
         }
-        Ok(places.into_iter().map(|place| description(cdt, place)).collect())
+        Ok(places.proposals().iter().map(|&place| description(cdt, place)).collect())
     };
     by_name(cdt).into_iter().map(of_face).collect()
 }

@@ -12,7 +12,7 @@ use crate::refine::event::StepOutcome;
 use crate::refine::event::Why;
 use crate::refine::options::RefineOptions;
 
-/// Steps of patience within which triangles count as equally urgent: a 128th, and rounding.
+/// Steps of priority within which triangles count as equally urgent: a 128th, and rounding.
 const STEP: f64 = 1.0 + 1.0 / 64.0;
 
 /// Puts a step 2 through its suite.
@@ -22,29 +22,29 @@ const STEP: f64 = 1.0 + 1.0 / 64.0;
 pub fn select(subject: &Subject) -> Result<(), Breach> {
     for (drawing, pslg) in drawings::all() {
         let at = |Breach(breach)| Breach(format!("{drawing}: {breach}"));
-        patience_is_a_number(subject, &pslg).map_err(at)?;
+        priority_is_a_number(subject, &pslg).map_err(at)?;
         the_least_patient_is_taken(subject, &pslg).map_err(at)?;
         what_is_taken_is_there(subject, &pslg).map_err(at)?;
     }
     laws(subject)
 }
 
-/// Patience is neither negative nor no number, the same when asked again, and depends on no slot.
-fn patience_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+/// Priority is neither negative nor no number, the same when asked again, and depends on no slot.
+fn priority_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     let (step, options) = (subject.steps().select, subject.options());
-    let patiences = |algorithm: AlgorithmKey| -> Result<Vec<([VertexId; 3], u64)>, Breach> {
+    let priorities = |algorithm: AlgorithmKey| -> Result<Vec<([VertexId; 3], u64)>, Breach> {
         let refinement = subject.begin(pslg, algorithm)?;
         let cdt = refinement.triangulation();
-        let patience = |f: FaceId| {
-            let [p, again] = [0; 2].map(|joined| step.patience(view(cdt, &options), f, joined));
-            ensure(p >= 0.0, || format!("the patience of {:?} is {p}", name(cdt, f)))?;
-            ensure(p.to_bits() == again.to_bits(), || format!("the patience of {:?} changes", name(cdt, f)))?;
+        let priority = |f: FaceId| {
+            let [p, again] = [0; 2].map(|joined| step.priority(view(cdt, &options), f, joined));
+            ensure(p >= 0.0, || format!("the priority of {:?} is {p}", name(cdt, f)))?;
+            ensure(p.to_bits() == again.to_bits(), || format!("the priority of {:?} changes", name(cdt, f)))?;
             Ok((name(cdt, f), p.to_bits()))
         };
-        by_name(cdt).into_iter().map(patience).collect()
+        by_name(cdt).into_iter().map(priority).collect()
     };
-    let both = [patiences(AlgorithmKey::Incremental)?, patiences(AlgorithmKey::DivideAndConquer)?];
-    ensure(both[0] == both[1], || "patience depends on where a triangle is stored".to_owned())
+    let both = [priorities(AlgorithmKey::Incremental)?, priorities(AlgorithmKey::DivideAndConquer)?];
+    ensure(both[0] == both[1], || "priority depends on where a triangle is stored".to_owned())
 }
 
 /// The first triangle that is treated is one of those that can wait least.
@@ -55,22 +55,22 @@ fn the_least_patient_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Brea
     let before = refinement.triangulation().clone();
     let event = refinement.step();
     let Some((taken, why)) = event.selected else { return Ok(()) };
-    if step.is_manual() {
+    if step.traits().is_manual {
         let first = by_name(&before).first().map(|&f| name(&before, f));
         return ensure(first == Some(taken) && why != Why::Asked, || "picks are not taken in their order".to_owned());
     }
     let bad = by_name(&before).into_iter().filter(|&f| is_bad(&before, f, &options));
-    let patiences =
-        (0_u64..).zip(bad).map(|(joined, f)| (name(&before, f), step.patience(view(&before, &options), f, joined)));
-    let patiences: Vec<_> = patiences.collect();
-    let least = patiences.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
-    let own = patiences.iter().find(|p| p.0 == taken).map_or(f64::NAN, |p| p.1);
-    ensure(own <= least * STEP, || format!("{taken:?} of patience {own} is taken, though one has {least}"))
+    let priorities =
+        (0_u64..).zip(bad).map(|(joined, f)| (name(&before, f), step.priority(view(&before, &options), f, joined)));
+    let priorities: Vec<_> = priorities.collect();
+    let least = priorities.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
+    let own = priorities.iter().find(|p| p.0 == taken).map_or(f64::NAN, |p| p.1);
+    ensure(own <= least * STEP, || format!("{taken:?} of priority {own} is taken, though one has {least}"))
 }
 
 /// What is selected is a triangle of the mesh, and bad, or picked.
 fn what_is_taken_is_there(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
-    let (is_manual, options) = (subject.steps().select.is_manual(), subject.options());
+    let (is_manual, options) = (subject.steps().select.traits().is_manual, subject.options());
     let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
     let mut before = refinement.triangulation().clone();
     let mut picks = by_name(&before).len();

@@ -1,12 +1,11 @@
 //! Strategies that break a law, and the suite that notices.
 
 use super::*;
-use crate::constrained::{Edit, Provenance, SplitError};
 use crate::geometry::{Point, Triangle};
-use crate::half_edge::{HalfEdgeId, UndoLog};
+use crate::half_edge::HalfEdgeId;
 use crate::locate::Locus;
-use crate::refine::recipe::{Insert, PlacePoint, Preset};
-use crate::refine::steps::{InsertStep, PointStep, PrepareStep, Proposal, SelectStep};
+use crate::refine::recipe::{PlacePoint, Preset};
+use crate::refine::steps::{InsertStep, Places, Plan, PointStep, PrepareStep, Proposal, SelectStep};
 
 /// The breach that a suite finds.
 fn breach(found: Result<(), Breach>) -> String {
@@ -47,7 +46,7 @@ fn a_step_1_of_two_minds_is_noticed() {
 struct NoNumber;
 
 impl SelectStep for NoNumber {
-    fn patience(&self, _: View<'_>, _: FaceId, _: u64) -> f64 {
+    fn priority(&self, _: View<'_>, _: FaceId, _: u64) -> f64 {
         f64::NAN
     }
 }
@@ -55,7 +54,7 @@ impl SelectStep for NoNumber {
 struct BySlot;
 
 impl SelectStep for BySlot {
-    fn patience(&self, _: View<'_>, face: FaceId, _: u64) -> f64 {
+    fn priority(&self, _: View<'_>, face: FaceId, _: u64) -> f64 {
         face.index() as f64
     }
 }
@@ -73,7 +72,7 @@ fn a_step_2_without_order_is_noticed() {
 struct Liar;
 
 impl PointStep for Liar {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.corners(face);
         let point = Triangle::new(a, b, c).circumcenter().unwrap_or(a);
         places.push(Proposal::Free { point, locus: Locus::Face(face) });
@@ -84,7 +83,7 @@ impl PointStep for Liar {
 struct Vandal;
 
 impl PointStep for Vandal {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         places.extend(face.half_edges().into_iter().filter(|&h| !view.cdt.is_marked(h)).map(Proposal::Split));
     }
 }
@@ -93,7 +92,7 @@ impl PointStep for Vandal {
 struct FirstStored;
 
 impl PointStep for FirstStored {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.face_points(face);
         let point = Point::lerp(Point::midpoint(b, c), a, 0.25);
         places.extend(Proposal::towards(view, face, point));
@@ -110,90 +109,63 @@ fn a_step_3_that_does_not_say_where_is_noticed() {
     assert!(with(Arc::new(FirstStored)).contains("where a triangle is stored"));
 }
 
-/// Lawson's flips, but for what is broken.
-struct Broken {
-    good: Arc<dyn InsertStep + Send + Sync>,
-    /// Puts the vertex next to where it belongs.
-    is_shifted: bool,
-    /// Inserts what cannot be taken back.
-    is_unlogged: bool,
-    keeps_delaunay: bool,
+/// Replaces faces that no fan can replace: those around a corner, which would lose it.
+struct Eraser;
+
+impl InsertStep for Eraser {
+    fn plan(&self, view: View<'_>, place: Proposal, faces: &mut Vec<FaceId>) -> Plan {
+        if let Proposal::Free { locus: Locus::Face(f), .. } = place {
+            let oldest = view.cdt.face_vertices(f).into_iter().min().expect("three corners");
+            faces.extend(view.cdt.faces_around(oldest).filter(|&f| view.cdt.is_real(f)));
+        }
+        Plan::Faces
+    }
 }
 
-impl InsertStep for Broken {
-    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
-        let point = if self.is_shifted { Point::new(p.x + 1e-9, p.y) } else { p };
-        if !self.is_unlogged {
-            return self.good.insert(edit, point, locus);
-        }
-        edit.with_log(&mut UndoLog::new(), |edit| self.good.insert(edit, point, locus))
-    }
+/// Flips what must not be flipped.
+struct Flipper;
 
-    fn split(
-        &self,
-        edit: &mut Edit<'_, UndoLog>,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-    ) -> Result<VertexId, SplitError> {
-        self.good.split(edit, h, p, provenance)
-    }
-
-    fn keeps_delaunay(&self) -> bool {
-        self.keeps_delaunay
+impl InsertStep for Flipper {
+    fn plan(&self, view: View<'_>, _: Proposal, _: &mut Vec<FaceId>) -> Plan {
+        view.cdt.edges().find(|&h| view.cdt.is_marked(h)).map_or(Plan::Parts, Plan::Flip)
     }
 }
 
 #[test]
 fn a_step_4_that_spoils_is_noticed() {
-    let with = |key: Insert, broken: fn(&mut Broken)| {
-        breach(insert(&Subject::default().with_steps(move |_, steps| {
-            let recipe = Recipe { insert: key, ..Recipe::default() };
-            let good = Subject::of(recipe).steps().insert;
-            let mut own = Broken { good, is_shifted: false, is_unlogged: false, keeps_delaunay: true };
-            broken(&mut own);
-            steps.insert = Arc::new(own);
-        })))
+    let with = |step: Arc<dyn InsertStep + Send + Sync>| {
+        insert(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step)))
     };
-    assert!(with(Insert::Flip, |b| b.is_shifted = true).contains("is not there"));
-    assert!(with(Insert::Flip, |b| b.is_unlogged = true).contains("it is not what it was"));
-    assert!(with(Insert::Partition, |b| b.keeps_delaunay = true).contains("faults"));
-}
-
-/// Lets go of a segment inside with every insertion.
-struct Thief(Arc<dyn InsertStep + Send + Sync>);
-
-impl InsertStep for Thief {
-    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
-        let inner = (0..edit.segments().len() as u32).rev().find(|&s| {
-            let chain = edit.chain(s);
-            !chain.is_empty() && chain.iter().all(|&h| edit.is_real(h.face()) && edit.is_real(edit.twin(h).face()))
-        });
-        match inner {
-            Some(segment) if edit.remove_segment(segment) => edit.insert(p).ok().map(|i| i.vertex()),
-            _ => self.0.insert(edit, p, locus),
-        }
-    }
-
-    fn split(
-        &self,
-        edit: &mut Edit<'_, UndoLog>,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-    ) -> Result<VertexId, SplitError> {
-        self.0.split(edit, h, p, provenance)
+    assert!(breach(with(Arc::new(Eraser))).contains("another mesh than Lawson's flips"));
+    assert!(breach(with(Arc::new(Flipper))).contains("must not be"));
+    // What they plan is refused: nothing is spoiled.
+    for step in [Arc::new(Eraser) as Arc<dyn InsertStep + Send + Sync>, Arc::new(Flipper)] {
+        laws(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step))).unwrap();
     }
 }
 
+/// Replaces the face in which a point lies and those beside it, as far as that can be.
+struct Neighbourhood;
+
+impl InsertStep for Neighbourhood {
+    fn plan(&self, view: View<'_>, place: Proposal, faces: &mut Vec<FaceId>) -> Plan {
+        let Proposal::Free { locus: Locus::Face(f), .. } = place else { return Plan::Parts };
+        faces.push(f);
+        let across = f.half_edges().into_iter().filter(|&h| !view.cdt.is_marked(h)).map(|h| view.cdt.twin(h).face());
+        faces.extend(across);
+        Plan::Faces
+    }
+}
+
+/// Whatever a step plans, the circle test is kept where it says so.
 #[test]
-fn a_segment_that_is_lost_without_a_word_is_noticed() {
-    let subject = Subject::default().with_steps(|_, steps| {
-        steps.insert = Arc::new(Thief(Arc::clone(&steps.insert)));
-    });
-    let found = breach(recover(&subject));
-    assert!(found.contains("a segment is gone that is locked") || found.contains("are missing in the end"), "{found}");
-    assert!(breach(insert(&subject)).contains("subsegments, not"));
+fn faces_of_a_steps_own_are_replaced() {
+    insert(&Subject::default().with_steps(|_, steps| steps.insert = Arc::new(Neighbourhood))).unwrap_or_else(
+        |breach| {
+            assert!(breach.to_string().contains("another mesh than Lawson's flips"), "{breach}");
+        },
+    );
+    laws(&Subject::default().with_steps(|_, steps| steps.insert = Arc::new(Neighbourhood))).unwrap();
 }
 
 #[test]

@@ -31,6 +31,7 @@ use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::{Locus, Walk};
 use crate::refine::bad_triangles::sorted;
+use crate::refine::event::InsertedKind;
 use crate::refine::lattice::Lattice;
 use crate::refine::recipe::Initial;
 use crate::refine::stopwatch::Part;
@@ -97,9 +98,11 @@ impl Refinement {
     /// Where the filling begins.
     pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> FillStage {
         let is_delaunay =
-            self.strategy.steps.insert.keeps_delaunay() && self.problem.options.recipe.initial != Initial::Given;
-        let is_asked =
-            self.problem.options.asks_for_lattice() && self.has_area_bound() && is_delaunay && !self.strategy.is_manual;
+            self.strategy.traits.insert.keeps_delaunay && self.problem.options.recipe.initial != Initial::Given;
+        let is_asked = self.problem.options.asks_for_lattice()
+            && self.has_area_bound()
+            && is_delaunay
+            && !self.strategy.traits.select.is_manual;
         let bounds = bounds.filter(|_| is_asked);
         let is_wanted = |bounds: &BoundingBox| {
             let faces = self.large_faces(*bounds);
@@ -250,6 +253,7 @@ impl Refinement {
         }) {
             self.ledger.insertions += 1;
             part.known = self.fill_cavity(p);
+            self.count_point(part.known, InsertedKind::Free);
             nodes.near = Some(self.scratch.cavity.lowest_face());
         }
         true

@@ -55,8 +55,8 @@ impl Refinement {
     /// What to watch from the start on.
     pub(super) fn improvement_from_start(&self) -> Improvement {
         if !is_unproved(&self.problem.options)
-            || self.strategy.is_manual
-            || self.strategy.steps.insert.keeps_small_angles()
+            || self.strategy.traits.select.is_manual
+            || self.strategy.traits.insert.keeps_small_angles
         {
             return Improvement::UNWATCHED;
         }

@@ -68,9 +68,9 @@ impl Looker<'_> {
     /// Queues a bad face.
     #[inline(always)] // Once for each bad triangle.
     fn queue_bad(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
-        let patience = self.select.patience_of_corners(self.view, f, corners, *self.joined);
+        let priority = self.select.priority_of_corners(self.view, f, corners, *self.joined);
         *self.joined += 1;
-        self.queue.push(self.view.cdt, f, patch, patience);
+        self.queue.push(self.view.cdt, f, patch, priority);
     }
 
     /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that
@@ -142,7 +142,7 @@ impl Refinement {
             },
             test: &self.problem.test,
             select: self.strategy.steps.select.as_ref(),
-            is_manual: self.strategy.is_manual,
+            is_manual: self.strategy.traits.select.is_manual,
             cavity: &self.scratch.cavity,
             queue: &mut self.agenda.queue,
             joined: &mut self.agenda.joined,

@@ -4,6 +4,7 @@ mod fill;
 mod gaps;
 mod history;
 mod improvement;
+pub(super) mod insertion;
 mod leftovers;
 mod look;
 pub(super) mod mirror;
@@ -13,6 +14,7 @@ mod parts;
 pub(super) mod recovery;
 mod split_segments;
 pub(super) mod start;
+mod step_edit;
 mod tell;
 mod treat;
 
@@ -120,7 +122,7 @@ impl Refinement {
         let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let mut refinement = Self {
-            problem: Problem::new((&cdt, is_delaunay), options, steps.insert.as_ref()),
+            problem: Problem::new((&cdt, is_delaunay), options, steps.insert.traits()),
             strategy: Strategy::of(steps),
             agenda: Agenda::default(),
             segments: SegmentWork { opening, ..SegmentWork::default() },
@@ -150,7 +152,7 @@ impl Refinement {
 
     /// An empty queue in the order of step 2 for so many vertices: by patches of the drawing's box, if it allows.
     pub(super) fn empty_queue(&self, bounds: Option<BoundingBox>, vertices: usize) -> Queue {
-        if self.strategy.steps.select.works_by_patches() {
+        if self.strategy.traits.select.works_by_patches {
             Queue::by_patches(Patches::new(bounds, vertices.min(self.problem.options.limits.max_vertices)))
         } else {
             Queue::default()
@@ -207,10 +209,10 @@ impl Refinement {
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
         self.record_change();
-        self.problem.floors = self.problem.floors.for_insert(&self.cdt, self.problem.ruler, &insert);
+        self.problem.floors = self.problem.floors.for_insert(&self.cdt, self.problem.ruler, insert.traits());
         self.strategy.steps.insert = Arc::new(insert);
         self.strategy = self.strategy.renewed();
-        if self.strategy.steps.insert.keeps_small_angles() {
+        if self.strategy.traits.insert.keeps_small_angles {
             self.ledger.improvement = Improvement::UNWATCHED;
         }
         self
@@ -253,7 +255,7 @@ impl Refinement {
     /// Whether every edge that is not constrained passes the circle test between steps: not in a mesh that is refined
     /// as it was given.
     pub(super) fn holds_circle_test(&self) -> bool {
-        self.strategy.facts.keeps_delaunay && !self.problem.is_as_given
+        self.strategy.traits.insert.keeps_delaunay && !self.problem.is_as_given
     }
 
     /// The triangulation as it is now.
@@ -346,7 +348,7 @@ impl Refinement {
         }
         self.ledger.stopwatch.enter(Part::Select);
         let Some(face) = self.next_face() else {
-            if self.recover_segments() {
+            if self.recover_by_step() {
                 return StepOutcome::Recovered;
             }
             return if self.retry() { StepOutcome::Retried } else { StepOutcome::Finished };
@@ -389,8 +391,8 @@ impl Refinement {
         if let Some(claim) = self.agenda.current.take().filter(|&claim| self.agenda.queue.is_valid(&self.cdt, claim)) {
             return Some(claim.face);
         }
-        if !self.strategy.is_manual {
-            return self.agenda.queue.pop(&self.cdt, self.strategy.facts.takes_oldest);
+        if !self.strategy.traits.select.is_manual {
+            return self.agenda.queue.pop(&self.cdt, self.strategy.traits.select.takes_oldest);
         }
         let there = |&(f, name): &Picked| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
         while let Some(picked) = self.agenda.picked.pop_front() {
@@ -427,7 +429,7 @@ impl Refinement {
 
     /// Whether the point strategy keeps clear of segments.
     pub(super) fn minds_encroachment(&self) -> bool {
-        self.strategy.facts.minds_encroachment
+        self.strategy.traits.point.minds_encroachment
     }
 
     pub(super) fn view(&self) -> View<'_> {

@@ -10,6 +10,7 @@
 //! Otherwise each slice is a step.
 
 use super::Refinement;
+use crate::constrained::Recovery;
 use crate::refine::event::StepOutcome;
 use crate::refine::recipe::Initial;
 use crate::refine::report::{Observer, StopReason};
@@ -38,6 +39,8 @@ pub(super) enum Opening {
     ReleasingAgain,
     /// Everything is to be looked at.
     Look,
+    /// Step 1 changes the triangulation.
+    Prepare,
     /// The loop is on.
     Done,
 }
@@ -63,7 +66,7 @@ impl Refinement {
         let recipe = self.problem.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
         if self.segments.opening == Opening::Given
-            && !(self.strategy.steps.insert.keeps_delaunay() && recipe.initial != Initial::Given)
+            && !(self.strategy.traits.insert.keeps_delaunay && recipe.initial != Initial::Given)
         {
             self.segments.opening = Opening::Release;
         }
@@ -126,16 +129,23 @@ impl Refinement {
                 self.flip_slice(Opening::Look);
             }
             Opening::Conform => {
-                self.begin_recovery();
+                let released = std::mem::take(&mut self.segments.released);
+                self.begin_recovery(Recovery::of(released));
                 self.segments.opening = Opening::ReleaseAgain;
             }
+            Opening::Prepare => self.prepare_by_step(),
             _ => {
                 self.begin(self.cdt.bounding_box());
-                self.segments.opening = Opening::Done;
+                self.prepare_by_step();
             }
         }
         self.skip();
         StepOutcome::Prepared
+    }
+
+    /// Lets step 1 change the triangulation, and goes on to the loop if it wants no more.
+    fn prepare_by_step(&mut self) {
+        self.segments.opening = if self.begin_by_step() { Opening::Prepare } else { Opening::Done };
     }
 
     /// Flips some of the edges that wait, and goes on to the next stage if none waits any more; how many flips it took.

@@ -11,7 +11,7 @@ use super::recovery::UnderWay;
 use super::split_segments::Encroached;
 use crate::constrained::{ConstrainedTriangulation, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
-use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::refine::bad_triangles::Test;
 use crate::refine::encroachment::Region;
 use crate::refine::event::Event;
@@ -22,7 +22,7 @@ use crate::refine::queue::{Claim, Queue};
 use crate::refine::recipe::Initial;
 use crate::refine::report::{Reason, Report};
 use crate::refine::ruler::Ruler;
-use crate::refine::steps::{InsertStep, Proposal, StepFacts, Steps, View};
+use crate::refine::steps::{InsertTraits, Places, StepTraits, Steps, View};
 use crate::refine::stopwatch::Stopwatch;
 
 /// What is asked, and what of the input answers depend on. It stays as it is while points go in.
@@ -47,7 +47,7 @@ impl Problem {
     pub(super) fn new(
         (cdt, is_delaunay): (&ConstrainedTriangulation, bool),
         options: RefineOptions,
-        insert: &dyn InsertStep,
+        insert: InsertTraits,
     ) -> Self {
         let ruler = Ruler::for_box(cdt.bounding_box());
         Self {
@@ -67,9 +67,7 @@ impl Problem {
 #[derive(Clone)]
 pub(super) struct Strategy {
     pub(super) steps: Steps,
-    pub(super) facts: StepFacts,
-    /// Whether the caller picks.
-    pub(super) is_manual: bool,
+    pub(super) traits: StepTraits,
     /// Whether step 3 is of the library: what it proposes inside a face was found there by a walk.
     pub(super) walks_prove_places: bool,
     /// How many triangles a walk may cross.
@@ -78,13 +76,8 @@ pub(super) struct Strategy {
 
 impl Strategy {
     pub(super) fn of(steps: Steps) -> Self {
-        Self {
-            facts: StepFacts::of(steps.select.as_ref(), steps.point.as_ref(), steps.insert.as_ref()),
-            is_manual: steps.select.is_manual(),
-            walks_prove_places: false,
-            longest_walk: View::longest_walk(steps.insert.as_ref()),
-            steps,
-        }
+        let traits = StepTraits::of(&steps);
+        Self { traits, walks_prove_places: false, longest_walk: View::longest_walk(traits.insert), steps }
     }
 
     /// The same strategy after one of its steps has been exchanged.
@@ -145,6 +138,8 @@ pub(super) struct Ledger {
     pub(super) vertices: usize,
     /// Vertices inserted in all, those deleted or taken back included.
     pub(super) insertions: u64,
+    /// The vertex inserted last for the triangle at work, if any was.
+    pub(super) newest: Option<VertexId>,
     /// Whether it still improves, where that is watched.
     pub(super) improvement: Improvement,
     /// What the step at work did, where somebody wants to know.
@@ -161,6 +156,7 @@ impl Ledger {
             report: Report { recipe: options.recipe, ..Report::default() },
             vertices,
             insertions: 0,
+            newest: None,
             improvement: Improvement::UNWATCHED,
             event: None,
             steps_told: 0,
@@ -179,7 +175,9 @@ pub(super) struct Scratch {
     /// The faces that the vertex at work replaces.
     pub(super) cavity: Cavity,
     /// Places proposed for the triangle at work.
-    pub(super) places: Vec<Proposal>,
+    pub(super) places: Places,
+    /// Faces that step 4 plans to replace.
+    pub(super) planned: Vec<FaceId>,
     /// The star of the vertex at work.
     pub(super) spokes: Vec<HalfEdgeId>,
     /// The numbers of the bad triangles of a fan.

@@ -2,7 +2,9 @@
 
 use super::Refinement;
 use super::mirror::Mirrors;
-use crate::constrained::{Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, SegmentPlan, SplitLimits};
+use crate::constrained::{
+    Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, Released, SegmentPlan, SplitLimits,
+};
 use crate::geometry::Point;
 use crate::half_edge::{NoJournal, UndoLog};
 use crate::refine::event::InsertedKind;
@@ -24,19 +26,25 @@ pub(super) struct UnderWay {
 }
 
 impl Refinement {
-    /// Brings segments back that were let go, if the recipe does so; says whether the loop has to go on.
-    pub(super) fn recover_segments(&mut self) -> bool {
-        if self.segments.released.is_empty() || !self.strategy.steps.recover.splits_back() {
-            return false;
-        }
-        self.begin_recovery();
-        true
+    /// Begins to bring segments back.
+    pub(super) fn begin_recovery(&mut self, recovery: Recovery) {
+        self.segments.recovery = Some(Box::new(UnderWay { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
     }
 
-    /// Lets segments that are let go wait for [`recover_on`](Self::recover_on).
-    pub(super) fn begin_recovery(&mut self) {
-        let recovery = Recovery::of(std::mem::take(&mut self.segments.released));
-        self.segments.recovery = Some(Box::new(UnderWay { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
+    /// Brings some pieces back as whole edges, at once; returns how many are there then. The others cannot come back.
+    pub(super) fn bring_back_whole(&mut self, chosen: Vec<Released>) -> usize {
+        let count = chosen.len();
+        let mut recovery = Recovery::as_whole_edges(chosen);
+        while !recovery.is_done() {
+            self.recover_some(&mut recovery, &[]);
+        }
+        let lost = recovery.into_lost();
+        let there = count - lost.len();
+        self.segments.lost.extend(lost);
+        if self.is_open() {
+            self.look_at_everything();
+        }
+        there
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
@@ -51,6 +59,21 @@ impl Refinement {
         let Some(mut under_way) = self.segments.recovery.take() else { return false };
         let UnderWay { recovery, pieces } = &mut *under_way;
         let before = self.ledger.stopwatch.enter(Part::Recover);
+        self.recover_some(recovery, pieces);
+        if recovery.is_done() {
+            self.segments.lost.extend(under_way.recovery.into_lost());
+            if self.is_open() {
+                self.look_at_everything();
+            }
+        } else {
+            self.segments.recovery = Some(under_way);
+        }
+        self.ledger.stopwatch.enter(before);
+        true
+    }
+
+    /// Brings back one slice, with all pieces of all segments where it is done by splitting.
+    fn recover_some(&mut self, recovery: &mut Recovery, pieces: &[Piece]) {
         let (ruler, floor_sq) = (self.problem.ruler, self.problem.floors.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
         let is_cancelled = self.ledger.report.stop == StopReason::Cancelled;
@@ -66,25 +89,16 @@ impl Refinement {
         self.ledger.insertions += inserted as u64;
         self.ledger.report.segments_split += inserted as u64;
         self.ledger.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
-        if recovery.is_done() {
-            self.segments.lost.extend(under_way.recovery.into_lost());
-            if self.is_open() {
-                self.look_at_everything();
-            }
-        } else {
-            self.segments.recovery = Some(under_way);
-        }
-        self.ledger.stopwatch.enter(before);
-        true
     }
 
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
     ///
     /// Where the caller cancelled, no vertex goes in any more.
     pub(super) fn claim_segments(&mut self) {
-        self.recover_segments();
-        while self.recover_on() {
-            self.scratch.log.clear();
+        while self.recover_by_step() {
+            while self.recover_on() {
+                self.scratch.log.clear();
+            }
         }
         let mut missing = self.cdt.edit(&mut self.scratch.work, &mut NoJournal).mark_present(&self.segments.released);
         missing.append(&mut self.segments.lost);

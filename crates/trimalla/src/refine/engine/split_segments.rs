@@ -1,12 +1,14 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
+use super::insertion::Site;
 use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
-use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::event::InsertedKind;
 use crate::refine::options::Protect;
 use crate::refine::report::Reason;
+use crate::refine::steps::Proposal;
 
 /// A subsegment that waits to be split, lower vertex first.
 #[derive(Clone, Copy, Debug)]
@@ -171,62 +173,16 @@ impl Refinement {
     fn split_at_place(&mut self, h: HalfEdgeId, cut: Cut) -> bool {
         let provenance = self.provenance_of(h, cut);
         let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
-        let split = if self.strategy.facts.by_cavity {
-            self.split_by_cavity(h, cut.point, provenance).ok().flatten()
-        } else {
-            self.split_and_look(h, cut.point, provenance).map(|v| (v, false))
-        };
-        let Some((v, is_fan)) = split else { return false };
+        let plan = self.plan(Proposal::Split(h));
+        let Ok(inserted) = self.insert(plan, Site::Edge(h, cut.point, provenance)) else { return false };
         self.ledger.vertices += 1;
         self.ledger.report.segments_split += 1;
-        self.note_inserted(v, if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle });
-        if is_fan {
-            self.look_around_cavity(v, cut.point)
-        } else {
-            self.look_around(v)
-        }
+        self.note_inserted(
+            inserted.vertex,
+            if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle },
+        );
+        self.look_around_inserted(inserted, cut.point);
         true
-    }
-
-    /// Step 4 for a split; taken back if the new vertex is too near to another one.
-    fn split_and_look(&mut self, h: HalfEdgeId, p: Point, provenance: Provenance) -> Option<VertexId> {
-        let here = self.scratch.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
-        let v = self.strategy.steps.insert.split(&mut edit, h, p, provenance).ok()?;
-        self.ledger.insertions += 1;
-        if self.crowds_a_neighbour(v) {
-            self.cdt.rollback(&mut self.scratch.log, here);
-            return None;
-        }
-        Some(v)
-    }
-
-    /// Splits an edge by its cavity, whose rim tells the neighbours before anything is cut. Returns the vertex, and
-    /// whether it is the middle of the fan that fills the cavity; `None`, and nothing changed, where another vertex is
-    /// too near.
-    ///
-    /// Nobody takes the split back; an event is told by what the log holds.
-    ///
-    /// # Errors
-    /// [`Reason::PrecisionFloor`] where rounding leaves no room.
-    pub(super) fn split_by_cavity(
-        &mut self,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-    ) -> Result<Option<(VertexId, bool)>, Reason> {
-        let found = self.cdt.find_split(&mut self.scratch.cavity, h, p).map_err(|_| Reason::PrecisionFloor)?;
-        self.ledger.insertions += 1;
-        let (crowds, _) = self.look_at_rim(p);
-        if crowds {
-            return Ok(None);
-        }
-        let (work, cavity) = (&mut self.scratch.work, &mut self.scratch.cavity);
-        Ok(Some(if self.ledger.event.is_some() {
-            self.cdt.edit(work, &mut self.scratch.log).fill_split(cavity, found, p, provenance)
-        } else {
-            self.cdt.edit(work, &mut NoJournal).fill_split(cavity, found, p, provenance)
-        }))
     }
 
     /// How `h` can be split, or why not.
@@ -333,7 +289,7 @@ impl Refinement {
             let finite = self.cdt.dest(g).is_finite() && self.cdt.origin(g).is_finite();
             finite
                 && self.cdt.is_marked(g)
-                && (self.strategy.steps.point.shells_at_every_joint() || self.is_sharp(h, apex, end))
+                && (self.strategy.traits.point.shells_at_every_joint || self.is_sharp(h, apex, end))
         };
         let (origin, dest) = (self.cdt.origin(h), self.cdt.dest(h));
         let (left, right) = (self.cdt.apex(h), self.cdt.apex(t));
@@ -369,7 +325,7 @@ impl Refinement {
                     && self.cdt.is_deletable(apex)
                     && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
                         == CircleSide::Inside;
-                if !inside || !self.delete(apex, &mut looked_at) {
+                if !inside || !self.delete_free_vertex(apex, &mut looked_at) {
                     break;
                 }
             }
@@ -398,7 +354,7 @@ impl Refinement {
     }
 
     /// Deletes a free vertex; looks at the triangles and subsegments of the hole, and adds those triangles to a list.
-    fn delete(&mut self, v: VertexId, looked_at: &mut Vec<FaceId>) -> bool {
+    pub(super) fn delete_free_vertex(&mut self, v: VertexId, looked_at: &mut Vec<FaceId>) -> bool {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();

@@ -55,7 +55,7 @@ impl Refinement {
         let start = Start {
             cdt: std::mem::replace(&mut self.cdt, nothing),
             work: std::mem::take(&mut self.scratch.work),
-            is_delaunay: self.strategy.steps.insert.keeps_delaunay(),
+            is_delaunay: self.strategy.traits.insert.keeps_delaunay,
         };
         let mut changed = Self::timed(start, options, None)?;
         changed.ledger.stopwatch = self.ledger.stopwatch;

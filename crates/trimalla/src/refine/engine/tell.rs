@@ -96,6 +96,7 @@ impl Refinement {
     /// Counts a vertex that is in to stay, and notes it.
     pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
         self.ledger.report.inserted[kind as usize] += 1;
+        self.ledger.newest = Some(vertex);
         let point = self.cdt.point(vertex);
         self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
     }

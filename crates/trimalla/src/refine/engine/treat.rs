@@ -3,19 +3,20 @@
 //! 1. Those that no point can help are given up, with the reason.
 //! 2. The point strategy proposes places, the best first.
 //! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; so does, instead of the
-//!    point, one that a point would encroach upon. Step 4 by cavity sees that before it cuts; otherwise the point goes
-//!    in through the journal and comes out again, as it does if it is too near to another vertex.
+//!    point, one that the point would encroach upon. Step 4 plans how the point goes in, and `insertion.rs` carries the
+//!    plan out.
 
+use super::insertion::{Changed, Inserted, Refused, Site};
 use super::{Refinement, ends_of};
 use crate::constrained::Provenance;
 use crate::geometry::Point;
-use crate::half_edge::{Checkpoint, FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
 use crate::refine::bad_triangles::Badness;
 use crate::refine::event::InsertedKind;
 use crate::refine::lepp::lepp;
 use crate::refine::report::Reason;
-use crate::refine::steps::Proposal;
+use crate::refine::steps::{Places, Plan, Proposal};
 use crate::refine::stopwatch::Part;
 
 impl Refinement {
@@ -27,21 +28,51 @@ impl Refinement {
         self.count_path(face);
         let mut places = std::mem::take(&mut self.scratch.places);
         places.clear();
+        self.ledger.newest = None;
         self.strategy.steps.point.propose(self.view(), face, &mut places);
         self.ledger.stopwatch.enter(Part::Insert);
         // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never
         // will.
-        let is_kept = self.strategy.facts.keeps_delaunay;
+        let is_kept = self.strategy.traits.insert.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
-        let taken = places.iter().any(|&place| {
+        let taken = places.proposals().iter().position(|&place| {
             let tried = self.try_place(place);
             self.note_candidate(place, tried);
             tried.map_err(|reason| refused = reason).is_ok()
         });
-        let outcome = if taken { Ok(()) } else { Err(self.reason_of_refused_places(&places, refused)) };
+        let outcome = match taken {
+            Some(number) => {
+                self.put_others(&places, number);
+                Ok(())
+            }
+            None => Err(self.reason_of_refused_places(places.proposals(), refused)),
+        };
         self.scratch.places = places;
         outcome
+    }
+
+    /// Inserts the points that go in together with a place that was taken, if a vertex is there now.
+    #[inline(always)] // Nearly always there are none.
+    fn put_others(&mut self, places: &Places, number: usize) {
+        if places.together_with(number).next().is_some() {
+            self.put_points_after(self.ledger.newest, places.together_with(number));
+        }
+    }
+
+    /// Inserts points one after the other, each where a walk from the vertex before leads.
+    #[cold]
+    #[inline(never)]
+    fn put_points_after(&mut self, first: Option<VertexId>, points: impl Iterator<Item = Point>) {
+        let Some(mut from) = first else { return };
+        for point in points {
+            let Some(h) = self.cdt.outgoing(from).filter(|_| !self.is_exhausted()) else { return };
+            let face = if self.cdt.is_real(h.face()) { h.face() } else { self.cdt.twin(h).face() };
+            let Some(place) = Proposal::towards(self.view(), face, point) else { continue };
+            let tried = self.try_place(place);
+            self.note_candidate(place, tried);
+            from = self.ledger.newest.filter(|_| tried.is_ok()).unwrap_or(from);
+        }
     }
 
     /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape
@@ -64,7 +95,7 @@ impl Refinement {
 
     /// Counts the length of the path, where the strategy follows it.
     fn count_path(&mut self, face: FaceId) {
-        if self.strategy.facts.follows_path {
+        if self.strategy.traits.point.follows_path {
             let length = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule).len();
             let lengths = &mut self.ledger.report.lepp_lengths;
             lengths.resize(lengths.len().max(length + 1), 0);
@@ -73,7 +104,7 @@ impl Refinement {
     }
 
     /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
-    fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
+    pub(super) fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
         let is_true = if self.strategy.walks_prove_places {
             place.is_true_after_walk(&self.cdt)
         } else {
@@ -82,25 +113,31 @@ impl Refinement {
         if !is_true {
             return Err(Reason::StrategyCannotImprove);
         }
-        if let Some(h) = self.strategy.steps.insert.flip_instead(self.view(), place) {
-            self.flip(h);
-            return Ok(());
+        if let Proposal::Split(h) = place {
+            return self.split_instead(&[h]);
         }
-        match place {
-            Proposal::Split(h) => self.split_instead(&[h]),
-            Proposal::OnEdge { edge, point } => self.try_on_edge(edge, point),
-            Proposal::Free { point, locus } => self.try_point(point, locus),
+        match (self.plan(place), place) {
+            (Plan::Flip(h), _) => self.try_flip(h),
+            (plan, Proposal::OnEdge { edge, point }) => self.try_on_edge(plan, edge, point),
+            (plan, Proposal::Free { point, locus }) => self.try_point(plan, point, locus),
+            (_, Proposal::Split(h)) => self.split_instead(&[h]),
         }
     }
 
-    /// Flips an edge that fails the circle test; counted, so that the bound on insertions holds.
-    fn flip(&mut self, h: HalfEdgeId) {
-        let h = self.edit().flip_edge(h);
+    /// Flips an edge instead of an insertion, if its two faces form a convex quadrilateral. Where the circle test is to be
+    /// kept, only an edge that fails it is flipped. Flips are counted, so that the bound on insertions holds.
+    fn try_flip(&mut self, h: HalfEdgeId) -> Result<(), Reason> {
+        let is_there = self.cdt.is_alive(h.face());
+        let is_fine = is_there && (!self.strategy.traits.insert.keeps_delaunay || self.cdt.fails_circle_test(h));
+        let Some(h) = (if is_fine { self.edit().try_flip(h) } else { None }) else {
+            return Err(Reason::StrategyCannotImprove);
+        };
         self.ledger.insertions += 1;
         self.ledger.report.flips_instead += 1;
         let mut faces = [h.face(), self.cdt.twin(h).face()];
         self.put_in_order(&mut faces);
         self.look_at_faces(&faces);
+        Ok(())
     }
 
     /// Subsegments are in the way: one that can be is split, and the triangle waits.
@@ -131,181 +168,73 @@ impl Refinement {
         Err(refused)
     }
 
-    /// Inserts a free point by its cavity. The rim tells the neighbours and the subsegments opposite, so that nothing
-    /// is cut that would have to be taken back.
-    fn try_cavity(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if !self.cdt.find_cavity(&mut self.scratch.cavity, point, locus) {
-            return Err(Reason::PrecisionFloor);
-        }
-        let (crowds, marks) = self.look_at_rim(point);
-        if crowds {
+    /// Inserts a free point; where it would encroach upon subsegments, one of them waits for its split instead.
+    #[inline(always)] // For most triangles.
+    fn try_point(&mut self, plan: Plan, point: Point, locus: Locus) -> Result<(), Reason> {
+        if plan != Plan::Fan && self.nearest_sq(point, locus) < self.problem.floors.floor_sq {
             return Err(self.problem.floors.floor_reason);
         }
-        self.ledger.insertions += 1;
-        if marks != 0 && self.minds_encroachment() {
-            let encroached = self.encroached_on_rim(point);
-            if !encroached.is_empty() {
+        match self.insert(plan, Site::Free(point, locus)) {
+            Ok(inserted) => {
+                self.count_point(inserted.vertex, InsertedKind::Free);
+                self.look_around_inserted(inserted, point);
+                Ok(())
+            }
+            Err(Refused::Encroaches(encroached)) => {
                 self.ledger.report.points_rejected += 1;
                 if let Some(event) = &mut self.ledger.event {
                     event.encroached = encroached.iter().map(|&h| ends_of(&self.cdt, h)).collect();
                 }
-                return self.split_instead(&encroached);
+                self.split_instead(&encroached)
             }
+            Err(refused) => Err(self.reason_of_refused(&refused)),
         }
-        let v = self.fill_cavity(point);
-        self.look_around_cavity(v, point);
-        Ok(())
-    }
-
-    /// Whether a vertex on the rim of the cavity found last is closer to a point than the length floor allows, and
-    /// marks: 0 where no edge of the rim is a subsegment.
-    #[inline(always)] // Before each insertion.
-    pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
-        let cavity = &self.scratch.cavity;
-        let (mut crowds, mut marks) = (false, 0);
-        for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
-            crowds |=
-                edge.from.is_finite() & (self.problem.ruler.length_sq(point, start) < self.problem.floors.floor_sq);
-            marks |= edge.mark;
-        }
-        (crowds, marks)
-    }
-
-    /// The subsegments on the rim of the cavity found last that a point encroaches upon.
-    fn encroached_on_rim(&self, point: Point) -> Vec<HalfEdgeId> {
-        let rim = self.scratch.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
-        let marked = rim.iter().filter(|e| e.mark != 0).map(|e| self.cdt.twin(e.outer));
-        marked.filter(|&h| self.is_encroached(h, point)).collect()
-    }
-
-    /// Puts a free vertex into the cavity found last. Nobody takes it back; an event is told by what the log holds.
-    pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
-        let v = if self.ledger.event.is_some() {
-            self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log).fill_cavity(
-                &mut self.scratch.cavity,
-                point,
-                Provenance::Free,
-            )
-        } else {
-            self.cdt.edit(&mut self.scratch.work, &mut NoJournal).fill_cavity(
-                &mut self.scratch.cavity,
-                point,
-                Provenance::Free,
-            )
-        };
-        self.ledger.vertices += 1;
-        self.ledger.report.points_inserted += 1;
-        self.note_inserted(v, InsertedKind::Free);
-        v
-    }
-
-    /// Inserts a free point; takes it back if it encroaches upon subsegments.
-    fn try_point(&mut self, point: Point, locus: Locus) -> Result<(), Reason> {
-        if self.strategy.facts.by_cavity {
-            return self.try_cavity(point, locus);
-        }
-        if self.nearest_sq(point, locus) < self.problem.floors.floor_sq {
-            return Err(self.problem.floors.floor_reason);
-        }
-        let here = self.scratch.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
-        let v = self.strategy.steps.insert.insert(&mut edit, point, locus).ok_or(Reason::PrecisionFloor)?;
-        self.ledger.insertions += 1;
-        self.keep_if_apart(v, here)?;
-        let encroached = if self.minds_encroachment() { self.encroached_by(v) } else { Vec::new() };
-        if encroached.is_empty() {
-            self.ledger.vertices += 1;
-            self.ledger.report.points_inserted += 1;
-            self.note_inserted(v, InsertedKind::Free);
-            self.look_around(v);
-            return Ok(());
-        }
-        let ends: Vec<[VertexId; 2]> = encroached.into_iter().map(|h| ends_of(&self.cdt, h)).collect();
-        self.note(|event| event.encroached.clone_from(&ends));
-        self.cdt.rollback(&mut self.scratch.log, here);
-        self.ledger.report.points_rejected += 1;
-        let subsegments: Vec<HalfEdgeId> =
-            ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect();
-        self.split_instead(&subsegments)
     }
 
     /// Splits an unconstrained edge.
-    fn try_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
+    fn try_on_edge(&mut self, plan: Plan, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
         if self.nearest_sq(point, Locus::Edge(h)) < self.problem.floors.floor_sq {
             return Err(self.problem.floors.floor_reason);
         }
-        if self.strategy.facts.by_cavity {
-            return self.try_cavity_on_edge(h, point);
-        }
-        let here = self.scratch.log.checkpoint();
-        let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
-        let mut split = self.strategy.steps.insert.split(&mut edit, h, point, Provenance::Free);
-        if split.is_err() {
-            let beside = self.places_beside_on_edge(h, point);
-            let mut edit = self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log);
-            let beside = beside
-                .into_iter()
-                .find_map(|p| self.strategy.steps.insert.split(&mut edit, h, p, Provenance::Free).ok());
-            split = beside.map_or(split, Ok);
-        }
-        let v = split.map_err(|_| Reason::PrecisionFloor)?;
-        self.ledger.insertions += 1;
-        self.keep_if_apart(v, here)?;
-        self.ledger.vertices += 1;
-        self.ledger.report.points_inserted += 1;
-        self.note_inserted(v, InsertedKind::OnEdge);
-        self.look_around(v);
-        Ok(())
-    }
-
-    /// Splits an unconstrained edge by cavity.
-    fn try_cavity_on_edge(&mut self, h: HalfEdgeId, point: Point) -> Result<(), Reason> {
         let mut place = point;
-        let mut split = self.split_by_cavity(h, point, Provenance::Free);
-        if split.is_err() {
+        let mut split = self.insert(plan, Site::Edge(h, point, Provenance::Free));
+        if matches!(split, Err(Refused::NoRoom)) {
             for beside in self.places_beside_on_edge(h, point) {
-                (place, split) = (beside, self.split_by_cavity(h, beside, Provenance::Free));
-                if split.is_ok() {
+                (place, split) = (beside, self.insert(plan, Site::Edge(h, beside, Provenance::Free)));
+                if !matches!(split, Err(Refused::NoRoom)) {
                     break;
                 }
             }
         }
-        let Some((v, is_fan)) = split? else { return Err(self.problem.floors.floor_reason) };
-        self.ledger.vertices += 1;
-        self.ledger.report.points_inserted += 1;
-        self.note_inserted(v, InsertedKind::OnEdge);
-        if is_fan {
-            self.look_around_cavity(v, place)
-        } else {
-            self.look_around(v)
-        }
+        let inserted = split.map_err(|refused| self.reason_of_refused(&refused))?;
+        self.count_point(inserted.vertex, InsertedKind::OnEdge);
+        self.look_around_inserted(inserted, place);
         Ok(())
     }
 
-    /// Takes a vertex back that the insert step did not put in, or that is too close to a neighbour.
-    fn keep_if_apart(&mut self, v: VertexId, before: Checkpoint) -> Result<(), Reason> {
-        let why = if !self.is_there(v) {
-            Reason::StrategyCannotImprove
-        } else if self.crowds_a_neighbour(v) {
-            self.problem.floors.floor_reason
-        } else {
-            return Ok(());
-        };
-        self.cdt.rollback(&mut self.scratch.log, before);
-        Err(why)
+    /// Counts a vertex that is no split of a subsegment, and notes it.
+    pub(super) fn count_point(&mut self, v: VertexId, kind: InsertedKind) {
+        self.ledger.vertices += 1;
+        self.ledger.report.points_inserted += 1;
+        self.note_inserted(v, kind);
     }
 
-    /// Whether the triangulation has the vertex that a step 4 says it inserted.
-    fn is_there(&self, v: VertexId) -> bool {
-        v.index() < self.cdt.points().len() && self.cdt.is_used(v)
+    /// Looks at what has changed around a vertex that has just gone in at a point.
+    #[inline(always)] // After each insertion.
+    pub(super) fn look_around_inserted(&mut self, inserted: Inserted, point: Point) {
+        match inserted.changed {
+            Changed::Fan => self.look_around_cavity(inserted.vertex, point),
+            Changed::Star => self.look_around(inserted.vertex),
+            Changed::Since(here) => self.look_at_faces(&self.faces_changed_since(here)),
+        }
     }
 
-    /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
-    pub(super) fn crowds_a_neighbour(&self, v: VertexId) -> bool {
-        let p = self.cdt.point(v);
-        self.cdt
-            .neighbours(v)
-            .any(|w| self.problem.ruler.length_sq(p, self.cdt.point(w)) < self.problem.floors.floor_sq)
+    /// The reason that the refusal of a vertex is given as.
+    pub(super) const fn reason_of_refused(&self, refused: &Refused) -> Reason {
+        match refused {
+            Refused::NoRoom | Refused::Encroaches(_) => Reason::PrecisionFloor,
+            Refused::Crowded => self.problem.floors.floor_reason,
+        }
     }
 
     /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
@@ -337,17 +266,5 @@ impl Refinement {
             Locus::Edge(h) => least(h.face()).min(least(self.cdt.twin(h).face())),
             _ => 0.0,
         }
-    }
-
-    /// The subsegments opposite a new vertex that it encroaches upon.
-    fn encroached_by(&self, v: VertexId) -> Vec<HalfEdgeId> {
-        let p = self.cdt.point(v);
-        let marked = self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h));
-        marked.filter(|&h| self.is_encroached(h, p)).collect()
-    }
-
-    fn is_encroached(&self, h: HalfEdgeId, p: Point) -> bool {
-        let [a, b] = self.cdt.edge_points(h);
-        self.problem.region.holds(a, b, p, self.problem.ruler)
     }
 }

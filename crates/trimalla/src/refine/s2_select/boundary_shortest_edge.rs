@@ -15,7 +15,7 @@ pub(super) struct BoundaryShortestEdge;
 const FIRST: f64 = f64::from_bits((1023 - 110) << 52); // 2^-110
 
 impl SelectStep for BoundaryShortestEdge {
-    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+    fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
         let on_boundary = face.half_edges().into_iter().any(|h| view.cdt.is_inner_side_of_boundary(h));
         shortest_sq(view, face) * if on_boundary { FIRST } else { 1.0 }
     }

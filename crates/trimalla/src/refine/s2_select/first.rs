@@ -1,7 +1,7 @@
 //! `first`: the triangle that has waited longest first.
 
 use crate::half_edge::FaceId;
-use crate::refine::steps::{SelectStep, View};
+use crate::refine::steps::{SelectStep, SelectTraits, View};
 
 /// Step 2, `first`.
 #[derive(Clone, Copy, Debug)]
@@ -9,11 +9,11 @@ pub(super) struct First;
 
 impl SelectStep for First {
     #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 triangles ever wait")]
-    fn patience(&self, _: View<'_>, _: FaceId, joined: u64) -> f64 {
+    fn priority(&self, _: View<'_>, _: FaceId, joined: u64) -> f64 {
         joined as f64
     }
 
-    fn takes_oldest(&self) -> bool {
-        true
+    fn traits(&self) -> SelectTraits {
+        SelectTraits { takes_oldest: true, ..SelectTraits::default() }
     }
 }

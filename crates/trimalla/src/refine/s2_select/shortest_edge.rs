@@ -7,7 +7,7 @@
 use super::{shortest_sq, shortest_sq_of};
 use crate::geometry::Point;
 use crate::half_edge::FaceId;
-use crate::refine::steps::{SelectStep, View};
+use crate::refine::steps::{SelectStep, SelectTraits, View};
 
 /// Step 2, `shortest-edge`.
 #[derive(Clone, Copy, Debug)]
@@ -19,15 +19,15 @@ fn to_eighths(length_sq: f64) -> f64 {
 }
 
 impl SelectStep for ShortestEdge {
-    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+    fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
         to_eighths(shortest_sq(view, face))
     }
 
-    fn patience_of_corners(&self, view: View<'_>, _: FaceId, corners: [Point; 3], _: u64) -> f64 {
+    fn priority_of_corners(&self, view: View<'_>, _: FaceId, corners: [Point; 3], _: u64) -> f64 {
         to_eighths(shortest_sq_of(view.ruler, corners))
     }
 
-    fn works_by_patches(&self) -> bool {
-        true
+    fn traits(&self) -> SelectTraits {
+        SelectTraits { works_by_patches: true, ..SelectTraits::default() }
     }
 }

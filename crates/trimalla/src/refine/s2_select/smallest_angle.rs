@@ -8,7 +8,7 @@ use crate::refine::steps::{SelectStep, View};
 pub(super) struct SmallestAngle;
 
 impl SelectStep for SmallestAngle {
-    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+    fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
         let ([a, b, c], ruler) = (view.cdt.corners(face), view.ruler);
         // The smallest angle is never above 60 degrees, where the sine rises with it: twice the area over the
         // product of the two longer sides.

@@ -8,7 +8,7 @@ use crate::refine::steps::{SelectStep, View};
 pub(super) struct SmallestCircumradius;
 
 impl SelectStep for SmallestCircumradius {
-    fn patience(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
+    fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
         let ([a, b, c], ruler) = (view.cdt.corners(face), view.ruler);
         // The product of the sides over four times the area, squared and without the factor.
         let doubled_area = ruler.vector(a, b).cross(ruler.vector(a, c));

@@ -5,14 +5,14 @@
 
 use crate::geometry::{Point, Triangle};
 use crate::half_edge::FaceId;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, Proposal, View};
 
 /// Step 3, `circumcenter`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Circumcenter;
 
 impl PointStep for Circumcenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
     }
 }

@@ -17,14 +17,14 @@
 use crate::geometry::{Containment, Triangle};
 use crate::half_edge::FaceId;
 use crate::locate::Locus;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 
 /// Step 3, `incenter`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incenter;
 
 impl PointStep for Incenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.corners(face);
         let triangle = Triangle::new(a, b, c);
         let point = triangle.incenter();
@@ -34,11 +34,7 @@ impl PointStep for Incenter {
         }
     }
 
-    fn minds_encroachment(&self) -> bool {
-        false
-    }
-
-    fn shells_at_every_joint(&self) -> bool {
-        false
+    fn traits(&self) -> PointTraits {
+        PointTraits { minds_encroachment: false, shells_at_every_joint: false, ..PointTraits::default() }
     }
 }

@@ -10,7 +10,7 @@ use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
 use crate::refine::lepp::{Centroid, LeppRule, edge_midpoint, quadrilateral_centroid};
 use crate::refine::recipe::ConstrainedSecond;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 
 /// Step 3, `lepp-centroid`.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ pub(super) struct LeppCentroid {
 }
 
 impl PointStep for LeppCentroid {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
         let point = quadrilateral_centroid(view.cdt, view.ruler, h, self.kind);
         if let Some(s) = second_to_split(self.second, view, h, point) {
@@ -32,15 +32,7 @@ impl PointStep for LeppCentroid {
         places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(view.cdt, h) });
     }
 
-    fn minds_encroachment(&self) -> bool {
-        false
-    }
-
-    fn shells_at_every_joint(&self) -> bool {
-        false
-    }
-
-    fn follows_path(&self) -> bool {
-        true
+    fn traits(&self) -> PointTraits {
+        PointTraits::ON_PATH
     }
 }

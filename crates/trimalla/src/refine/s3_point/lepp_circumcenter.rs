@@ -9,7 +9,7 @@ use super::terminal::{chosen_terminal, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
 use crate::refine::lepp::{LeppRule, edge_midpoint};
 use crate::refine::recipe::Terminal;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 
 /// Step 3, `lepp-circumcenter`.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ pub(super) struct LeppCircumcenter {
 }
 
 impl PointStep for LeppCircumcenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
         let Some(from) = chosen_terminal(view, h, self.terminal) else { return };
         let point = center_of(view, from);
@@ -27,11 +27,7 @@ impl PointStep for LeppCircumcenter {
         places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(view.cdt, h) });
     }
 
-    fn shells_at_every_joint(&self) -> bool {
-        false
-    }
-
-    fn follows_path(&self) -> bool {
-        true
+    fn traits(&self) -> PointTraits {
+        PointTraits { shells_at_every_joint: false, follows_path: true, ..PointTraits::default() }
     }
 }

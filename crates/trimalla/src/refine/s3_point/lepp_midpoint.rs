@@ -9,7 +9,7 @@ use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
 use crate::refine::lepp::{LeppRule, edge_midpoint};
 use crate::refine::recipe::ConstrainedSecond;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 
 /// Step 3, `lepp-midpoint`.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ pub(super) struct LeppMidpoint {
 }
 
 impl PointStep for LeppMidpoint {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
         let point = edge_midpoint(view.cdt, h);
         places.push(match second_to_split(self.second, view, h, point) {
@@ -28,15 +28,7 @@ impl PointStep for LeppMidpoint {
         });
     }
 
-    fn minds_encroachment(&self) -> bool {
-        false
-    }
-
-    fn shells_at_every_joint(&self) -> bool {
-        false
-    }
-
-    fn follows_path(&self) -> bool {
-        true
+    fn traits(&self) -> PointTraits {
+        PointTraits::ON_PATH
     }
 }

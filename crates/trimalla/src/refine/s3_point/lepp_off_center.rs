@@ -9,7 +9,7 @@ use super::terminal::{chosen_terminal, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
 use crate::refine::lepp::{LeppRule, edge_midpoint};
 use crate::refine::recipe::Terminal;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 
 /// Step 3, `lepp-off-center`.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub(super) struct LeppOffCenter {
 }
 
 impl PointStep for LeppOffCenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let Some(h) = unsplit_terminal_edge(view, face, self.rule, places) else { return };
         let Some(from) = chosen_terminal(view, h, self.terminal) else { return };
         let point = self.off_center.place(view, from);
@@ -28,11 +28,7 @@ impl PointStep for LeppOffCenter {
         places.push(Proposal::OnEdge { edge: h, point: edge_midpoint(view.cdt, h) });
     }
 
-    fn shells_at_every_joint(&self) -> bool {
-        false
-    }
-
-    fn follows_path(&self) -> bool {
-        true
+    fn traits(&self) -> PointTraits {
+        PointTraits { shells_at_every_joint: false, follows_path: true, ..PointTraits::default() }
     }
 }

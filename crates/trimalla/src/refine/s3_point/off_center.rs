@@ -8,7 +8,7 @@
 use super::circumcenter::center_of;
 use crate::geometry::{Angle, Point, Triangle, angle_at_least, lexicographically_less, math};
 use crate::half_edge::FaceId;
-use crate::refine::steps::{PointStep, Proposal, View};
+use crate::refine::steps::{Places, PointStep, Proposal, View};
 
 /// Roundings of the exact off-center that are tried, each a last place or two nearer to the shortest edge.
 const ROUNDINGS: u32 = 8;
@@ -74,7 +74,7 @@ fn just_good([p, q]: [Point; 2], [middle, center]: [Point; 2], share: f64, cos_s
 }
 
 impl PointStep for OffCenter {
-    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+    fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         // Not chained: each place is as large as a handful of numbers, and copied for each link.
         if let Some(point) = self.place(view, face) {
             if let Some(place) = Proposal::towards(view, face, point) {
@@ -88,7 +88,7 @@ impl PointStep for OffCenter {
 /// Proposes the circumcenter, where there is no off-center or no way to it.
 #[cold]
 #[inline(never)]
-fn propose_center(view: View<'_>, face: FaceId, places: &mut Vec<Proposal>) {
+fn propose_center(view: View<'_>, face: FaceId, places: &mut Places) {
     places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
 }
 

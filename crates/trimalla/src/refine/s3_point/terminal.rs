@@ -24,14 +24,14 @@ use crate::geometry::{Point, Triangle, triangle_angles_at_least};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::lepp::{LeppRule, compare_edges, edges_by_length, terminal_edge, terminal_faces};
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
-use crate::refine::steps::{Proposal, View};
+use crate::refine::steps::{Places, Proposal, View};
 
 /// The terminal edge of a face's path; where it is constrained its split is proposed, and that is all.
 pub(super) fn unsplit_terminal_edge(
     view: View<'_>,
     face: FaceId,
     rule: LeppRule,
-    places: &mut Vec<Proposal>,
+    places: &mut Places,
 ) -> Option<HalfEdgeId> {
     let t = view.cdt;
     let h = terminal_edge(t, view.ruler, face, rule);

@@ -3,36 +3,19 @@
 //! # Source
 //! `[Rivara97]`: longest-edge bisection.
 
-use crate::constrained::{Edit, Provenance, SplitError};
-use crate::geometry::Point;
-use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
-use crate::locate::Locus;
-use crate::refine::steps::InsertStep;
+use crate::half_edge::FaceId;
+use crate::refine::steps::{InsertStep, InsertTraits, Plan, Proposal, View};
 
 /// Step 4, `partition`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Partition;
 
 impl InsertStep for Partition {
-    fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
-        edit.place_vertex_at(p, locus)
+    fn plan(&self, _: View<'_>, _: Proposal, _: &mut Vec<FaceId>) -> Plan {
+        Plan::Parts
     }
 
-    fn split(
-        &self,
-        edit: &mut Edit<'_, UndoLog>,
-        h: HalfEdgeId,
-        p: Point,
-        provenance: Provenance,
-    ) -> Result<VertexId, SplitError> {
-        edit.cut_subsegment(h, p, provenance)
-    }
-
-    fn keeps_small_angles(&self) -> bool {
-        true
-    }
-
-    fn keeps_delaunay(&self) -> bool {
-        false
+    fn traits(&self) -> InsertTraits {
+        InsertTraits { keeps_delaunay: false, keeps_small_angles: true }
     }
 }

@@ -1,9 +1,9 @@
-//! `by-splitting`: what was let go is split until it is edges again.
+//! `by-splitting`: segments that were let go are split until they are edges again.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.1.
 
-use crate::refine::steps::RecoverStep;
+use crate::refine::steps::{Bring, RecoverStep, StepEdit};
 
 /// Step 5, `by-splitting`.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ impl RecoverStep for BySplitting {
         false
     }
 
-    fn splits_back(&self) -> bool {
-        true
+    fn recover(&self, edit: &mut dyn StepEdit) {
+        edit.bring_all_back(Bring::BySplitting);
     }
 }

@@ -1,0 +1,253 @@
+//! Step 4 carried out: the plan of a step becomes a vertex in the triangulation, or nothing has changed.
+//!
+//! Whether a vertex is too near to another one, and upon which subsegments it encroaches, is read from the rim of the
+//! faces that it replaces. With [`Plan::Fan`] these faces are found before anything changes. With other plans they are
+//! known only when the vertex is in: it goes in through the journal, and comes out again where it must not stay.
+
+use super::parts::Scratch;
+use super::{Refinement, ends_of};
+use crate::constrained::{Edit, Provenance, SplitCavity};
+use crate::delaunay::Cavity;
+use crate::geometry::Point;
+use crate::half_edge::{Checkpoint, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId, columns};
+use crate::locate::Locus;
+use crate::refine::steps::{Plan, Proposal};
+
+/// Where a vertex goes in, and what it is there.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::refine) enum Site {
+    /// A free point at its exact locus.
+    Free(Point, Locus),
+    /// A point on an edge, or off it by its rounding.
+    Edge(HalfEdgeId, Point, Provenance),
+}
+
+impl Site {
+    /// The point.
+    pub(in crate::refine) const fn point(self) -> Point {
+        match self {
+            Self::Free(point, _) | Self::Edge(_, point, _) => point,
+        }
+    }
+}
+
+/// A vertex that is in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inserted {
+    pub(super) vertex: VertexId,
+    pub(super) changed: Changed,
+}
+
+/// Which faces are new or have changed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Changed {
+    /// The fan that filled the cavity in the scratch.
+    Fan,
+    /// Faces around the vertex.
+    Star,
+    /// Faces anywhere: those that the log names since then.
+    Since(Checkpoint),
+}
+
+/// Why a vertex is not in.
+#[derive(Clone, Debug)]
+pub(super) enum Refused {
+    /// Rounding leaves no room.
+    NoRoom,
+    /// Another vertex is nearer than the length floor allows.
+    Crowded,
+    /// It would encroach upon these subsegments.
+    Encroaches(Vec<HalfEdgeId>),
+}
+
+impl Refinement {
+    /// The plan of step 4 for a place; the faces it lists are in the scratch.
+    #[inline(always)] // Before each insertion.
+    pub(super) fn plan(&mut self, place: Proposal) -> Plan {
+        let mut faces = std::mem::take(&mut self.scratch.planned);
+        faces.clear();
+        let plan = self.strategy.steps.insert.plan(self.view(), place, &mut faces);
+        self.scratch.planned = faces;
+        plan
+    }
+
+    /// Carries out a plan. Where the point strategy keeps clear of segments, a free vertex encroaches upon none.
+    ///
+    /// # Errors
+    /// [`Refused`]; nothing has changed then.
+    #[inline(always)] // Before each insertion.
+    pub(super) fn insert(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
+        if plan == Plan::Fan { self.insert_fan(site) } else { self.insert_on_trial(plan, site) }
+    }
+
+    /// Finds the faces to be replaced, looks at their rim, and replaces them.
+    #[inline(always)] // Before each insertion.
+    fn insert_fan(&mut self, site: Site) -> Result<Inserted, Refused> {
+        let cavity = &mut self.scratch.cavity;
+        let split = match site {
+            Site::Free(point, locus) => self.cdt.find_cavity(cavity, point, locus).then_some(None),
+            Site::Edge(h, point, _) => self.cdt.find_split(cavity, h, point).ok().map(Some),
+        };
+        let Some(split) = split else { return Err(Refused::NoRoom) };
+        let (crowds, marks) = self.look_at_rim(site.point());
+        if crowds {
+            return Err(Refused::Crowded);
+        }
+        self.ledger.insertions += 1;
+        if marks != 0 && split.is_none() && self.minds_encroachment() {
+            let encroached = self.encroached_on_rim(site.point());
+            if !encroached.is_empty() {
+                return Err(Refused::Encroaches(encroached));
+            }
+        }
+        Ok(self.fill(site, split))
+    }
+
+    /// Fills the cavity in the scratch. Nothing takes the vertex back, so it is noted in the log only where somebody wants
+    /// to know what the step changed.
+    #[inline(always)] // Before each insertion.
+    fn fill(&mut self, site: Site, split: Option<SplitCavity>) -> Inserted {
+        let Scratch { work, log, cavity, .. } = &mut self.scratch;
+        if self.ledger.event.is_some() {
+            fill(&mut self.cdt.edit(work, log), cavity, site, split)
+        } else {
+            fill(&mut self.cdt.edit(work, &mut NoJournal), cavity, site, split)
+        }
+    }
+
+    /// Puts a free vertex into the cavity in the scratch.
+    pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
+        self.fill(Site::Free(point, Locus::Face(FaceId(0))), None).vertex
+    }
+
+    /// Whether a vertex on the rim of the cavity in the scratch is closer to a point than the length floor allows, and
+    /// marks: 0 where no edge of the rim is a subsegment.
+    #[inline(always)] // Before each insertion.
+    pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
+        let cavity = &self.scratch.cavity;
+        let (mut crowds, mut marks) = (false, 0);
+        for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
+            crowds |=
+                edge.from.is_finite() & (self.problem.ruler.length_sq(point, start) < self.problem.floors.floor_sq);
+            marks |= edge.mark;
+        }
+        (crowds, marks)
+    }
+
+    /// The subsegments on the rim of the cavity in the scratch that a point encroaches upon.
+    fn encroached_on_rim(&self, point: Point) -> Vec<HalfEdgeId> {
+        let rim = self.scratch.cavity.rim().split_last().map_or(&[][..], |(_, once)| once);
+        let marked = rim.iter().filter(|e| e.mark != 0).map(|e| self.cdt.twin(e.outer));
+        marked.filter(|&h| self.is_encroached(h, point)).collect()
+    }
+
+    /// Inserts a vertex, and takes it back where it must not stay.
+    #[inline(never)]
+    fn insert_on_trial(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
+        let here = self.scratch.log.checkpoint();
+        let keeps_delaunay = self.strategy.traits.insert.keeps_delaunay;
+        let Scratch { work, log, planned, .. } = &mut self.scratch;
+        let vertex = carry_out(&mut self.cdt.edit(work, log), (plan, planned), site, keeps_delaunay);
+        let vertex = vertex.ok_or(Refused::NoRoom)?;
+        self.ledger.insertions += 1;
+        if self.crowds_a_neighbour(vertex) {
+            self.cdt.rollback(&mut self.scratch.log, here);
+            return Err(Refused::Crowded);
+        }
+        let is_free = matches!(site, Site::Free(..));
+        let encroached = if is_free && self.minds_encroachment() { self.encroached_by(vertex) } else { Vec::new() };
+        if encroached.is_empty() {
+            let is_star = !keeps_delaunay || sees_to_circle_test(plan);
+            return Ok(Inserted { vertex, changed: if is_star { Changed::Star } else { Changed::Since(here) } });
+        }
+        Err(Refused::Encroaches(self.found_again_before(here, &encroached)))
+    }
+
+    /// Takes everything since a checkpoint back, and returns the edges that some edges of the present were before.
+    fn found_again_before(&mut self, here: Checkpoint, edges: &[HalfEdgeId]) -> Vec<HalfEdgeId> {
+        let ends: Vec<[VertexId; 2]> = edges.iter().map(|&h| ends_of(&self.cdt, h)).collect();
+        self.cdt.rollback(&mut self.scratch.log, here);
+        ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect()
+    }
+
+    /// The faces that the log names since a checkpoint, as far as they are there.
+    pub(super) fn faces_changed_since(&self, here: Checkpoint) -> Vec<FaceId> {
+        let entries = self.scratch.log.entries_since(here).filter(|entry| entry.column == columns::ORIGIN);
+        let mut faces: Vec<FaceId> = entries.map(|entry| FaceId(entry.index / 3)).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces.retain(|&f| self.cdt.is_real(f));
+        self.put_in_order(&mut faces);
+        faces
+    }
+
+    /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
+    fn crowds_a_neighbour(&self, v: VertexId) -> bool {
+        let p = self.cdt.point(v);
+        self.cdt
+            .neighbours(v)
+            .any(|w| self.problem.ruler.length_sq(p, self.cdt.point(w)) < self.problem.floors.floor_sq)
+    }
+
+    /// The subsegments opposite a new vertex that it encroaches upon.
+    fn encroached_by(&self, v: VertexId) -> Vec<HalfEdgeId> {
+        let p = self.cdt.point(v);
+        let marked = self.cdt.star(v).map(HalfEdgeId::next).filter(|&h| self.cdt.is_marked(h));
+        marked.filter(|&h| self.is_encroached(h, p)).collect()
+    }
+
+    fn is_encroached(&self, h: HalfEdgeId, p: Point) -> bool {
+        let [a, b] = self.cdt.edge_points(h);
+        self.problem.region.holds(a, b, p, self.problem.ruler)
+    }
+}
+
+/// Fills a cavity that was just found.
+#[inline(always)] // Before each insertion.
+fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, site: Site, split: Option<SplitCavity>) -> Inserted {
+    match (site, split) {
+        (Site::Edge(_, point, provenance), Some(found)) => {
+            let (vertex, is_fan) = edit.fill_split(cavity, found, point, provenance);
+            Inserted { vertex, changed: if is_fan { Changed::Fan } else { Changed::Star } }
+        }
+        _ => {
+            let vertex = edit.fill_cavity(cavity, site.point(), Provenance::Free);
+            Inserted { vertex, changed: Changed::Fan }
+        }
+    }
+}
+
+/// Inserts a vertex by a plan; the faces are those of [`Plan::Faces`]. `None`, and nothing changed, where rounding leaves
+/// no room, or the faces cannot be replaced by a fan.
+///
+/// Where the circle test is to be kept, edges are flipped around the vertex as far as the plan does not see to it.
+pub(in crate::refine) fn carry_out(
+    edit: &mut Edit<'_, UndoLog>,
+    (plan, faces): (Plan, &[FaceId]),
+    site: Site,
+    keeps_delaunay: bool,
+) -> Option<VertexId> {
+    let vertex = match (site, plan) {
+        (Site::Free(point, locus), Plan::Fan) => edit.insert_by_cavity(point, locus),
+        (Site::Edge(h, point, provenance), Plan::Fan) => edit.split_by_cavity(h, point, provenance).ok(),
+        (Site::Free(point, locus), Plan::Flips) => Some(edit.insert_vertex_at(point, locus)),
+        (Site::Edge(h, point, provenance), Plan::Flips) => edit.split_subsegment(h, point, provenance).ok(),
+        (Site::Free(point, locus), Plan::Pair(h)) => {
+            let in_pair = if edit.is_alive(h.face()) { edit.insert_in_pair(point, h) } else { None };
+            in_pair.or_else(|| edit.place_vertex_at(point, locus))
+        }
+        (Site::Free(point, _), Plan::Faces) => edit.insert_in_faces(point, faces),
+        (Site::Edge(h, point, _), Plan::Faces) if !edit.is_marked(h) => edit.insert_in_faces(point, faces),
+        (Site::Free(point, locus), Plan::Parts | Plan::Flip(_)) => edit.place_vertex_at(point, locus),
+        (Site::Edge(h, point, provenance), _) => edit.cut_subsegment(h, point, provenance).ok(),
+    };
+    if let Some(v) = vertex.filter(|_| keeps_delaunay && !sees_to_circle_test(plan)) {
+        edit.legalise_around(v);
+    }
+    vertex
+}
+
+/// Whether a plan keeps the circle test by itself.
+fn sees_to_circle_test(plan: Plan) -> bool {
+    matches!(plan, Plan::Fan | Plan::Flips)
+}
