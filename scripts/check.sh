@@ -31,6 +31,8 @@ cargo test --locked --workspace
 step "examples"
 cargo run --quiet --locked -p trimalla --example five_points
 cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1
+cargo run --quiet --locked -p trimalla --example own_steps | tail -n 1
+cargo run --quiet --locked -p trimalla --example history_cost 20000 | tail -n 1
 cargo run --quiet --locked -p trimalla-compare --example own_strategy | tail -n 1
 step "random inputs"
 # fuzz/ is a workspace of its own, with packages of its own.

@@ -20,7 +20,7 @@ use trimalla::refine::steps::{
 use trimalla::refine::{NoObserver, RefineOptions, Refinement};
 
 /// Step 1: subsegments longer than this are halved before the first point goes in, and then left alone.
-pub struct NoneLonger(pub f64);
+pub(crate) struct NoneLonger(pub(crate) f64);
 
 impl NoneLonger {
     fn is_too_long(&self, view: View<'_>, h: HalfEdgeId) -> bool {
@@ -47,7 +47,7 @@ impl PrepareStep for NoneLonger {
 }
 
 /// Step 2: the largest bad triangle first.
-pub struct LargestFirst;
+pub(crate) struct LargestFirst;
 
 impl SelectStep for LargestFirst {
     fn priority(&self, view: View<'_>, face: FaceId, _: u64) -> f64 {
@@ -57,7 +57,7 @@ impl SelectStep for LargestFirst {
 }
 
 /// Step 3: two points at a time, the circumcenters of a bad triangle and of the triangle across its longest edge.
-pub struct BothCenters;
+pub(crate) struct BothCenters;
 
 impl BothCenters {
     fn center(view: View<'_>, face: FaceId) -> Option<Point> {
@@ -80,7 +80,7 @@ impl PointStep for BothCenters {
 /// Step 4: the face in which the point lies goes, and those beside it whose circles hold the point.
 ///
 /// The cavity may be larger than that; edges around the vertex are flipped until the circle test holds.
-pub struct FirstRing;
+pub(crate) struct FirstRing;
 
 impl InsertStep for FirstRing {
     fn plan(&self, view: View<'_>, place: Proposal, faces: &mut Vec<FaceId>) -> Plan {
@@ -96,12 +96,12 @@ impl InsertStep for FirstRing {
     }
 }
 
-/// Step 5: *complete recovery*. Segments inside are free to go while points go in; what is missing in the end goes in as
-/// whole edges.
+/// Step 5: *complete recovery*. Segments inside are free to go while points go in; what is missing in the end goes in
+/// as whole edges.
 ///
 /// # Source
 /// `[MeshSuite]` 2.6.2.
-pub struct CompleteRecovery;
+pub(crate) struct CompleteRecovery;
 
 impl RecoverStep for CompleteRecovery {
     fn locks_segments(&self) -> bool {
@@ -115,7 +115,7 @@ impl RecoverStep for CompleteRecovery {
 }
 
 /// The recipe's steps, all five exchanged.
-pub fn own_steps(options: &RefineOptions) -> Steps {
+pub(crate) fn own_steps(options: &RefineOptions) -> Steps {
     let _ = options;
     Steps {
         prepare: Arc::new(NoneLonger(2.0)),
@@ -127,7 +127,7 @@ pub fn own_steps(options: &RefineOptions) -> Steps {
 }
 
 /// A square with a long segment inside, between two rows of vertices: it is no edge of the Delaunay triangulation.
-pub fn fenced() -> Pslg {
+pub(crate) fn fenced() -> Pslg {
     let mut fenced = Pslg::of_ring([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]);
     fenced.points.extend([[1.0, 4.0], [7.0, 4.5]].map(Point::from));
     fenced.points.extend((2..7).flat_map(|i| [Point::new(f64::from(i), 3.9), Point::new(f64::from(i) + 0.3, 4.8)]));

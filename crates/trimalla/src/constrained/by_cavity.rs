@@ -137,8 +137,9 @@ impl<J: Journal> Edit<'_, J> {
         })
     }
 
-    /// Replaces some faces by a fan around a vertex at `p`, and flips nothing; `None`, and nothing changed, where they are
-    /// no disk without a vertex inside, are parted by constrained edges, or the point does not see all of their sides.
+    /// Replaces some faces by a fan around a vertex at `p`, and flips nothing; `None`, and nothing changed, where they
+    /// are no disk without a vertex inside, are parted by constrained edges, or the point does not see all of their
+    /// sides.
     pub(crate) fn insert_in_faces(&mut self, p: Point, faces: &[FaceId]) -> Option<VertexId> {
         self.with_cavity(|edit, cavity| {
             cavity.take_faces(edit.data, p, faces).then(|| edit.fill_cavity(cavity, p, Provenance::Free))

@@ -95,27 +95,45 @@ struct Drawer {
 impl Drawer {
     const STEPS: usize = 64;
 
+    /// The steps, which are made where there are none yet.
+    #[inline]
+    fn steps_mut(&mut self) -> &mut [Step; Self::STEPS] {
+        self.steps.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Step::default())))
+    }
+
     /// Adds a triangle to a step.
     #[inline]
     fn put(&mut self, claim: Claim, step: usize) {
-        let steps = self.steps.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Step::default())));
-        steps[step].claims.push(claim);
+        self.steps_mut()[step].claims.push(claim);
         self.occupied |= 1 << step;
     }
 
-    /// Takes one from the lowest step where anything waits.
+    /// Takes one from the lowest step where anything waits; the step, too.
     #[inline]
-    fn take(&mut self, oldest_first: bool) -> Option<Claim> {
+    fn take(&mut self, oldest_first: bool) -> Option<(Claim, u32)> {
         let steps = self.steps.as_mut()?;
         while self.occupied != 0 {
-            let step = &mut steps[self.occupied.trailing_zeros() as usize];
+            let number = self.occupied.trailing_zeros();
+            let step = &mut steps[number as usize];
             let claim = if oldest_first { step.take_oldest() } else { step.take_newest() };
-            if claim.is_some() {
-                return claim;
+            if let Some(claim) = claim {
+                return Some((claim, number));
             }
             self.occupied &= self.occupied - 1;
         }
         None
+    }
+
+    /// Puts back what was taken from a step.
+    fn put_back(&mut self, claim: Claim, step: usize, is_oldest: bool) {
+        let list = &mut self.steps_mut()[step];
+        match (is_oldest, list.taken) {
+            (false, _) => list.claims.push(claim),
+            // Room at the front was given back since.
+            (true, 0) => list.claims.insert(0, claim),
+            (true, _) => list.taken -= 1,
+        }
+        self.occupied |= 1 << step;
     }
 }
 
@@ -142,6 +160,48 @@ pub(super) struct Queue {
     /// The newest look at each slot; 0 where there was nothing bad.
     looks: Vec<u32>,
     last_look: u32,
+    /// What was overwritten since the record began, where one is kept.
+    record: Option<Changes>,
+}
+
+/// What was overwritten in a queue, so that it can be put back.
+///
+/// Room that was made stays, and so do bits of steps that are empty: neither changes what comes up.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Changes {
+    present: usize,
+    lowest: usize,
+    len: usize,
+    last_look: u32,
+    list: Vec<Change>,
+}
+
+/// One change of a queue.
+#[derive(Clone, Debug)]
+enum Change {
+    /// The look at a slot was this.
+    Look { slot: u32, look: u32 },
+    /// A triangle was added to a step.
+    Added { step: u32 },
+    /// A triangle was added to the list of another patch.
+    AddedElsewhere { patch: u32 },
+    /// The newest triangle was taken from a step.
+    TakenNewest { step: u32, claim: Claim },
+    /// The oldest triangle was taken from a step.
+    TakenOldest { step: u32, claim: Claim },
+    /// The list of a patch was emptied.
+    Emptied { patch: u32, list: Box<[Waiting]> },
+}
+
+impl Changes {
+    /// About how many bytes they take.
+    pub(super) fn bytes(&self) -> usize {
+        let emptied = |change: &Change| match change {
+            Change::Emptied { list, .. } => size_of_val(&**list),
+            _ => 0,
+        };
+        self.list.len() * size_of::<Change>() + self.list.iter().map(emptied).sum::<usize>()
+    }
 }
 
 impl Queue {
@@ -177,6 +237,7 @@ impl Queue {
             self.put_into_step(waiting);
         } else {
             self.elsewhere[patch].push(waiting);
+            self.note(|| Change::AddedElsewhere { patch: patch as u32 });
         }
     }
 
@@ -189,7 +250,8 @@ impl Queue {
 
     #[inline]
     fn put_into_step(&mut self, Waiting { claim, step }: Waiting) {
-        let (drawer, step) = (step as usize / Drawer::STEPS, step as usize % Drawer::STEPS);
+        self.note(|| Change::Added { step });
+        let (drawer, step) = Self::place_of(step);
         if drawer >= self.drawers.len() {
             self.drawers.resize_with(drawer + 1, Drawer::default);
         }
@@ -205,7 +267,9 @@ impl Queue {
             return false;
         };
         self.present = next;
-        for waiting in std::mem::take(&mut self.elsewhere[next]) {
+        let list = std::mem::take(&mut self.elsewhere[next]);
+        self.note(|| Change::Emptied { patch: next as u32, list: list.clone().into() });
+        for waiting in list {
             if self.is_newest(waiting.claim) {
                 self.put_into_step(waiting);
             } else {
@@ -222,7 +286,8 @@ impl Queue {
             self.make_room_for(cdt.face_slots());
         }
         self.last_look = self.last_look.wrapping_add(1).max(1);
-        self.looks[face.index()] = self.last_look;
+        let look = std::mem::replace(&mut self.looks[face.index()], self.last_look);
+        self.note(|| Change::Look { slot: face.0, look });
         Claim { face, look: self.last_look }
     }
 
@@ -248,8 +313,57 @@ impl Queue {
     /// Notes that there is nothing bad in a slot now.
     pub(super) fn pass(&mut self, face: FaceId) {
         if let Some(look) = self.looks.get_mut(face.index()) {
-            *look = 0;
+            let look = std::mem::take(look);
+            self.note(|| Change::Look { slot: face.0, look });
         }
+    }
+
+    /// Notes a change, where a record is kept.
+    #[inline(always)] // Several times for each triangle, and there is hardly ever a record.
+    fn note(&mut self, change: impl FnOnce() -> Change) {
+        if let Some(record) = &mut self.record {
+            record.list.push(change());
+        }
+    }
+
+    /// Begins to record what is overwritten.
+    pub(super) fn begin_record(&mut self) {
+        let (present, lowest, len, last_look) = (self.present, self.lowest, self.len, self.last_look);
+        self.record = Some(Changes { present, lowest, len, last_look, list: Vec::new() });
+    }
+
+    /// Ends the record, and returns it.
+    pub(super) fn end_record(&mut self) -> Changes {
+        self.record.take().unwrap_or_default()
+    }
+
+    /// Puts everything back that was overwritten while a record was kept.
+    pub(super) fn take_back(&mut self, changes: Changes) {
+        for change in changes.list.into_iter().rev() {
+            match change {
+                Change::Look { slot, look } => self.looks[slot as usize] = look,
+                Change::Added { step } => {
+                    let (drawer, step) = Self::place_of(step);
+                    self.drawers[drawer].steps_mut()[step].claims.pop();
+                }
+                Change::AddedElsewhere { patch } => drop(self.elsewhere[patch as usize].pop()),
+                Change::TakenNewest { step, claim } => self.put_back(claim, step, false),
+                Change::TakenOldest { step, claim } => self.put_back(claim, step, true),
+                Change::Emptied { patch, list } => self.elsewhere[patch as usize] = list.into(),
+            }
+        }
+        (self.present, self.lowest) = (changes.present, changes.lowest);
+        (self.len, self.last_look) = (changes.len, changes.last_look);
+    }
+
+    fn put_back(&mut self, claim: Claim, step: u32, is_oldest: bool) {
+        let (drawer, step) = Self::place_of(step);
+        self.drawers[drawer].put_back(claim, step, is_oldest);
+    }
+
+    /// The drawer of a step, and its number there.
+    const fn place_of(step: u32) -> (usize, usize) {
+        (step as usize / Drawer::STEPS, step as usize % Drawer::STEPS)
     }
 
     /// The most urgent triangle of the patch that is still there; every face that changes is looked at again.
@@ -267,11 +381,16 @@ impl Queue {
 
     fn pop_here(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         while let Some(drawer) = self.drawers.get_mut(self.lowest) {
-            let Some(claim) = drawer.take(oldest_first) else {
+            let Some((claim, step)) = drawer.take(oldest_first) else {
                 self.lowest += 1;
                 continue;
             };
             self.len -= 1;
+            let step = (self.lowest * Drawer::STEPS) as u32 + step;
+            self.note(|| match oldest_first {
+                true => Change::TakenOldest { step, claim },
+                false => Change::TakenNewest { step, claim },
+            });
             if self.is_valid(cdt, claim) {
                 return Some(claim.face);
             }

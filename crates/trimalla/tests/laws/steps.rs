@@ -252,7 +252,10 @@ fn every_combination_of_the_five_steps_is_sound() {
             runs += 1;
         }
     }
-    assert_eq!(runs, 3 * 2 * 2 * Select::ALL.len() * 2 * PlacePoint::ALL.len() * Insert::ALL.len() * 3);
+    assert_eq!(
+        runs,
+        3 * 2 * 2 * Select::ALL.len() * 2 * PlacePoint::ALL.len() * Insert::ALL.len() * Recover::ALL.len()
+    );
 }
 
 /// Only triangles that were picked are treated, bad or not.

@@ -56,6 +56,26 @@ pub(super) enum FillStage {
     Done,
 }
 
+/// The filling before a node was taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TakenNode {
+    near: Option<FaceId>,
+    /// The part that the node is in, and the vertex that was known of it.
+    part: u32,
+    known: VertexId,
+}
+
+impl FillStage {
+    /// Takes it back that a node was taken.
+    pub(super) fn put_back(&mut self, node: TakenNode) {
+        if let Self::Nodes(nodes) = self {
+            nodes.done -= 1;
+            nodes.near = node.near;
+            nodes.parts[node.part as usize].known = node.known;
+        }
+    }
+}
+
 /// What goes in.
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
@@ -89,6 +109,13 @@ impl Nodes {
         Some((self.points[i], &mut self.parts[self.part_of[i] as usize]))
     }
 
+    /// What is to be remembered before the next node is taken.
+    fn next(&self) -> Option<TakenNode> {
+        let i = *self.order.get(self.done)? as usize;
+        let part = self.part_of[i];
+        Some(TakenNode { near: self.near, part, known: self.parts[part as usize].known })
+    }
+
     fn left(&self) -> usize {
         self.order.len() - self.done
     }
@@ -116,6 +143,9 @@ impl Refinement {
         match std::mem::take(&mut self.filling) {
             FillStage::Done => return false,
             FillStage::Segments(bounds) => {
+                if let Some(record) = self.record() {
+                    record.note_filling(FillStage::Segments(bounds));
+                }
                 let is_on = self.queue_long_subsegments(bounds);
                 self.filling = if is_on { FillStage::Segments(bounds) } else { self.planned(bounds) };
             }
@@ -124,7 +154,11 @@ impl Refinement {
                 if self.try_next_of(&mut nodes) {
                     self.filling = FillStage::Nodes(nodes);
                 } else {
-                    self.look_at_all_bad(nodes.bounds);
+                    let bounds = nodes.bounds;
+                    if let Some(record) = self.record() {
+                        record.note_filling(FillStage::Nodes(nodes));
+                    }
+                    self.look_at_all_bad(bounds);
                 }
             }
         }
@@ -246,6 +280,9 @@ impl Refinement {
     /// Inserts the next node, if there is room for it; says whether there was a next one.
     fn try_next_of(&mut self, nodes: &mut Nodes) -> bool {
         let near = nodes.near;
+        if let (Some(node), Some(record)) = (nodes.next(), self.record()) {
+            record.note_node(node);
+        }
         let Some((p, part)) = nodes.take() else { return false };
         let there = near.and_then(|near| self.way_to(p, near)).or_else(|| self.way_from(part.known, p));
         if there.is_some_and(|locus| {
@@ -264,7 +301,8 @@ impl Refinement {
         self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
         self.ledger.stopwatch.enter(Part::Select);
-        self.agenda.queue = self.empty_queue(Some(bounds), self.ledger.vertices);
+        let queue = self.empty_queue(Some(bounds), self.ledger.vertices);
+        self.replace_queue(queue);
         let mut bad: Vec<FaceId> = self.cdt.real_faces().filter(|&f| self.badness(f).is_some()).collect();
         self.put_in_order(&mut bad);
         bad.into_iter().for_each(|f| self.look_at_bad(f));

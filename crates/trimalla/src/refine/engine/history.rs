@@ -1,158 +1,372 @@
-//! Going back: states remembered now and then, and what was done after them done again.
-//!
-//! A refinement is a function of its input, its options and what the caller does between steps. So a state some steps
-//! before is the newest one remembered before it, and the steps and picks between once more, as they were recorded:
+//! Going back: what each step overwrote, put back in reverse order.
 //!
 //! ```text
-//!     state ── step 1 ── pick ── step 2 ── step 3 ── (own test) ── state ── step 4
-//!       0                                                           3, kept: no state before it knows the test
+//!     records   step 1 │ step 2 │ own test │ step 3          the newest first: step 3, the test, step 2, …
+//!               ───────┴────────┴──────────┴───────>
 //! ```
 //!
-//! Of states long past fewer and fewer are kept: about as many as the logarithm of the number of steps, so that memory
-//! stays within a few times the triangulation's own.
+//! A step's record holds the journal of the triangulation, the journal of the queue, and what little else a step
+//! changes: so both making it and going back cost what the step itself cost. Lists that a step adds to at one end and
+//! takes from at the other are put back by their lengths. What the caller changes between two steps is recorded as a
+//! whole, but for picks, which a step's lengths tell.
+//!
+//! Old records are dropped when all of them take more memory than was allowed.
+
+use std::collections::{BTreeSet, VecDeque};
 
 use super::Refinement;
-use crate::half_edge::{FaceId, VertexId};
+use super::fill::{FillStage, TakenNode};
+use super::parts::{Ledger, SegmentWork};
+use super::split_segments::Encroached;
+use crate::half_edge::{Checkpoint, Entry, FaceId, UndoLog, VertexId};
 use crate::refine::event::StepOutcome;
+use crate::refine::queue::{Changes, Claim, Queue};
+use crate::refine::report::Reason;
 
-/// Steps between two states remembered, at least.
-const STRIDE: u64 = 32;
-/// In large triangulations, one state is remembered in as many steps as it has faces over this.
-const FACES_A_STEP: u64 = 256;
+/// Bytes that records of steps may take where the caller does not say: a gibibyte.
+const BYTES: usize = 1 << 30;
 
-/// What was done step by step.
-#[derive(Clone, Default)]
-pub(super) struct History {
-    steps: u64,
-    /// The oldest first.
-    states: Vec<State>,
-    /// Triangles that were picked, in order, each with the number of steps made by then.
-    picks: Vec<(u64, Picked)>,
-    /// Whether the caller has changed more than picks since the last step.
-    is_changed: bool,
-}
+/// Bytes that a copy of a refinement takes for each vertex, about.
+const BYTES_A_VERTEX: usize = 128;
 
 /// A triangle, by its slot and its sorted vertices.
 pub(super) type Picked = (FaceId, [VertexId; 3]);
 
-/// A state right before a step.
+/// What was done, as far as it can be taken back.
 #[derive(Clone)]
-struct State {
-    /// The number of steps made by then.
-    at: u64,
-    refinement: Box<Refinement>,
-    /// How many picks it knows of.
-    picks: usize,
-    /// Whether something was changed before it that is not recorded: no other state leads to it.
-    is_kept: bool,
+pub(super) struct History {
+    /// Steps made since the history began.
+    steps: u64,
+    /// Steps among the records.
+    recorded: u64,
+    /// The oldest first.
+    records: VecDeque<Record>,
+    /// The step at work.
+    under_way: Option<Box<StepRecord>>,
+    /// What the records take, about, and what they may take.
+    bytes: usize,
+    most_bytes: usize,
+    /// Whether steps of runs are recorded, too.
+    with_runs: bool,
+}
+
+/// How to take something back.
+#[derive(Clone)]
+enum Record {
+    Step(Box<StepRecord>),
+    /// The refinement as it was before the caller changed options, a step or a test.
+    Change(Box<Refinement>),
+}
+
+/// How to take a step back.
+#[derive(Clone)]
+pub(super) struct StepRecord {
+    triangulation: UndoLog,
+    ledger: Ledger,
+    joined: u64,
+    current: Option<Claim>,
+    changes_at_retry: u64,
+    retries: u32,
+    /// How many waited before the step.
+    encroached: usize,
+    picked: usize,
+    given_up: usize,
+    /// What the step took from the front of these lists.
+    split: Option<Encroached>,
+    taken: Vec<Picked>,
+    /// Subsegments that turned out to be unsplittable.
+    unsplittable: Vec<[VertexId; 2]>,
+    /// What was given up, and unsplittable, before a retry.
+    before_retry: Option<Box<Refusals>>,
+    /// The queue before another one took its place, or what the step changed in it.
+    queue: Option<Box<Queue>>,
+    queue_changes: Changes,
+    /// Work on segments before it was changed.
+    segments: Option<Box<SegmentWork>>,
+    filling: Option<FillStage>,
+    node: Option<TakenNode>,
+}
+
+/// Triangles that were given up, and subsegments that cannot be split.
+pub(super) type Refusals = (Vec<([VertexId; 3], Reason)>, BTreeSet<[VertexId; 2]>);
+
+impl Default for History {
+    fn default() -> Self {
+        Self {
+            steps: 0,
+            recorded: 0,
+            records: VecDeque::new(),
+            under_way: None,
+            bytes: 0,
+            most_bytes: BYTES,
+            with_runs: false,
+        }
+    }
+}
+
+impl Record {
+    /// About how many bytes the record takes.
+    fn bytes(&self) -> usize {
+        let step = match self {
+            Self::Step(step) => step,
+            Self::Change(before) => return before.cdt.points().len() * BYTES_A_VERTEX,
+        };
+        let lists = step.triangulation.len() * size_of::<Entry>() + step.queue_changes.bytes();
+        size_of::<StepRecord>() + lists + step.taken.len() * size_of::<Picked>()
+    }
 }
 
 impl History {
-    /// Forgets states so that those left lie about twice as far apart each time one goes further back.
-    fn thin(&mut self) {
-        let now = self.steps;
-        let mut last = None;
-        self.states.retain(|state| {
-            let at = state.at;
-            let keep = at == 0 || state.is_kept || last.is_none_or(|l| at - l >= ((now - at) / 4).max(STRIDE));
-            if keep {
-                last = Some(at);
+    fn push(&mut self, record: Record) {
+        self.bytes += record.bytes();
+        self.recorded += u64::from(matches!(record, Record::Step(_)));
+        self.records.push_back(record);
+        while self.bytes > self.most_bytes && self.records.len() > 1 {
+            if let Some(oldest) = self.records.pop_front() {
+                self.forget(&oldest);
             }
-            keep
-        });
+        }
     }
 
-    /// The triangles picked when so many steps had been made, those left out that were picked before so many others.
-    fn picked_at(&self, steps: u64, known: usize) -> Vec<Picked> {
-        self.picks[known..].iter().filter(|(at, _)| *at == steps).map(|&(_, picked)| picked).collect()
+    fn pop(&mut self) -> Option<Record> {
+        let record = self.records.pop_back()?;
+        self.forget(&record);
+        Some(record)
+    }
+
+    fn forget(&mut self, record: &Record) {
+        self.bytes -= record.bytes();
+        self.recorded -= u64::from(matches!(record, Record::Step(_)));
     }
 }
 
 impl Refinement {
-    /// Remembers the present, where it is time to.
-    pub(super) fn remember(&mut self) {
-        let mut history = self.history.take().unwrap_or_default();
-        let stride = STRIDE.max(self.cdt.face_slots() as u64 / FACES_A_STEP);
-        let is_kept = std::mem::take(&mut history.is_changed);
-        let is_due = history.states.last().is_none_or(|state| history.steps >= state.at + stride);
-        if is_due || is_kept {
-            history.thin();
-            let (at, picks) = (history.steps, history.picks.len());
-            history.states.push(State { at, refinement: Box::new(self.clone()), picks, is_kept });
-        }
-        self.history = Some(history);
+    /// Records every step from now on, those of [`run`](Self::run) too, so that [`back`](Self::back) can take it back,
+    /// and drops the oldest records when all of them take more than so many bytes.
+    ///
+    /// [`step`](Self::step) and [`run_until`](Self::run_until) record their steps without being told, in up to a
+    /// gibibyte.
+    pub fn keep_history(&mut self, most_bytes: usize) {
+        let history = self.history.take().unwrap_or_default();
+        self.history = Some(History { most_bytes, with_runs: true, ..history });
     }
 
-    /// The number of the step that is about to be made.
-    pub(super) fn count_step(&mut self) -> u64 {
-        self.history.as_mut().map_or(0, |history| {
-            history.steps += 1;
-            history.steps
-        })
+    /// About how many bytes the records take of what can be taken back.
+    #[must_use]
+    pub fn history_bytes(&self) -> usize {
+        self.history.as_ref().map_or(0, |history| history.bytes)
     }
 
-    /// How many steps can be taken back: those made one by one.
+    /// How many steps can be taken back.
     #[must_use]
     pub fn steps_made(&self) -> u64 {
-        self.history.as_ref().map_or(0, |history| history.steps)
+        self.history.as_ref().map_or(0, |history| history.recorded)
     }
 
-    /// Notes that the caller picked a triangle.
-    pub(super) fn record_pick(&mut self, picked: Picked) {
+    /// Ends what can be taken back, unless steps of runs are recorded, too.
+    pub(super) fn history_of_run(&mut self) {
+        self.history = self.history.take().filter(|history| history.with_runs);
+    }
+
+    /// Begins to record steps made one by one, and returns the number of the step that is about to be made.
+    pub(super) fn history_of_step(&mut self) -> u64 {
+        self.history.get_or_insert_default().steps + 1
+    }
+
+    /// Does something that is one step, and records it where steps are recorded.
+    #[inline(always)] // Before each step of a run, and there is hardly ever a history.
+    pub(super) fn recorded<T>(&mut self, step: impl FnOnce(&mut Self) -> T) -> T {
+        if self.history.is_none() {
+            return step(self);
+        }
+        self.begin_record();
+        let result = step(self);
+        self.end_record();
+        result
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn begin_record(&mut self) {
+        let agenda = &mut self.agenda;
+        agenda.queue.begin_record();
+        let record = StepRecord {
+            triangulation: UndoLog::new(),
+            ledger: self.ledger.clone(),
+            joined: agenda.joined,
+            current: agenda.current,
+            changes_at_retry: agenda.changes_at_retry,
+            retries: agenda.retries,
+            encroached: agenda.encroached.len(),
+            picked: agenda.picked.len(),
+            given_up: agenda.given_up.len(),
+            split: None,
+            taken: Vec::new(),
+            unsplittable: Vec::new(),
+            before_retry: None,
+            queue: None,
+            queue_changes: Changes::default(),
+            segments: None,
+            filling: None,
+            node: None,
+        };
+        self.scratch.log.clear();
+        self.scratch.is_recorded = true;
         if let Some(history) = &mut self.history {
-            history.picks.push((history.steps, picked));
+            history.under_way = Some(Box::new(record));
         }
     }
 
-    /// Notes that the caller has changed something between steps that is not recorded.
+    #[cold]
+    #[inline(never)]
+    fn end_record(&mut self) {
+        self.scratch.is_recorded = false;
+        let changes = self.agenda.queue.end_record();
+        let triangulation = std::mem::take(&mut self.scratch.log);
+        let Some(history) = &mut self.history else { return };
+        history.steps += 1;
+        if let Some(mut record) = history.under_way.take() {
+            record.triangulation = triangulation;
+            record.queue_changes = match &mut record.queue {
+                Some(first) => first.end_record(),
+                None => changes,
+            };
+            history.push(Record::Step(record));
+        }
+    }
+
+    /// The record of the step at work, if steps are recorded.
+    #[inline(always)] // Several times a step, and there is hardly ever a history.
+    pub(super) fn record(&mut self) -> Option<&mut StepRecord> {
+        self.history.as_mut().and_then(|history| history.under_way.as_deref_mut())
+    }
+
+    /// Records that the caller is about to change something other than picks.
     pub(super) fn record_change(&mut self) {
-        if let Some(history) = &mut self.history {
-            history.is_changed = true;
+        if let Some(mut history) = self.history.take() {
+            history.push(Record::Change(Box::new(self.clone())));
+            self.history = Some(history);
+        }
+    }
+
+    /// Records the work on segments, before the step at work changes it.
+    pub(super) fn record_segments(&mut self) {
+        if self.history.is_some() {
+            let segments = Box::new(self.segments.clone());
+            if let Some(record) = self.record() {
+                record.segments.get_or_insert(segments);
+            }
         }
     }
 
     /// Takes the last step back: everything is what it was right before it, with what was picked and chosen by then.
     /// Says whether there was one.
     ///
-    /// A [`run`](Self::run) between steps cannot be taken back, and ends what can be.
+    /// A [`run`](Self::run) can be taken back step by step where [`keep_history`](Self::keep_history) was asked for;
+    /// otherwise it ends what can be taken back.
     ///
     /// # Complexity
-    /// A copy of the triangulation, and some of the steps before once more.
+    /// That of the step; where the caller has changed options or steps since, a copy of the triangulation.
     pub fn back(&mut self) -> bool {
         let Some(mut history) = self.history.take() else { return false };
-        let Some(target) = history.steps.checked_sub(1) else {
-            self.history = Some(history);
-            return false;
-        };
-        while history.states.last().is_some_and(|state| state.at > target) {
-            history.states.pop();
-        }
-        history.picks.retain(|(at, _)| *at <= target);
-        history.is_changed = false;
-        let Some(state) = history.states.last() else { return false };
-        *self = (*state.refinement).clone();
-        let (from, known) = (state.at, state.picks);
-        for steps in from..=target {
-            if steps > from {
-                self.advance();
+        let has_step = history.recorded > 0;
+        // Each round takes a record; the last one is a step.
+        while let Some(record) = history.pop().filter(|_| has_step) {
+            match record {
+                Record::Change(before) => *self = *before,
+                Record::Step(step) => {
+                    history.steps -= 1;
+                    self.take_back(*step);
+                    break;
+                }
             }
-            history.picked_at(steps, known).into_iter().for_each(|picked| self.put_picked(picked));
         }
-        history.steps = target;
         self.history = Some(history);
-        true
+        has_step
+    }
+
+    /// Puts back what a step overwrote.
+    fn take_back(&mut self, mut step: StepRecord) {
+        self.cdt.rollback(&mut step.triangulation, Checkpoint(0));
+        let agenda = &mut self.agenda;
+        if let Some(queue) = step.queue {
+            agenda.queue = *queue;
+        }
+        agenda.queue.take_back(step.queue_changes);
+        agenda.joined = step.joined;
+        agenda.current = step.current;
+        (agenda.changes_at_retry, agenda.retries) = (step.changes_at_retry, step.retries);
+        // What the step, and the caller after it, added at the end; what the step took from the front.
+        agenda.encroached.truncate(step.encroached - usize::from(step.split.is_some()));
+        agenda.encroached.extend(step.split);
+        agenda.encroached.rotate_right(usize::from(step.split.is_some()));
+        agenda.picked.truncate(step.picked - step.taken.len());
+        step.taken.into_iter().rev().for_each(|picked| agenda.picked.push_front(picked));
+        for ends in step.unsplittable {
+            agenda.unsplittable.remove(&ends);
+        }
+        if let Some(refusals) = step.before_retry {
+            (agenda.given_up, agenda.unsplittable) = *refusals;
+        }
+        agenda.given_up.truncate(step.given_up);
+        if let Some(segments) = step.segments {
+            self.segments = *segments;
+        }
+        if let Some(filling) = step.filling {
+            self.filling = filling;
+        }
+        if let Some(node) = step.node {
+            self.filling.put_back(node);
+        }
+        self.ledger = Ledger { stopwatch: self.ledger.stopwatch, ..step.ledger };
     }
 
     /// Runs step by step until a condition holds, asked after each step, or nothing is left to do; says how the last
     /// step ended. The steps can be taken back.
     pub fn run_until(&mut self, mut holds: impl FnMut(&Self) -> bool) -> StepOutcome {
         loop {
-            self.remember();
-            self.count_step();
-            let outcome = self.advance();
+            self.history_of_step();
+            let outcome = self.recorded(Self::advance);
             if matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) || holds(self) {
                 return outcome;
             }
         }
+    }
+}
+
+impl StepRecord {
+    /// Notes the subsegment that the step splits.
+    pub(super) fn note_split(&mut self, encroached: Encroached) {
+        self.split = Some(encroached);
+    }
+
+    /// Notes a subsegment that the step found to be unsplittable.
+    pub(super) fn note_unsplittable(&mut self, ends: [VertexId; 2]) {
+        self.unsplittable.push(ends);
+    }
+
+    /// Notes a picked triangle that the step took.
+    pub(super) fn note_taken(&mut self, picked: Picked) {
+        self.taken.push(picked);
+    }
+
+    /// Notes what a retry forgets.
+    pub(super) fn note_retry(&mut self, refusals: Refusals) {
+        self.before_retry.get_or_insert(Box::new(refusals));
+    }
+
+    /// Notes the queue that another one takes the place of.
+    pub(super) fn note_queue(&mut self, before: Queue) {
+        self.queue.get_or_insert(Box::new(before));
+    }
+
+    /// Notes how far the filling was.
+    pub(super) fn note_filling(&mut self, before: FillStage) {
+        self.filling.get_or_insert(before);
+    }
+
+    /// Notes the node that the step took.
+    pub(super) fn note_node(&mut self, node: TakenNode) {
+        self.node = Some(node);
     }
 }

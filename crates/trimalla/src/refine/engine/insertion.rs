@@ -103,12 +103,12 @@ impl Refinement {
         Ok(self.fill(site, split))
     }
 
-    /// Fills the cavity in the scratch. Nothing takes the vertex back, so it is noted in the log only where somebody wants
-    /// to know what the step changed.
+    /// Fills the cavity in the scratch. Nothing takes the vertex back, so it is noted in the log only where somebody
+    /// wants to know what the step changed.
     #[inline(always)] // Before each insertion.
     fn fill(&mut self, site: Site, split: Option<SplitCavity>) -> Inserted {
-        let Scratch { work, log, cavity, .. } = &mut self.scratch;
-        if self.ledger.event.is_some() {
+        let Scratch { work, log, cavity, is_recorded, .. } = &mut self.scratch;
+        if *is_recorded || self.ledger.event.is_some() {
             fill(&mut self.cdt.edit(work, log), cavity, site, split)
         } else {
             fill(&mut self.cdt.edit(work, &mut NoJournal), cavity, site, split)
@@ -217,8 +217,8 @@ fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, site: Site, spl
     }
 }
 
-/// Inserts a vertex by a plan; the faces are those of [`Plan::Faces`]. `None`, and nothing changed, where rounding leaves
-/// no room, or the faces cannot be replaced by a fan.
+/// Inserts a vertex by a plan; the faces are those of [`Plan::Faces`]. `None`, and nothing changed, where rounding
+/// leaves no room, or the faces cannot be replaced by a fan.
 ///
 /// Where the circle test is to be kept, edges are flipped around the vertex as far as the plan does not see to it.
 pub(in crate::refine) fn carry_out(

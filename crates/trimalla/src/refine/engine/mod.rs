@@ -140,13 +140,22 @@ impl Refinement {
     /// at.
     pub(super) fn begin(&mut self, bounds: Option<BoundingBox>) {
         let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
-        self.agenda.queue = self.empty_queue(bounds, expected);
+        let queue = self.empty_queue(bounds, expected);
+        self.replace_queue(queue);
         self.ledger.improvement = self.improvement_from_start();
         self.filling = self.fill_from_start(bounds);
         if self.is_filling() {
             drop(self.cdt.take_order_along_curve());
         } else {
             self.look_at_everything();
+        }
+    }
+
+    /// Puts a queue in the place of the present one.
+    pub(super) fn replace_queue(&mut self, queue: Queue) {
+        let before = std::mem::replace(&mut self.agenda.queue, queue);
+        if let Some(record) = self.record() {
+            record.note_queue(before);
         }
     }
 
@@ -275,7 +284,7 @@ impl Refinement {
     /// # Complexity
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
-        self.history = None;
+        self.history_of_run();
         self.ledger.report.stop = StopReason::default();
         self.ledger.stopwatch = self.ledger.stopwatch.or_clock(observer.clock());
         let (mut steps, mut told_at) = (0, None);
@@ -289,7 +298,7 @@ impl Refinement {
                 }
             }
             steps += 1;
-            let outcome = if observer.wants_events() { self.told(observer) } else { self.advance() };
+            let outcome = if observer.wants_events() { self.told(observer) } else { self.recorded(Self::advance) };
             match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
@@ -320,7 +329,9 @@ impl Refinement {
     pub(super) fn advance(&mut self) -> StepOutcome {
         self.ledger.stopwatch.enter(Part::Prepare);
         self.scratch.log.clear();
-        self.cdt.forget_undo_outside();
+        if !self.scratch.is_recorded {
+            self.cdt.forget_undo_outside();
+        }
         let outcome = self.take_step();
         self.ledger.stopwatch.enter(Part::Outside);
         outcome
@@ -380,8 +391,10 @@ impl Refinement {
         }
         self.agenda.retries += 1;
         self.agenda.changes_at_retry = changes;
-        self.agenda.given_up.clear();
-        self.agenda.unsplittable.clear();
+        let refusals = (std::mem::take(&mut self.agenda.given_up), std::mem::take(&mut self.agenda.unsplittable));
+        if let Some(record) = self.record() {
+            record.note_retry(refusals);
+        }
         self.look_at_everything();
         true
     }
@@ -394,9 +407,14 @@ impl Refinement {
         if !self.strategy.traits.select.is_manual {
             return self.agenda.queue.pop(&self.cdt, self.strategy.traits.select.takes_oldest);
         }
-        let there = |&(f, name): &Picked| self.cdt.is_real(f) && sorted(self.cdt.face_vertices(f)) == name;
+        let there = |cdt: &ConstrainedTriangulation, &(f, name): &Picked| {
+            cdt.is_real(f) && sorted(cdt.face_vertices(f)) == name
+        };
         while let Some(picked) = self.agenda.picked.pop_front() {
-            if there(&picked) {
+            if let Some(record) = self.record() {
+                record.note_taken(picked);
+            }
+            if there(&self.cdt, &picked) {
                 return Some(picked.0);
             }
         }
@@ -410,15 +428,9 @@ impl Refinement {
     pub fn pick(&mut self, face: FaceId) -> bool {
         let is_there = face.index() < self.cdt.face_slots() && self.cdt.is_real(face);
         if is_there {
-            let picked = (face, sorted(self.cdt.face_vertices(face)));
-            self.put_picked(picked);
-            self.record_pick(picked);
+            self.agenda.picked.push_back((face, sorted(self.cdt.face_vertices(face))));
         }
         is_there
-    }
-
-    pub(super) fn put_picked(&mut self, picked: Picked) {
-        self.agenda.picked.push_back(picked);
     }
 
     /// Deletions make room again, so insertions are counted too: no run goes on for ever.

@@ -91,7 +91,7 @@ impl Refinement {
                 self.ledger.report.stop = StopReason::Cancelled;
                 return false;
             }
-            self.advance();
+            self.recorded(Self::advance);
         }
         true
     }
@@ -108,6 +108,7 @@ impl Refinement {
 
     /// One slice.
     pub(super) fn open_further(&mut self) -> StepOutcome {
+        self.record_segments();
         match self.segments.opening {
             Opening::Given => {
                 self.segments.illegal = self.cdt.illegal_edges();

@@ -172,6 +172,8 @@ pub(super) struct Scratch {
     pub(super) work: Workspace,
     /// What the step at work has overwritten.
     pub(super) log: UndoLog,
+    /// Whether the step at work is recorded, so that it can be taken back.
+    pub(super) is_recorded: bool,
     /// The faces that the vertex at work replaces.
     pub(super) cavity: Cavity,
     /// Places proposed for the triangle at work.

@@ -56,6 +56,7 @@ impl Refinement {
 
     #[inline(never)]
     fn recover_slice(&mut self) -> bool {
+        self.record_segments();
         let Some(mut under_way) = self.segments.recovery.take() else { return false };
         let UnderWay { recovery, pieces } = &mut *under_way;
         let before = self.ledger.stopwatch.enter(Part::Recover);

@@ -101,7 +101,11 @@ impl Refinement {
 
     /// Splits the subsegment that waits longest, if it still needs it.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
-        let Some(Encroached { ends: [a, b], forced, found }) = self.agenda.encroached.pop_front() else { return false };
+        let Some(encroached) = self.agenda.encroached.pop_front() else { return false };
+        let Encroached { ends: [a, b], forced, found } = encroached;
+        if let Some(record) = self.record() {
+            record.note_split(encroached);
+        }
         self.note(|event| event.subsegment = Some([a, b]));
         // The hull of a triangulation that was not carved carries no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
@@ -112,6 +116,9 @@ impl Refinement {
             if is_needed && !self.split(h, found) {
                 // It could be split when it was queued: do not try again for ever.
                 self.agenda.unsplittable.insert([a, b]);
+                if let Some(record) = self.record() {
+                    record.note_unsplittable([a, b]);
+                }
             }
         }
         true

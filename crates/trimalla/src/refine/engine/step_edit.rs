@@ -26,6 +26,7 @@ impl Refinement {
 
     /// Lets step 5 change the triangulation; says whether the loop has to go on.
     pub(super) fn recover_by_step(&mut self) -> bool {
+        self.record_segments();
         let (step, before) = (Arc::clone(&self.strategy.steps.recover), self.counts());
         step.recover(self);
         self.segments.recovery.is_some() || self.counts() != before

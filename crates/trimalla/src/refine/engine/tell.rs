@@ -14,17 +14,16 @@ impl Refinement {
     /// One step, and what it did; [`back`](Self::back) takes it back.
     ///
     /// # Complexity
-    /// That of the step; the first call remembers the triangulation as it is, and so does now and then another.
+    /// That of the step.
     pub fn step(&mut self) -> Event {
-        self.remember();
-        let number = self.count_step();
-        self.advance_with_event(number)
+        let number = self.history_of_step();
+        self.recorded(|refinement| refinement.advance_with_event(number))
     }
 
     /// One step of a run, told to an observer.
     pub(super) fn told(&mut self, observer: &mut dyn Observer) -> StepOutcome {
         self.ledger.steps_told += 1;
-        let event = self.advance_with_event(self.ledger.steps_told);
+        let event = self.recorded(|refinement| refinement.advance_with_event(refinement.ledger.steps_told));
         observer.event(&event, &self.cdt);
         event.outcome
     }

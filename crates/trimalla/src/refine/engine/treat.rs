@@ -124,8 +124,8 @@ impl Refinement {
         }
     }
 
-    /// Flips an edge instead of an insertion, if its two faces form a convex quadrilateral. Where the circle test is to be
-    /// kept, only an edge that fails it is flipped. Flips are counted, so that the bound on insertions holds.
+    /// Flips an edge instead of an insertion, if its two faces form a convex quadrilateral. Where the circle test is to
+    /// be kept, only an edge that fails it is flipped. Flips are counted, so that the bound on insertions holds.
     fn try_flip(&mut self, h: HalfEdgeId) -> Result<(), Reason> {
         let is_there = self.cdt.is_alive(h.face());
         let is_fine = is_there && (!self.strategy.traits.insert.keeps_delaunay || self.cdt.fails_circle_test(h));

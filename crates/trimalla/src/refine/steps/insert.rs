@@ -2,8 +2,8 @@
 //!
 //! An insertion replaces some faces by a fan around the new vertex, and may flip edges after that. The step only plans
 //! it; the loop finds the faces, proves that every triangle of the fan is counter-clockwise, keeps the length floor,
-//! looks for subsegments that the vertex encroaches upon, and only then commits to it, through the journal. So no step 4
-//! can spoil the triangulation, lose a segment or exceed the budget.
+//! looks for subsegments that the vertex encroaches upon, and only then commits to it, through the journal. So no step
+//! 4 can spoil the triangulation, lose a segment or exceed the budget.
 //!
 //! ```text
 //!   Parts              Flips                  Fan                   Pair                  Faces
@@ -27,23 +27,23 @@ pub enum Plan {
     Flips,
     /// The face or edge is split.
     Parts,
-    /// The two faces at this unconstrained edge are replaced by four; where the point does not see all of their sides, the
-    /// face or edge that it lies on is split. A subsegment is split as with [`Parts`](Self::Parts).
+    /// The two faces at this unconstrained edge are replaced by four; where the point does not see all of their sides,
+    /// the face or edge that it lies on is split. A subsegment is split as with [`Parts`](Self::Parts).
     Pair(HalfEdgeId),
-    /// The faces that the step has listed are replaced by a fan. They must be joined by unconstrained edges, have no vertex
-    /// between them, and hold the point; the place is refused where they are not, or where the point does not see all of
-    /// their sides. A subsegment is split as with [`Parts`](Self::Parts).
+    /// The faces that the step has listed are replaced by a fan. They must be joined by unconstrained edges, have no
+    /// vertex between them, and hold the point; the place is refused where they are not, or where the point does not
+    /// see all of their sides. A subsegment is split as with [`Parts`](Self::Parts).
     Faces,
-    /// No vertex goes in: this edge is flipped, if its two faces form a convex quadrilateral; else the place is refused. For
-    /// a subsegment it stands for [`Parts`](Self::Parts).
+    /// No vertex goes in: this edge is flipped, if its two faces form a convex quadrilateral; else the place is
+    /// refused. For a subsegment it stands for [`Parts`](Self::Parts).
     Flip(HalfEdgeId),
 }
 
 /// What a step 4 says of itself, once for a whole refinement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InsertTraits {
-    /// The circle test holds after every insertion. Where a plan does not see to it, the loop flips edges around the new
-    /// vertex until it holds.
+    /// The circle test holds after every insertion. Where a plan does not see to it, the loop flips edges around the
+    /// new vertex until it holds.
     pub keeps_delaunay: bool,
     /// The smallest angle at a vertex never gets larger: then splitting goes no further than it can help.
     pub keeps_small_angles: bool,

@@ -120,9 +120,9 @@ impl Places {
         self.proposals.push(place);
     }
 
-    /// Adds a place for several vertices: where a vertex goes in at `first`, the other points are inserted, too, one after
-    /// the other, each where a walk from that vertex leads. One for which there is no room, or that encroaches upon a
-    /// subsegment, is left out.
+    /// Adds a place for several vertices: where a vertex goes in at `first`, the other points are inserted, too, one
+    /// after the other, each where a walk from that vertex leads. One for which there is no room, or that encroaches
+    /// upon a subsegment, is left out.
     pub fn push_together(&mut self, first: Proposal, others: impl IntoIterator<Item = Point>) {
         let number = self.proposals.len();
         self.push(first);

@@ -11,9 +11,9 @@ pub trait RecoverStep {
 
     /// Changes the triangulation when no triangle is bad any more, or the refinement ends.
     ///
-    /// Where it has changed something, the loop goes on until no triangle is bad, and calls it again. It ends because every
-    /// change takes from what is limited: insertions are counted, and there are only so many vertices and segments. Segments
-    /// that are missing in the end are named in the report.
+    /// Where it has changed something, the loop goes on until no triangle is bad, and calls it again. It ends because
+    /// every change takes from what is limited: insertions are counted, and there are only so many vertices and
+    /// segments. Segments that are missing in the end are named in the report.
     fn recover(&self, edit: &mut dyn StepEdit) {
         let _ = edit;
     }

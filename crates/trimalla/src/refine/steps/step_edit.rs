@@ -16,8 +16,8 @@ pub enum Bring {
 /// What steps 1 and 5 may read and change.
 ///
 /// # Guarantees
-/// Whatever is called, the triangulation keeps its invariants, input vertices stay where they are, and the budget and the
-/// length floor hold. Every change is counted in the report and can be taken back with the step.
+/// Whatever is called, the triangulation keeps its invariants, input vertices stay where they are, and the budget and
+/// the length floor hold. Every change is counted in the report and can be taken back with the step.
 pub trait StepEdit {
     /// The triangulation, and what makes a triangle bad.
     fn view(&self) -> View<'_>;
@@ -32,8 +32,8 @@ pub trait StepEdit {
     /// The ends of the pieces of segments that were let go and are no edges now, sorted.
     fn missing(&self) -> Vec<[VertexId; 2]>;
 
-    /// Brings back some of the [missing](Self::missing) pieces as whole edges; returns how many are there now. Vertices go
-    /// in where such an edge crosses another one.
+    /// Brings back some of the [missing](Self::missing) pieces as whole edges; returns how many are there now. Vertices
+    /// go in where such an edge crosses another one.
     fn bring_back(&mut self, pieces: &[[VertexId; 2]]) -> usize;
 
     /// Lets the loop bring back everything that is missing, in slices that can be cancelled between.
