@@ -9,7 +9,7 @@ use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
 use trimalla::drawing::Pslg;
-use trimalla::geometry::{CircleSide, Point, Triangle, in_circle};
+use trimalla::geometry::{CircleSide, Point, Triangle, in_circle, in_diametral_disk};
 use trimalla::half_edge::{FaceId, HalfEdgeId};
 use trimalla::locate::Locus;
 use trimalla::quality::against_input;
@@ -19,7 +19,8 @@ use trimalla::refine::steps::{
 };
 use trimalla::refine::{NoObserver, RefineOptions, Refinement};
 
-/// Step 1: subsegments longer than this are halved before the first point goes in, and then left alone.
+/// Step 1: subsegments longer than this are halved before the first point goes in; after that, those with a vertex in the
+/// disk of which they are a diameter are, too.
 pub(crate) struct NoneLonger(pub(crate) f64);
 
 impl NoneLonger {
@@ -42,7 +43,10 @@ impl PrepareStep for NoneLonger {
     }
 
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
-        self.is_too_long(view, h)
+        let [a, b] = view.cdt.edge_points(h);
+        let apexes = [h, view.cdt.twin(h)].map(|side| view.cdt.apex(side)).into_iter().filter(|v| v.is_finite());
+        let is_inside = |v| in_diametral_disk(a, b, view.cdt.point(v)) == CircleSide::Inside;
+        self.is_too_long(view, h) || apexes.map(is_inside).any(|inside| inside)
     }
 }
 
@@ -57,21 +61,32 @@ impl SelectStep for LargestFirst {
 }
 
 /// Step 3: two points at a time, the circumcenters of a bad triangle and of the triangle across its longest edge.
+///
+/// The second is for a triangle that is bad, too, and that the first one leaves as it is.
 pub(crate) struct BothCenters;
 
 impl BothCenters {
-    fn center(view: View<'_>, face: FaceId) -> Option<Point> {
+    fn triangle(view: View<'_>, face: FaceId) -> Triangle {
         let [a, b, c] = view.cdt.corners(face);
-        Triangle::new(a, b, c).circumcenter()
+        Triangle::new(a, b, c)
+    }
+
+    /// The circumcenter of a bad triangle, if a point elsewhere is outside of the circle.
+    fn center_beside(view: View<'_>, face: FaceId, first: Point) -> Option<Point> {
+        let triangle = Self::triangle(view, face);
+        let is_bad = triangle.min_angle().degrees() < view.criteria.min_angle.degrees();
+        let center = triangle.circumcenter().filter(|_| is_bad)?;
+        (Point::distance_sq(center, first) > triangle.circumradius_sq()?).then_some(center)
     }
 }
 
 impl PointStep for BothCenters {
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
+        let Some(center) = Self::triangle(view, face).circumcenter() else { return };
         let across = view.cdt.twin(longest_edge(view.cdt, view.ruler, face)).face();
-        let other = if view.cdt.is_real(across) { Self::center(view, across) } else { None };
+        let other = if view.cdt.is_real(across) { Self::center_beside(view, across, center) } else { None };
         // The walk to the first ends at its place, or at a segment in the way, which is split instead.
-        if let Some(first) = Self::center(view, face).and_then(|point| Proposal::towards(view, face, point)) {
+        if let Some(first) = Proposal::towards(view, face, center) {
             places.push_together(first, other);
         }
     }
@@ -115,8 +130,7 @@ impl RecoverStep for CompleteRecovery {
 }
 
 /// The recipe's steps, all five exchanged.
-pub(crate) fn own_steps(options: &RefineOptions) -> Steps {
-    let _ = options;
+pub(crate) fn own_steps() -> Steps {
     Steps {
         prepare: Arc::new(NoneLonger(2.0)),
         select: Arc::new(LargestFirst),
@@ -138,7 +152,7 @@ pub(crate) fn fenced() -> Pslg {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let drawing = fenced();
     let options = RefineOptions::default().with_min_angle_deg(25.0).with_max_vertices(5000);
-    for (name, steps) in [("the recipe's steps", Steps::of(&options)), ("our own", own_steps(&options))] {
+    for (name, steps) in [("the recipe's steps", Steps::of(&options)), ("our own", own_steps())] {
         let (cdt, _) = build(&drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
         let mut refinement = Refinement::of_steps(cdt, options, steps, None)?;
         refinement.run(&mut NoObserver);

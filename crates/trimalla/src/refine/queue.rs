@@ -231,14 +231,27 @@ impl Queue {
     /// Adds a triangle of a patch, whose priority is not negative.
     #[inline]
     pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, priority: f64) {
-        let waiting = Waiting { claim: self.claim(cdt, face), step: Self::step_of(priority) };
+        let step = Self::step_of(priority);
+        if self.record.is_some() {
+            self.note_push(face, patch, step);
+        }
+        let waiting = Waiting { claim: self.claim_unnoted(cdt, face), step };
         self.len += 1;
         if patch == self.present {
             self.put_into_step(waiting);
         } else {
             self.elsewhere[patch].push(waiting);
-            self.note(|| Change::AddedElsewhere { patch: patch as u32 });
         }
+    }
+
+    /// Notes what adding a triangle changes.
+    #[cold]
+    #[inline(never)]
+    fn note_push(&mut self, face: FaceId, patch: usize, step: u32) {
+        self.note_look(face);
+        let is_here = patch == self.present;
+        let patch = patch as u32;
+        self.note(if is_here { Change::Added { step } } else { Change::AddedElsewhere { patch } });
     }
 
     #[inline]
@@ -250,7 +263,6 @@ impl Queue {
 
     #[inline]
     fn put_into_step(&mut self, Waiting { claim, step }: Waiting) {
-        self.note(|| Change::Added { step });
         let (drawer, step) = Self::place_of(step);
         if drawer >= self.drawers.len() {
             self.drawers.resize_with(drawer + 1, Drawer::default);
@@ -268,7 +280,12 @@ impl Queue {
         };
         self.present = next;
         let list = std::mem::take(&mut self.elsewhere[next]);
-        self.note(|| Change::Emptied { patch: next as u32, list: list.clone().into() });
+        if self.record.is_some() {
+            self.note(Change::Emptied { patch: next as u32, list: list.clone().into() });
+            let there = list.iter().filter(|waiting| self.is_newest(waiting.claim)).map(|waiting| waiting.step);
+            let added: Vec<Change> = there.map(|step| Change::Added { step }).collect();
+            added.into_iter().for_each(|change| self.note(change));
+        }
         for waiting in list {
             if self.is_newest(waiting.claim) {
                 self.put_into_step(waiting);
@@ -279,15 +296,22 @@ impl Queue {
         true
     }
 
-    /// Looks at a slot: earlier claims to it are void.
-    #[inline(always)] // For each bad triangle, twice.
+    /// Claims a slot: earlier claims to it are void.
+    #[inline(always)] // For each bad triangle.
     pub(super) fn claim(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
+        if self.record.is_some() {
+            self.note_look(face);
+        }
+        self.claim_unnoted(cdt, face)
+    }
+
+    #[inline(always)] // For each bad triangle, twice.
+    fn claim_unnoted(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
         if face.index() >= self.looks.len() {
             self.make_room_for(cdt.face_slots());
         }
         self.last_look = self.last_look.wrapping_add(1).max(1);
-        let look = std::mem::replace(&mut self.looks[face.index()], self.last_look);
-        self.note(|| Change::Look { slot: face.0, look });
+        self.looks[face.index()] = self.last_look;
         Claim { face, look: self.last_look }
     }
 
@@ -312,17 +336,40 @@ impl Queue {
 
     /// Notes that there is nothing bad in a slot now.
     pub(super) fn pass(&mut self, face: FaceId) {
+        if self.record.is_some() {
+            self.note_look(face);
+        }
+        self.pass_unnoted(face);
+    }
+
+    /// [`pass`](Self::pass) for one of several faces that were [noted](Self::note_looks) before.
+    #[inline(always)] // For each face around a new vertex.
+    pub(super) fn pass_unnoted(&mut self, face: FaceId) {
         if let Some(look) = self.looks.get_mut(face.index()) {
-            let look = std::mem::take(look);
-            self.note(|| Change::Look { slot: face.0, look });
+            *look = 0;
         }
     }
 
-    /// Notes a change, where a record is kept.
-    #[inline(always)] // Several times for each triangle, and there is hardly ever a record.
-    fn note(&mut self, change: impl FnOnce() -> Change) {
+    /// Notes the looks at some slots, where a record is kept.
+    #[inline(always)] // For each new vertex.
+    pub(super) fn note_looks(&mut self, faces: &[FaceId]) {
+        if self.record.is_some() {
+            faces.iter().for_each(|&face| self.note_look(face));
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn note_look(&mut self, face: FaceId) {
+        let look = self.looks.get(face.index()).copied().unwrap_or(0);
+        self.note(Change::Look { slot: face.0, look });
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn note(&mut self, change: Change) {
         if let Some(record) = &mut self.record {
-            record.list.push(change());
+            record.list.push(change);
         }
     }
 
@@ -341,7 +388,7 @@ impl Queue {
     pub(super) fn take_back(&mut self, changes: Changes) {
         for change in changes.list.into_iter().rev() {
             match change {
-                Change::Look { slot, look } => self.looks[slot as usize] = look,
+                Change::Look { slot, look } => self.looks.get_mut(slot as usize).into_iter().for_each(|l| *l = look),
                 Change::Added { step } => {
                     let (drawer, step) = Self::place_of(step);
                     self.drawers[drawer].steps_mut()[step].claims.pop();
@@ -354,6 +401,13 @@ impl Queue {
         }
         (self.present, self.lowest) = (changes.present, changes.lowest);
         (self.len, self.last_look) = (changes.len, changes.last_look);
+    }
+
+    /// Notes that a triangle was taken from a step.
+    #[cold]
+    #[inline(never)]
+    fn note_taken(&mut self, claim: Claim, step: u32, is_oldest: bool) {
+        self.note(if is_oldest { Change::TakenOldest { step, claim } } else { Change::TakenNewest { step, claim } });
     }
 
     fn put_back(&mut self, claim: Claim, step: u32, is_oldest: bool) {
@@ -386,11 +440,9 @@ impl Queue {
                 continue;
             };
             self.len -= 1;
-            let step = (self.lowest * Drawer::STEPS) as u32 + step;
-            self.note(|| match oldest_first {
-                true => Change::TakenOldest { step, claim },
-                false => Change::TakenNewest { step, claim },
-            });
+            if self.record.is_some() {
+                self.note_taken(claim, (self.lowest * Drawer::STEPS) as u32 + step, oldest_first);
+            }
             if self.is_valid(cdt, claim) {
                 return Some(claim.face);
             }

@@ -89,6 +89,7 @@ impl Looker<'_> {
         let cavity = self.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
+        self.queue.note_looks(faces);
         bad.clear();
         let (mut first, mut turn, mut lowest, mut newest, mut marks) = (0, 0, VertexId::INFINITE, v, 0);
         let (everywhere, mut spoke) = (self.everywhere(), Side::new(p, starts[0]));
@@ -101,7 +102,7 @@ impl Looker<'_> {
             let is_bad = everywhere.is_bad(corners, [spoke, next]);
             let is_bad = is_bad.unwrap_or_else(|| self.view.cdt.is_real(face) && self.is_bad(face, corners));
             push_if(bad, k, is_bad);
-            self.queue.pass(face);
+            self.queue.pass_unnoted(face);
             spoke = next;
         }
         // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
