@@ -22,7 +22,7 @@ pub struct Experiment {
     pub time_limit: f64,
     /// How drawings are read.
     pub domain: DomainOptions,
-    /// What is told of times; to time the steps makes a run about a tenth slower.
+    /// What tables show of times; to time the steps makes a run about a tenth slower.
     pub times: Times,
 }
 
@@ -210,7 +210,7 @@ impl Task<'_> {
             self.options.limits.max_vertices,
             self.experiment.time_limit.to_bits()
         );
-        let own = self.contender.own_version().map(|version| format!("\0{version}")).unwrap_or_default();
+        let own = self.contender.version().map(|version| format!("\0{version}")).unwrap_or_default();
         let parts = [&self.good.content[..], b"\0", &recipe_text, b"\0", rest.as_bytes(), own.as_bytes()];
         let bytes = parts.into_iter().flatten();
         let digest = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, &b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));

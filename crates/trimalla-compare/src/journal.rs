@@ -46,7 +46,8 @@ impl Journal {
     /// What came of a run, if it is known.
     pub(crate) fn find(&self, task: &Task<'_>) -> Option<Outcome> {
         let known = self.known.get(&task.digest());
-        known.filter(|outcome| outcome.step_times.is_some() || task.experiment.times != Times::BySteps).cloned()
+        let needs_steps = task.experiment.times == Times::BySteps && task.contender.peer().is_none();
+        known.filter(|outcome| outcome.step_times.is_some() || !needs_steps).cloned()
     }
 
     /// Adds what came of a run.

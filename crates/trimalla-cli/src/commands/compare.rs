@@ -15,7 +15,7 @@ use trimalla::domain::DomainRule;
 use trimalla::drawing::Pslg;
 use trimalla::refine::Preset;
 use trimalla_compare::{
-    Baseline, Contender, Experiment, Journal, Sheet, Task, Times, Watch, angles, figures, markdown, records,
+    Baseline, Contender, Experiment, Journal, Peer, Sheet, Task, Times, Watch, angles, figures, markdown, records,
 };
 use trimalla_io::{Format, recipe};
 
@@ -40,6 +40,8 @@ Examples:
         a recipe of your own beside a preset
   trimalla compare A.poly --baseline published.csv --svg all.svg --markdown table.md
         beside the published columns of mesh A, impossible rows marked
+  trimalla compare A.poly --algorithms off-center --triangle --jobs 1
+        beside Triangle, which is run through its Python package: pip install triangle
   trimalla compare *.poly --csv all.csv --resume all.journal
         stop it with Ctrl-C, and start it again: what is done is not done again
 
@@ -70,6 +72,13 @@ pub(crate) struct Options {
     #[arg(long, value_name = "ANGLES", default_value = "20..37", allow_hyphen_values = true, help_heading = "Experiment",
           value_parser = AngleList::parse)]
     angles: AngleList,
+
+    /// Run Triangle too, through its Python package, each run a process of its own
+    ///
+    /// It gets the angle, the vertex budget and the area bounds of regions; its time is that of the call in Python. If
+    /// python3 has no package 'triangle', a warning says so and the column is left out.
+    #[arg(long, help_heading = "Experiment")]
+    triangle: bool,
 
     /// A published table to stand beside ours: a CSV file with a row each mesh, algorithm and angle
     ///
@@ -211,6 +220,22 @@ impl Options {
             let file = named(recipe::read_file(path)?, path);
             experiment.add_contender(Contender::of_recipe(title(&file), file))?;
         }
+        if self.triangle {
+            self.add_triangle(experiment)?;
+        }
+        Ok(())
+    }
+
+    /// Adds Triangle, or warns that it is not installed.
+    fn add_triangle(&self, experiment: &mut Experiment) -> Result<(), Failure> {
+        if !Peer::knows(self.domain) {
+            let message = format!("Triangle cannot read a drawing by --domain {}", self.domain.key());
+            return Err(Failure::wrong_use(message).hint("--triangle goes with --domain seeds and --domain hull"));
+        }
+        match Peer::triangle() {
+            Ok(peer) => experiment.add_contender(Contender::of_peer(peer))?,
+            Err(why) => console::note("warning", &format!("no column for Triangle: {why}")),
+        }
         Ok(())
     }
 
@@ -273,7 +298,7 @@ impl Options {
     }
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let baseline = options.baseline.as_deref().map(Baseline::read).transpose()?;
     options.recover();
