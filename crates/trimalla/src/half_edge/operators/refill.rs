@@ -1,9 +1,9 @@
-//! Refill: other faces in the same cavity.
+//! Refill: replaces the faces of a cavity by others.
 
 use super::patch::Patch;
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
-/// One half of a cavity that an edge parts.
+/// One half of a cavity that an edge divides.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Half {
     /// The vertices of its boundary.
