@@ -1,4 +1,4 @@
-//! Segments inside the domain let go, and brought back by splitting.
+//! Segments inside the domain: released, and recovered by splitting.
 //!
 //! ```text
 //!      x ─── y            a ─ ─ ─ ─ b crosses x–y: the segment is not there.
@@ -35,23 +35,23 @@ pub(crate) struct SplitLimits<'a> {
     pub(crate) vertices: usize,
     /// No more pieces than this in one go.
     pub(crate) pieces: usize,
-    /// Whether two ends are far enough apart to be parted.
+    /// Whether two ends are far enough apart for a vertex between them.
     pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
     /// The parameter, from its start to its end, at which a stretch that crosses edges is split.
     pub(crate) place: &'a dyn Fn(&ConstrainedTriangulation, Released, &SegmentPlan) -> f64,
 }
 
-/// Segments on their way back, so that the work can be done in slices.
+/// A recovery in progress, so that the work can be done in slices.
 #[derive(Clone, Debug)]
 pub(crate) struct Recovery {
-    /// Pieces still to be looked at, the next one last.
+    /// Pieces still to be treated, the next one last.
     waiting: Vec<Piece>,
     /// Pieces for the next round, in order.
     next: Vec<Piece>,
     stage: Stage,
-    /// Pieces for which there was no room: they are no edges.
+    /// Pieces for which there was no room: they are not edges.
     lost: Vec<Piece>,
-    /// Whether pieces may be led through input vertices beside them, once that was asked.
+    /// Whether pieces may be led through input vertices beside them, once that was computed.
     beside: Option<Beside>,
 }
 
@@ -69,7 +69,7 @@ enum Stage {
     Halving {
         has_grown: bool,
     },
-    /// What the limits left missing goes in as whole edges.
+    /// Pieces that the limits left missing go in as whole edges.
     Whole,
     Done,
 }
@@ -86,7 +86,7 @@ impl Recovery {
         self.stage == Stage::Done
     }
 
-    /// What is no chain of edges, for want of room.
+    /// The stretches that are no chains of edges, for want of room.
     pub(crate) fn into_lost(self) -> Vec<Released> {
         self.lost
     }
@@ -120,12 +120,12 @@ impl<J: Journal> Edit<'_, J> {
         waiting.legalise_all(self.data.triangulation_mut(), self.j)
     }
 
-    /// Looks at so many of the edges that wait, and at those beside the flipped ones; how many flips it took.
+    /// Legalises up to `most` of the waiting edges, and those beside flipped ones; returns how many flips it took.
     pub(crate) fn legalise_some(&mut self, waiting: &mut Lawson, most: usize) -> u64 {
         waiting.legalise_some(self.data.triangulation_mut(), most, self.j)
     }
 
-    /// Marks what is there of the segments let go; returns the pieces that are no edges.
+    /// Marks the released pieces that are edges; returns the others.
     pub(crate) fn mark_present(&mut self, released: &[Released]) -> Vec<Released> {
         let mut missing = Vec::new();
         for &piece in released {
@@ -151,7 +151,7 @@ impl<J: Journal> Edit<'_, J> {
         if self.half_edge_between(piece.from, piece.to).is_some() {
             return None;
         }
-        // A vertex exactly on the way parts it for nothing.
+        // A vertex exactly on the way splits it without a new one.
         let plan = self.plan_towards(piece.from, piece.to).ok()?;
         if plan.to != piece.to {
             let may_pass = self.may_pass_through(plan.to, piece.mark, || self.known_beside(beside));
@@ -254,7 +254,7 @@ impl Edit<'_, UndoLog> {
         }
     }
 
-    /// Removes the newest vertex that was inserted freely; says whether there was one.
+    /// Removes the newest vertex that was inserted freely; returns whether there was one.
     fn remove_newest_free(&mut self) -> bool {
         let newest = (self.given_points()..self.points().len()).rev().map(VertexId::from_index);
         let mut free = newest.filter(|&v| self.is_used(v) && self.is_deletable(v));

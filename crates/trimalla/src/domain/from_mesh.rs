@@ -76,7 +76,7 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     let markers = name_segments(&mut cdt, &locked, input, &mut warnings);
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
     shells::recover(&mut cdt, unknown);
-    cdt.look_outside();
+    cdt.triangulate_outside();
     let given = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
     if input.is_none() {
         warnings.extend(pieces(&cdt));
