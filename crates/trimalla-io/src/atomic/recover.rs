@@ -1,4 +1,4 @@
-//! What killed processes have left in a directory.
+//! Completes or removes what killed processes have left in a directory.
 //!
 //! A lock file that can be locked has no owner any more. Its record decides:
 //! ```text
@@ -22,7 +22,7 @@ use super::record::Record;
 /// No record of a group is longer.
 const LONGEST: u64 = 1 << 26;
 
-/// What was found of processes that were killed.
+/// The files of killed processes that were completed or removed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Recovered {
