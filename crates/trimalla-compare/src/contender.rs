@@ -56,7 +56,7 @@ impl Contender {
     /// Runs it with steps of the caller's own: `change` puts them in the place of the recipe's, for the options of each
     /// run.
     ///
-    /// A journal believes an old outcome only if `version` is the same: change it with the steps.
+    /// A journal reuses an old outcome only if `version` is equal: change it with the steps.
     #[must_use]
     pub fn with_steps(
         mut self,

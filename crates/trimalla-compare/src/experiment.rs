@@ -111,7 +111,7 @@ impl Experiment {
 
     fn push_drawing(&mut self, name: String, title: &str, read: Result<Good, Vec<String>>) {
         let taken: Vec<&str> = self.drawings.iter().map(|d| &d.title[..]).collect();
-        let title = told_apart(title, &taken, "-");
+        let title = unique_name(title, &taken, "-");
         self.drawings.push(Drawing { name, title, read });
     }
 
@@ -125,7 +125,7 @@ impl Experiment {
             return Err(CompareError::Option { contender: contender.label, source });
         }
         let taken: Vec<&str> = self.contenders.iter().map(|c| &c.label[..]).collect();
-        contender.label = told_apart(&contender.label, &taken, " ");
+        contender.label = unique_name(&contender.label, &taken, " ");
         self.contenders.push(contender);
         Ok(())
     }
@@ -233,7 +233,7 @@ pub fn facts(pslg: &Pslg) -> String {
 }
 
 /// The name, with a number where another one has it already.
-fn told_apart(name: &str, taken: &[&str], before_number: &str) -> String {
+fn unique_name(name: &str, taken: &[&str], before_number: &str) -> String {
     let numbered = (2..).map(|number| format!("{name}{before_number}{number}"));
     let mut names = std::iter::once(name.to_owned()).chain(numbered);
     names.find(|name| !taken.contains(&&name[..])).unwrap_or_default()
@@ -281,10 +281,10 @@ mod tests {
     }
 
     #[test]
-    fn names_are_told_apart() {
+    fn names_are_made_unique() {
         let mut taken: Vec<String> = Vec::new();
         for name in ["a", "b", "a", "a-2", "a"] {
-            let own = told_apart(name, &taken.iter().map(|t| &t[..]).collect::<Vec<_>>(), "-");
+            let own = unique_name(name, &taken.iter().map(|t| &t[..]).collect::<Vec<_>>(), "-");
             taken.push(own);
         }
         taken.sort();

@@ -123,7 +123,7 @@ fn limits(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
     text
 }
 
-/// What would be markup is no markup, and what a terminal would obey is left out.
+/// Escapes markup, and leaves out control characters, which a terminal would obey.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars().filter(|c| !c.is_control()) {

@@ -26,7 +26,7 @@ pub trait Watch: Sync {
     /// Called when a run has ended.
     fn ran(&self, _task: &Task<'_>) {}
 
-    /// Asked again and again; `true` ends the experiment.
+    /// Called again and again; `true` ends the experiment.
     fn is_cancelled(&self) -> bool {
         false
     }

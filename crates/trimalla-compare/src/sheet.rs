@@ -128,7 +128,7 @@ impl Cell {
 }
 
 impl Experiment {
-    /// What came of it, one sheet a drawing, beside published tables where there are some.
+    /// The outcomes of the experiment, one sheet a drawing, beside published tables where there are some.
     #[must_use]
     pub fn sheets<'a>(&'a self, outcomes: &Outcomes, baseline: Option<&Baseline>) -> Vec<Sheet<'a>> {
         let sheet = |(d, drawing): (usize, &'a Drawing)| {
