@@ -23,7 +23,7 @@ use crate::args::{CROSSINGS, one_of};
 use crate::console::{self, shown};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
-use crate::names::Names;
+use crate::names::FileNumbers;
 use crate::outputs::{self, Outputs};
 use crate::progress;
 use crate::recipe_file::{named, title};
@@ -239,7 +239,7 @@ impl Options {
         Ok(())
     }
 
-    /// Where tables go: where they were asked, or to standard output if nothing was.
+    /// Where tables go: to the named file, or to standard output if no output is named.
     fn markdown(&self) -> Result<Option<&Path>, Failure> {
         let nothing_else = self.csv.is_none() && self.json.is_none() && self.svg.is_none();
         let markdown = self.markdown.as_deref().or(nothing_else.then_some(Path::new("-")));
@@ -255,7 +255,7 @@ impl Options {
         self.svg.as_deref().filter(|svg| !is_one_file(svg))
     }
 
-    /// The files that come of it, in the order of [`Self::texts`].
+    /// The files to be written, in the order of [`Self::texts`].
     fn targets(&self, experiment: &Experiment) -> Result<Vec<PathBuf>, Failure> {
         let single = [self.csv.as_deref(), self.markdown()?, self.json.as_deref()];
         let mut targets: Vec<PathBuf> = single.into_iter().flatten().map(Path::to_owned).collect();
@@ -282,7 +282,7 @@ impl Options {
         Ok(texts)
     }
 
-    /// Completes or removes what runs that were killed have left where the outputs go.
+    /// Completes or removes what killed runs have left in the places of the outputs.
     fn recover(&self) {
         let plots = self.folder().map(|folder| folder.join("any.svg"));
         let single = [&self.csv, &self.markdown, &self.json, &self.svg, &plots];
@@ -312,7 +312,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if let (Some(baseline), false) = (&baseline, options.quiet) {
         warn_of_strangers(baseline, &experiment);
     }
-    progress::be_patient();
+    progress::defer_ctrl_c();
     let jobs = options.jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
     let ran = experiment.run(jobs, journal.as_mut(), &Bar::new(!options.quiet)).map_err(Failure::from);
     let outcomes = ran.map_err(|failure| match &journal {
@@ -327,7 +327,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::begin_writing()?;
     prepared.commit()?;
     if let (Some(journal), None) = (journal, &options.resume) {
-        let _ = fs::remove_file(journal.path()); // All is told by the outputs now; a journal that stays does no harm.
+        let _ = fs::remove_file(journal.path()); // The outputs hold all of it now; a journal that stays does no harm.
     }
     Ok(Status::Done)
 }
@@ -335,7 +335,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 /// Reads a drawing and adds it; the files that it was read from.
 fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let drawing: Input<Pslg> = read_drawing(path)?.with_notes_shown();
-    let names = Names::of(&drawing);
+    let names = FileNumbers::of(&drawing);
     trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
     experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;
     Ok(drawing.files)
@@ -348,7 +348,7 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// What headings and files call a drawing.
+/// The name of a drawing in headings and file names.
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(String::new, |stem| shown(Path::new(stem)));
     if stem == "-" { "stdin".to_owned() } else { stem }
@@ -359,7 +359,7 @@ fn is_one_file(path: &Path) -> bool {
     path == Path::new("-") || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
 }
 
-/// Says what is wrong with drawings; that is the end only if none is right.
+/// Reports the faults of drawings; a failure only if every drawing has one.
 fn report_faults(experiment: &Experiment) -> Result<(), Failure> {
     let faults = || experiment.drawings().iter().flat_map(|drawing| drawing.faults());
     if experiment.drawings().iter().all(|drawing| !drawing.is_good()) {

@@ -10,7 +10,7 @@ use crate::common::Scratch;
 
 /// A recipe whose runs take a while: about fifty thousand vertices in a unit square.
 const SLOW: &str = "name = \"slow\"\n[criteria]\nmax-area = 1.5e-5\n";
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// The cells of the first table's row of this angle.
 fn row(table: &str, angle: &str) -> Vec<String> {
@@ -115,7 +115,7 @@ fn wait_for_lines(scratch: &Scratch, name: &str, lines: usize) {
     let start = Instant::now();
     let read = || std::fs::read_to_string(scratch.path().join(name)).unwrap_or_default();
     while read().matches('\n').count() < lines {
-        assert!(start.elapsed() < PATIENCE, "no journal of {lines} lines");
+        assert!(start.elapsed() < TIMEOUT, "no journal of {lines} lines");
         sleep(Duration::from_millis(5));
     }
 }
@@ -194,7 +194,7 @@ fn published_columns_stand_beside_ours_and_impossible_rows_are_marked() {
 }
 
 #[test]
-fn recipes_of_one_name_are_told_apart() {
+fn recipes_of_one_name_get_numbers() {
     let scratch = Scratch::with_square("compare-recipes");
     scratch.write("a.toml", "preset = \"lepp-centroid\"\nname = \"mine\"\n");
     scratch.write("b.toml", "preset = \"circumcenter\"\nname = \"mine\"\n");
@@ -285,7 +285,7 @@ fn triangle_is_run_in_processes_that_may_crash_and_hang() {
                 --time-limit 3 --markdown t.md --csv t.csv --resume t.journal";
     let start = Instant::now();
     assert_eq!(run_with_python(&scratch, line).expect(0).stderr, "");
-    assert!(start.elapsed() < PATIENCE / 2, "the one that hangs is killed");
+    assert!(start.elapsed() < TIMEOUT / 2, "the one that hangs is killed");
     let table = scratch.read("t.md");
     assert!(table.contains("| vertices | off-center | Triangle |"), "{table}");
     let cells = ["20", "25", "26", "27", "30", "45", "46", "50"].map(|angle| row(&table, angle)[2].clone());
