@@ -21,7 +21,7 @@
 //! # Where no proof is needed
 //! Hardly any boundary comes near itself within rounding. There no such triangulation is made:
 //!
-//! 1. Before the outside goes, every triangle outside with a boundary edge is looked at. Where an angle of one is below
+//! 1. Before the outside is removed, every triangle outside with a boundary edge is tested. If one has an angle below
 //!    [`THIN`], the boundary [may be thin](is_thin_outside), and every split needs the proof.
 //! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it.
 //!

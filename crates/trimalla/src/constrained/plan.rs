@@ -179,8 +179,8 @@ impl Triangulation {
         None
     }
 
-    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` where more
-    /// than so many spokes would have to be looked at.
+    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` if that takes
+    /// more than `spokes` spokes.
     ///
     /// ```text
     ///        l  l            a turn that starts on the right goes counter-clockwise, one that starts

@@ -10,8 +10,8 @@
 //! Where two segments meet at a small angle, the caller names the place of the split in the place of the middle: halves
 //! of unequal lengths would put vertices into each other's circles for ever.
 //!
-//! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in
-//! for one segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
+//! The new edges need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in for one
+//! segment may flip an edge of another away, so all are tested until a round finds nothing missing.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.1, recovery by unions.
@@ -26,7 +26,7 @@ use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::half_edge::{HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
 
-/// A stretch of segments that was let go.
+/// A released stretch of segments.
 pub(crate) type Released = Piece;
 
 /// Where splitting stops.
@@ -75,7 +75,7 @@ enum Stage {
 }
 
 impl Recovery {
-    /// The recovery of segments that were let go.
+    /// The recovery of released segments.
     pub(crate) fn of(released: Vec<Released>) -> Self {
         let waiting = released.into_iter().rev().collect();
         Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new(), beside: None }
@@ -93,9 +93,9 @@ impl Recovery {
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Lets go of every segment inside the domain; those between two regions stay.
+    /// Releases every segment inside the domain: its edges lose their marks. Segments between two regions stay.
     ///
-    /// Returns what was let go, in the order of its vertices, and the edges that may fail the circle test now
+    /// Returns the released stretches, in the order of their vertices, and the edges that may fail the circle test now
     /// ([`legalise_some`](Self::legalise_some)).
     pub(crate) fn release_inner_segments(&mut self) -> (Vec<Released>, Lawson) {
         let inner: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_inner(h)).collect();
@@ -181,10 +181,10 @@ impl<J: Journal> Edit<'_, J> {
 }
 
 impl Edit<'_, UndoLog> {
-    /// Splits what was let go until it is edges, and marks those: one slice of that work.
+    /// One slice of a recovery: splits the released pieces until they are edges, and marks these.
     ///
-    /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not
-    /// cross before they were let go, that takes vertices too, and free vertices make room for them. A piece that
+    /// Pieces that the limits leave missing go in as whole edges. Rounding may make these cross where they did not
+    /// cross before they were released; that takes vertices too, and free vertices make room for them. A piece that
     /// cannot be put in is lost.
     pub(crate) fn recover_some(&mut self, recovery: &mut Recovery, limits: &SplitLimits<'_>) -> Changed {
         let mut changed = Changed::default();

@@ -78,10 +78,10 @@ fn insert(
 ///
 /// ```text
 ///           c                 Inside a face, the vertex makes three: one between a and b, one between b and c, one between c and a.
-///         / | \               Whatever is flipped then, each keeps the vertex and lies in its sector. Of b and a the first is
-///       /   v   \             asked that has the next point on its left: mostly the point lies in the sector that follows.
+///         / | \               Whatever is flipped then, each keeps the vertex and lies in its sector. The next walk starts in
+///       /   v   \             the face after b if the next point is left of the ray to b, else by the ray to a.
 ///     /  ╱     ╲  \
-///    a ─────────── b          It is a guess, for which rounding does not matter: every walk arrives.
+///    a ─────────── b          The choice may be wrong by rounding: every walk arrives nevertheless.
 /// ```
 #[derive(Clone, Copy, Debug)]
 struct LastInserted {

@@ -101,7 +101,7 @@ struct Partial {
     edges: Vec<HalfEdgeId>,
 }
 
-/// Gives the names of segments that leave the domain to locked edges along them, each edge looked at by itself.
+/// Gives the names of segments that leave the domain to locked edges along them, each edge by itself.
 ///
 /// Where segments are within rounding of each other, an edge runs along several. A segment that has no edge of its own
 /// gets the edges along it that have no name yet; an edge that still has no name then gets all segments along it. A

@@ -50,9 +50,8 @@
 //! that fails is never taken. So errors never add up, however often pieces are split.
 //!
 //! *An input vertex keeps its side* where an edge is split: the triangles that the split makes are proved
-//! counter-clockwise. Where a segment that was let go is brought back, a place for a split is taken only if no input
-//! vertex lies in the triangle between the piece and its two parts, and pieces that rounding made cross meet at no
-//! input vertex.
+//! counter-clockwise. Where a released segment is recovered, a place for a split is taken only if no input vertex lies
+//! in the triangle between the piece and its two parts, and pieces that rounding made cross meet at no input vertex.
 //!
 //! *At both ends of the range* nothing changes: the last place is at least the smallest number, which is what an
 //! underflow costs, and the strip is compared in sums of exact products, which do not overflow.

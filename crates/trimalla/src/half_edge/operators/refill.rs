@@ -71,8 +71,8 @@ impl HalfEdgeMesh {
                 self.set_twin(rim.outer, side.half_edge(faces), j);
             }
         }
-        // The inner half-edge of an edge that dangles was told, as the other rim's outside, what comes in that one's
-        // place.
+        // A dangling edge has two rims, each the outside of the other. The loop above gave each inner half-edge its new
+        // twin: that is the new outside.
         for (_, half) in &mut halves {
             for rim in &mut half.rims {
                 rim.outer = self.twin(rim.inner);
