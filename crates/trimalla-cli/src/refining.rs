@@ -23,7 +23,7 @@ use crate::repeat::CommandLine;
 use crate::trace::TraceOptions;
 use crate::{json, text};
 
-/// What is asked of a refinement, where results go, and how the report looks.
+/// The options of a refinement, of its outputs and of its report.
 #[derive(Debug, Args)]
 pub(crate) struct RefiningOptions {
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]

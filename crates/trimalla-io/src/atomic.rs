@@ -14,8 +14,8 @@
 //!
 //! * An error or a panic before the renames removes the temporary files and leaves the old files as they were.
 //! * A rename that fails undoes those before it, where the file system has hard links or there was no old file.
-//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because nobody holds their lock any
-//!   more. A group without a record is removed. A group with a record is completed, unless somebody has changed a
+//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because no process holds their lock
+//!   any more. A group without a record is removed. A group with a record is completed, unless somebody has changed a
 //!   target since.
 //! * A machine that stops leaves each file whole, but not each of a folder of pictures. Of a group, some files may be
 //!   old and others new until [`recover()`].

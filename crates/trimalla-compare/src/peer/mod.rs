@@ -42,7 +42,7 @@ pub enum NoPeer {
     NoPackage,
 }
 
-/// What one run is asked.
+/// The input of one run.
 pub(crate) struct Question<'a> {
     pub(crate) pslg: &'a Pslg,
     pub(crate) domain: &'a DomainOptions,
@@ -168,8 +168,8 @@ impl Question<'_> {
         drawing.to_string()
     }
 
-    /// What came of it. The library surveys the mesh and changes nothing: which triangles are below the bound, and
-    /// which of them the angles between the subsegments force.
+    /// The outcome of an answer. The library surveys the mesh and changes nothing: which triangles are below the bound,
+    /// and which of them the angles between the subsegments force.
     fn outcome(&self, answer: Answer) -> Outcome {
         let points: Vec<Point> = answer.vertices.into_iter().map(Point::from).collect();
         let is_full = points.len() >= self.max_vertices;

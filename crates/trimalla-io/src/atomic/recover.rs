@@ -86,14 +86,14 @@ fn is_ours(name: &str) -> bool {
         }
 }
 
-/// A lock file whose owner is no more; nobody else settles it meanwhile.
+/// A lock file whose owner has ended; locked, so that no other process settles it meanwhile.
 struct Orphan {
     path: PathBuf,
     file: File,
 }
 
 impl Orphan {
-    /// Locks the file, if nobody holds it.
+    /// Locks the file, if no process holds the lock.
     fn take(path: &Path) -> Option<Self> {
         if !fs::symlink_metadata(path).is_ok_and(|found| found.is_file()) {
             return None;
