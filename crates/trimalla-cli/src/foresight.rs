@@ -9,7 +9,7 @@ use trimalla::refine::{
 };
 
 use crate::console;
-use crate::names::FileNumbers;
+use crate::file_numbers::FileNumbers;
 use crate::progress::Watch;
 
 /// By what factor a forecast may be wrong.

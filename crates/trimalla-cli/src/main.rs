@@ -6,7 +6,7 @@
 //! | [`commands`] | one file a subcommand |
 //! | [`input`] | drawings and meshes with the numbering of their files |
 //! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
-//! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
+//! | [`file_numbers`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`frames`] | every step as a line, and as a picture |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the five steps as options, and as files; triangles picked by number |
@@ -18,12 +18,12 @@ mod args;
 mod commands;
 mod console;
 mod exit;
+mod file_numbers;
 mod foresight;
 mod frames;
 mod input;
 mod json;
 mod missed;
-mod names;
 mod outputs;
 mod picks;
 mod progress;

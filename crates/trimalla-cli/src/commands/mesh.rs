@@ -6,9 +6,9 @@ use trimalla::{Error, MeshOptions};
 
 use crate::args::{DrawingOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::foresight::Foresight;
 use crate::input::read_drawing;
-use crate::names::FileNumbers;
 use crate::refining::{Job, Outcome, RefiningOptions};
 use crate::repeat::CommandLine;
 use crate::{progress, text};

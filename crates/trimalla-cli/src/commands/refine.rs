@@ -9,8 +9,8 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::console::{count, shown};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing, read_mesh};
-use crate::names::FileNumbers;
 use crate::progress;
 use crate::refining::{Job, Outcome, RefiningOptions};
 use crate::renumber::Renumber as _;

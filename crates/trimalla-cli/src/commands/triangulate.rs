@@ -10,8 +10,8 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
-use crate::names::FileNumbers;
 use crate::outputs::{self, Outputs};
 use crate::{json, progress, text};
 
