@@ -1,4 +1,4 @@
-//! The library's parts, small and quick: `cargo bench`.
+//! Small benchmarks of parts of the library: `cargo bench`.
 
 use std::hint::black_box;
 use std::path::Path;

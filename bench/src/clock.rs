@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use rustix::time::{ClockId, clock_gettime};
 
-/// Anything that may go wrong on the way.
+/// A result whose error may be of any type.
 pub type Outcome<T> = Result<T, Box<dyn Error>>;
 
 /// One measured call, as every driver prints it and the comparison reads it.
@@ -30,7 +30,7 @@ impl fmt::Display for Measured {
     }
 }
 
-/// Runs a call and measures everything but what it made.
+/// Runs a call and measures time and memory; the caller adds the size of the result.
 pub fn measure<T>(call: impl FnOnce() -> T) -> Outcome<(T, Measured)> {
     let (before, wall, cpu) = (peak_bytes()?, Instant::now(), cpu_seconds());
     let result = call();

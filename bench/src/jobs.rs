@@ -1,8 +1,8 @@
-//! Which program is given which input, and how it is called.
+//! Jobs: which program gets which input, and how it is called.
 
 use std::path::{Path, PathBuf};
 
-/// What a program is asked.
+/// The task of a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
     /// The Delaunay triangulation of the points.
@@ -27,7 +27,7 @@ impl Task {
     }
 }
 
-/// One input and what is to be made of it.
+/// One input and its task.
 #[derive(Clone, Debug)]
 pub struct Job {
     /// Its name in the report.
@@ -36,7 +36,7 @@ pub struct Job {
     pub family: &'static str,
     /// The name of the input.
     pub input: String,
-    /// What is asked.
+    /// The task.
     pub task: Task,
 }
 
@@ -91,7 +91,7 @@ pub struct Program {
     pub title: &'static str,
     /// The driver's file name.
     driver: &'static str,
-    /// The tasks it is given: p, c, o, r for points, constrained, polygon, refine; `R` for `w6b:30` only, `a` for
+    /// The tasks that it gets: p, c, o, r for points, constrained, polygon, refine; `R` for `w6b:30` only, `a` for
     /// bounds on areas only.
     tasks: &'static str,
     /// Whether its counts decide what is right.
@@ -136,7 +136,7 @@ impl Program {
         self.key == "cdt" && task == Task::Constrained
     }
 
-    /// Whether it is given that job.
+    /// Whether it gets a job.
     pub fn does(&self, job: &Job) -> bool {
         match job.task {
             Task::Points => self.tasks.contains('p'),

@@ -1,10 +1,10 @@
-//! What the benchmark programs share.
+//! The common parts of the benchmark programs.
 //!
-//! * [`random`], [`workloads`]: the inputs, the same ones every time
+//! * [`random`], [`workloads`]: the inputs, from fixed seeds
 //! * [`drawing`]: the file that all drivers read
 //! * [`clock`]: time and memory of one call
-//! * [`jobs`]: which program is given which input
-//! * [`results`], [`report`], [`chart`]: what came of it
+//! * [`jobs`]: which program gets which input
+//! * [`results`], [`report`], [`chart`]: the results, as a table and a chart
 
 pub mod chart;
 pub mod clock;

@@ -22,7 +22,7 @@ pub fn markdown(results: &[Results]) -> String {
     text
 }
 
-/// One line a job: trimalla beside the best peer that is right.
+/// One line a job: trimalla beside the best peer with a correct result.
 fn summary(text: &mut String, results: &[Results]) {
     text.push_str("### Summary\n\n| workload | trimalla, CPU s | best correct peer | its CPU s | ratio | over Triangle | over CGAL |\n|--|--|--|--|--|--|--|\n");
     for r in results {
@@ -78,7 +78,7 @@ fn row(text: &mut String, results: &Results, runs: &Runs) {
         Verdict::Other => "inside only".into(),
         _ => number(best),
     };
-    // Of a refinement, memory is told by vertex of the mesh.
+    // For a refinement, memory is given by vertex of the mesh.
     let size = if matches!(results.job.task, Task::Refine(..)) { first.vertices } else { results.points };
     let _ = writeln!(
         text,

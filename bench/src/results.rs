@@ -1,4 +1,4 @@
-//! What came of a job: the runs of each program, and who was right.
+//! The results of a job: the runs of each program, and which results are correct.
 
 use crate::Measured;
 use crate::jobs::{Job, Program, Task};
@@ -6,7 +6,7 @@ use crate::jobs::{Job, Program, Task};
 /// The runs of one program on one job.
 #[derive(Clone, Debug)]
 pub struct Runs {
-    /// Who ran.
+    /// The program.
     pub program: Program,
     /// Its measurements.
     pub runs: Vec<Measured>,
@@ -14,10 +14,10 @@ pub struct Runs {
     pub failure: Option<String>,
 }
 
-/// How a result stands.
+/// The verdict on a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// As the exact programs have it.
+    /// The counts of the exact programs.
     Right,
     /// Another number of vertices or triangles than most exact programs.
     Wrong,
@@ -68,7 +68,7 @@ impl Results {
         exact.iter().copied().max_by_key(votes)
     }
 
-    /// How the result of a program stands.
+    /// The verdict on the result of a program.
     pub fn verdict(&self, runs: &Runs) -> Verdict {
         match (runs.counts(), self.agreed()) {
             _ if runs.failure.is_some() => Verdict::Failed,
@@ -80,7 +80,7 @@ impl Results {
         }
     }
 
-    /// The fastest peer whose result is right.
+    /// The fastest peer with a correct result.
     pub fn best_peer(&self) -> Option<&Runs> {
         let right = |r: &&Runs| !r.program.is_ours() && self.verdict(r) == Verdict::Right;
         let cpu = |r: &Runs| r.median(|m| m.cpu).unwrap_or(f64::INFINITY);

@@ -1,5 +1,5 @@
-//! The inputs. A name is a kind and a size, as in `u1m`, `clus100k`, `grid0.1-1m`, `w5c-50k`; the same name gives the
-//! same input.
+//! The inputs. A name is a kind and a size, as in `u1m`, `clus100k`, `grid0.1-1m`, `w5c-50k`; the input depends on
+//! nothing else.
 
 use std::f64::consts::TAU;
 use std::path::Path;

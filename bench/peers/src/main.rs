@@ -95,7 +95,7 @@ fn cdt_points(mut drawing: Drawing) -> Outcome<Measured> {
     Ok(with_size(t.map_err(|e| format!("{e:?}"))?, measured, |t| (points.len(), t.len())))
 }
 
-/// This crate answers with the inside of the segments.
+/// The `cdt` crate returns only the inside of the segments.
 fn cdt_edges(mut drawing: Drawing) -> Outcome<Measured> {
     let segments = drawing.segments_as(|[a, b]| (a, b));
     let points = drawing.points_as(|[x, y]| (x, y));

@@ -1,4 +1,4 @@
-//! Runs programs alternately on inputs and writes the report. `bench/run.sh --help` tells the options.
+//! Runs programs alternately on inputs and writes the report. `bench/run.sh --help` lists the options.
 
 use std::fs;
 use std::io::Read;
@@ -133,7 +133,7 @@ fn chosen(only: Option<String>) -> Outcome<Vec<Job>> {
     Ok(chosen)
 }
 
-/// Every program in turn, again and again; who fails once is not asked again.
+/// Runs every program in turn, again and again; a program that fails once is not run again.
 fn measure_job(job: &Job, options: &Options) -> Outcome<Results> {
     let (inputs, binaries) = (options.target.join("workloads"), options.target.join("bin"));
     let points = input(job, &inputs, &options.a_poly)?;

@@ -1,6 +1,6 @@
 //! Standard output and standard error.
 //!
-//! A reader that goes away (`trimalla list | head -1`) has had enough: that is no failure, and nothing panics. A full
+//! A reader that closes its pipe early (`trimalla list | head -1`) is no failure, and nothing panics. A full
 //! disk behind standard output is a failure.
 
 use std::fmt::Display;
@@ -15,7 +15,7 @@ pub(crate) enum Stream {
     Stdout,
     /// Where a mesh occupies standard output.
     Stderr,
-    /// Asked for by `--quiet`.
+    /// `--quiet` suppresses the report.
     Nowhere,
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
     write(Stream::Stdout, text)
 }
 
-/// Writes a line such as `warning: …` to standard error; there is nobody to tell if that fails.
+/// Writes a line such as `warning: …` to standard error; ignores a failure, which could not be reported.
 pub(crate) fn note(kind: &str, message: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {message}");
 }

@@ -75,19 +75,19 @@ impl Failure {
         Self::new(Status::BadInput, message)
     }
 
-    /// Says what the user may do about it.
+    /// Adds a hint on what the user may do about it.
     #[must_use]
     pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
         self
     }
 
-    /// What there is to tell, where it is told elsewhere.
+    /// The messages, for a caller that reports them elsewhere.
     pub(crate) fn into_messages(self) -> Vec<String> {
         self.messages
     }
 
-    /// Tells the user, and returns the status to end with.
+    /// Prints messages and hints, and returns the status to end with.
     pub(crate) fn report(self) -> Status {
         for message in self.messages {
             console::note("error", &message);

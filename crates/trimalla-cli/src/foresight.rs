@@ -1,4 +1,4 @@
-//! What is said before the work: angles that no mesh can reach, meshes that the budget will cut short.
+//! Warnings before the work: angles that no mesh can reach, meshes that the budget will cut short.
 
 use indicatif::HumanCount;
 use trimalla::constrained::ConstrainedTriangulation;
@@ -9,7 +9,7 @@ use trimalla::refine::{
 };
 
 use crate::console;
-use crate::names::Names;
+use crate::file_numbers::FileNumbers;
 use crate::progress::Watch;
 
 /// By what factor a forecast may be wrong.
@@ -19,15 +19,15 @@ const UNSURE: f64 = 3.0;
 #[derive(Debug)]
 pub(crate) struct Foresight<'a> {
     watch: Watch,
-    names: &'a Names<'a>,
+    names: &'a FileNumbers<'a>,
     options: RefineOptions,
     is_quiet: bool,
-    /// What was said.
+    /// The warnings so far.
     pub(crate) warnings: Vec<String>,
 }
 
 impl<'a> Foresight<'a> {
-    pub(crate) fn new(watch: Watch, names: &'a Names<'a>, options: RefineOptions, is_quiet: bool) -> Self {
+    pub(crate) fn new(watch: Watch, names: &'a FileNumbers<'a>, options: RefineOptions, is_quiet: bool) -> Self {
         Self { watch, names, options, is_quiet, warnings: Vec::new() }
     }
 
@@ -51,7 +51,7 @@ impl<'a> Foresight<'a> {
         )
     }
 
-    /// A budget that will not do.
+    /// A budget that is too small.
     fn describe_forecast(&self, forecast: &Forecast) -> String {
         let cause = match forecast.cause {
             Cause::Gap(gap) => format!("{} is the cause", describe_gap(self.names, &gap)),
@@ -70,7 +70,7 @@ impl<'a> Foresight<'a> {
         )
     }
 
-    /// A gap that takes most of the triangles, though the budget will do.
+    /// A gap that takes most of the triangles, though the budget is large enough.
     fn describe_narrow_gap(&self, forecast: &Forecast, gap: &Gap) -> String {
         format!(
             "most of {} triangles are needed for {}: if the two are meant to touch, let them share a vertex",
@@ -86,21 +86,21 @@ impl<'a> Foresight<'a> {
 }
 
 /// Two features that are close, and where.
-fn describe_gap(names: &Names<'_>, gap: &Gap) -> String {
+fn describe_gap(names: &FileNumbers<'_>, gap: &Gap) -> String {
     let [one, other] = gap.between.map(|feature| describe_feature(names, feature));
     let Point { x, y } = gap.at;
     format!("the gap of {} between {one} and {other} near ({}, {})", short(gap.width), short(x), short(y))
 }
 
 /// Two features within rounding of each other.
-pub(crate) fn describe_within_rounding(names: &Names<'_>, gap: &Gap) -> String {
+pub(crate) fn describe_within_rounding(names: &FileNumbers<'_>, gap: &Gap) -> String {
     format!(
         "{} is within rounding: no vertex fits into it, and triangles there stay as they are",
         describe_gap(names, gap)
     )
 }
 
-fn describe_feature(names: &Names<'_>, feature: Feature) -> String {
+fn describe_feature(names: &FileNumbers<'_>, feature: Feature) -> String {
     match feature {
         Feature::Vertex(v) => names.vertex(v),
         Feature::Segment(s) => names.segment(s as usize),

@@ -14,7 +14,7 @@ const SIZE: f64 = 800.0;
 /// Room around the drawing and for the line of text above it.
 const MARGIN: f64 = 40.0;
 
-/// What is drawn.
+/// One picture's content.
 pub(crate) struct Frame<'a> {
     event: &'a Event,
     cdt: &'a ConstrainedTriangulation,
@@ -27,7 +27,7 @@ impl<'a> Frame<'a> {
         Self { event, cdt, bounds }
     }
 
-    /// The picture. Dead vertices of triangles that are no more are drawn where they were, if they are still there.
+    /// The picture. Destroyed triangles are drawn as far as their vertices still exist.
     pub(crate) fn to_svg(&self) -> String {
         let side = SIZE + 2.0 * MARGIN;
         let mut svg = format!(

@@ -9,7 +9,7 @@ use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
 use crate::console::{note, shown};
 use crate::exit::Failure;
 
-/// What was read, and from where.
+/// A drawing or mesh that was read, and its files.
 #[derive(Debug)]
 pub(crate) struct Input<T> {
     pub(crate) value: T,
@@ -17,7 +17,7 @@ pub(crate) struct Input<T> {
     pub(crate) first_index: u32,
     /// The files that were read, the one with segments or triangles first; none for standard input.
     pub(crate) files: Vec<PathBuf>,
-    /// What was ignored in the files, in words.
+    /// Messages about ignored parts of the files.
     pub(crate) notes: Vec<String>,
 }
 
@@ -27,18 +27,18 @@ impl<T> Input<T> {
         Self { value, first_index, files, notes: notes.iter().map(ToString::to_string).collect() }
     }
 
-    /// Says on standard error what was ignored, for commands whose report has no place for it.
+    /// Prints the messages about ignored parts to standard error, for commands whose report has no place for them.
     pub(crate) fn with_notes_shown(self) -> Self {
         self.notes.iter().for_each(|text| note("warning", text));
         self
     }
 
-    /// What messages call the input.
+    /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
         self.files.first().map_or_else(|| "-".to_owned(), |file| shown(file))
     }
 
-    /// What a picture of it is called.
+    /// The heading of a picture of it.
     pub(crate) fn title(&self) -> String {
         let stem = self.files.first().and_then(|file| file.file_stem());
         shown(Path::new(stem.unwrap_or(OsStr::new("standard input"))))

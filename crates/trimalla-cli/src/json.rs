@@ -10,11 +10,11 @@ use trimalla_io::RecipeFile;
 use crate::console;
 use crate::exit::Failure;
 use crate::missed::MissedBounds;
-use crate::refining::Made;
+use crate::refining::Outcome;
 
 /// The report of a refinement.
-pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
-    let Made { meshed: Meshed { mesh, report, outlook, .. }, warnings, foreseen, .. } = made;
+pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Value {
+    let Outcome { meshed: Meshed { mesh, report, outlook, .. }, warnings, foreseen, .. } = outcome;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
     let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
@@ -45,7 +45,7 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
     })
 }
 
-/// Adds what was asked for, what refinement began with, the bounds missed, and the command that repeats the run.
+/// Adds the options, the state before the refinement, the bounds missed, and the command that repeats the run.
 pub(crate) fn add_asked(
     object: &mut Value,
     asked: &RecipeFile,
@@ -77,7 +77,7 @@ pub(crate) fn add_asked(
     object["version"] = json!(env!("CARGO_PKG_VERSION"));
 }
 
-/// What `--details` adds.
+/// The object that `--details` adds.
 pub(crate) fn of_details(statistics: &Statistics, report: &Report) -> Value {
     let inserted: Map<_, _> = report.insertions().iter().map(|(kind, n)| (kind.key().to_owned(), json!(n))).collect();
     let times = report.step_times.map(|times| {
@@ -109,7 +109,7 @@ pub(crate) fn of_spread(s: Spread) -> Value {
     json!({ "min": s.min, "mean": s.mean, "max": s.max })
 }
 
-/// A count that may be too large for one, as a whole number where it is not.
+/// A count, as a whole number unless it is too large for one.
 fn whole(count: f64) -> Value {
     const LARGEST: f64 = 9_007_199_254_740_992.0;
     if count < LARGEST { json!(count as u64) } else { json!(count) }

@@ -4,26 +4,26 @@
 //! |---|---|
 //! | [`args`] | what the command line may say |
 //! | [`commands`] | one file a subcommand |
-//! | [`input`] | drawings and meshes with the names that their files give to things |
-//! | [`refining`] | what `mesh` and `refine` share: options, the flow, the report |
-//! | [`names`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
-//! | [`outputs`], [`targets`] | what goes where, checked before any work; what killed runs have left |
+//! | [`input`] | drawings and meshes with the numbering of their files |
+//! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
+//! | [`file_numbers`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
+//! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`frames`] | every step as a line, and as a picture |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the five steps as options, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
-//! | [`text`], [`json`] | what came of it, for people and for programs |
+//! | [`text`], [`json`] | reports for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
 
 mod args;
 mod commands;
 mod console;
 mod exit;
+mod file_numbers;
 mod foresight;
 mod frames;
 mod input;
 mod json;
 mod missed;
-mod names;
 mod outputs;
 mod picks;
 mod progress;

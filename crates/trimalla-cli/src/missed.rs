@@ -1,4 +1,4 @@
-//! Which bounds the triangles miss that were left.
+//! The bounds that leftover triangles miss.
 
 use trimalla::drawing::IndexedMesh;
 use trimalla::refine::{Criteria, Missed, Report};
@@ -19,8 +19,8 @@ pub(crate) struct MissedBounds {
 }
 
 impl MissedBounds {
-    /// Looks at the leftovers of a report. One that meets every bound that holds for all triangles misses the area
-    /// bound of its region.
+    /// The bounds that the leftovers of a report miss. A leftover that meets every bound for all triangles misses the
+    /// area bound of its region.
     pub(crate) fn of(mesh: &IndexedMesh, report: &Report, criteria: &Criteria) -> Self {
         let mut all = Self::default();
         for leftover in &report.leftovers {

@@ -1,4 +1,4 @@
-//! What goes where. Everything that can be known about outputs before the work is checked before the work.
+//! The outputs of a run. Everything that can be known about them before the work is checked before the work.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -17,17 +17,17 @@ use crate::recipe_file::RecipeFileOptions;
 use crate::targets::{Target, directory_of, is_stdout, place_of};
 use crate::trace::TraceOptions;
 
-/// Where the results of a run go, all of them or none.
+/// The outputs of a run, written all together or not at all.
 #[derive(Debug, Default)]
 pub(crate) struct Outputs {
-    /// What was read, and is never written.
+    /// The input files, which are never written.
     inputs: Vec<PathBuf>,
     targets: Vec<Target>,
-    /// Where the recipe is saved, if it is.
+    /// The file of the recipe, if it is saved.
     recipe: Option<Target>,
-    /// Where the steps are told, if they are.
+    /// The file of the trace, if there is one.
     trace: Option<Target>,
-    /// Where the steps are drawn, if they are.
+    /// The folder of the frames, if there is one.
     frames: Option<Target>,
     /// A folder that is made if it is not there.
     folder: Option<PathBuf>,
@@ -175,7 +175,7 @@ impl Outputs {
     }
 }
 
-/// Complete outputs that wait for the last thing that may fail. Dropped, they leave no trace.
+/// Complete outputs that are not yet in their places. Dropped, they leave nothing behind.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct Prepared(io::Outputs);
@@ -221,7 +221,7 @@ impl Drop for MadeFolders {
     }
 }
 
-/// Takes a reader of standard output that goes away for one that has had enough.
+/// Ignores the error of a standard output whose reader has closed it.
 pub(crate) fn or_reader_left(path: &Path, written: Result<(), IoError>) -> Result<(), IoError> {
     match written {
         Err(IoError::Unwritable { source, .. }) if is_stdout(path) && source.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -229,7 +229,7 @@ pub(crate) fn or_reader_left(path: &Path, written: Result<(), IoError>) -> Resul
     }
 }
 
-/// Completes or removes what runs that were killed have left where these outputs go, and says so.
+/// Completes or removes what killed runs have left in the places of these outputs, and says so.
 pub(crate) fn recover<'a>(outputs: impl IntoIterator<Item = &'a PathBuf>, is_quiet: bool) {
     let outputs = outputs.into_iter().filter(|path| !is_stdout(path));
     let directories: BTreeSet<PathBuf> = outputs.map(|path| directory_of(&place_of(path)).to_owned()).collect();

@@ -46,7 +46,7 @@ impl PickOptions {
         }
     }
 
-    /// What is to be said of a manual order without picks.
+    /// The warning about a manual order without picks.
     pub(crate) fn warning(&self, select: Select) -> Option<String> {
         let is_idle = select == Select::Manual && self.pick.is_empty();
         is_idle
@@ -74,7 +74,7 @@ pub(crate) struct Picks {
 }
 
 impl Picks {
-    /// Picks them; says whether all are there, and remembers what is wrong.
+    /// Picks the triangles; returns whether all exist, and keeps the failure if not.
     pub(crate) fn pick(&self, refinement: &mut Refinement) -> bool {
         let picked = self.faces(refinement).map(|faces| faces.into_iter().all(|f| refinement.pick(f)));
         picked.unwrap_or_else(|failure| {
@@ -83,7 +83,7 @@ impl Picks {
         })
     }
 
-    /// What was wrong.
+    /// The failure of [`pick`](Self::pick), if there was one.
     pub(crate) fn check(&self) -> Result<(), Failure> {
         self.fault.borrow_mut().take().map_or(Ok(()), Err)
     }

@@ -24,29 +24,28 @@ use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Whether the first Ctrl-C is left to the work itself: it is asked now and then while refining, and is about to end
-/// while writing.
-static PATIENT: AtomicBool = AtomicBool::new(false);
+/// Whether the first Ctrl-C only sets [`INTERRUPTED`]: a refinement polls that, and writing ends soon anyway.
+static DEFERS_CTRL_C: AtomicBool = AtomicBool::new(false);
 
 const MESSAGE: &str = "interrupted; no file was changed";
 
-/// Takes Ctrl-C over.
+/// Installs the handler of Ctrl-C.
 pub(crate) fn handle_ctrl_c() {
     let handler = || {
         let is_first = !INTERRUPTED.swap(true, Ordering::SeqCst);
-        if !(is_first && PATIENT.load(Ordering::SeqCst)) {
+        if !(is_first && DEFERS_CTRL_C.load(Ordering::SeqCst)) {
             // Files may be appearing when there is a second one.
             console::note("error", if is_first { MESSAGE } else { "interrupted" });
             process::exit(Status::Interrupted as i32);
         }
     };
-    // Where no handler can be set, the system's own ends the program.
+    // If no handler can be set, the system's own ends the program.
     let _ = ctrlc::set_handler(handler);
 }
 
-/// Enters work that asks for Ctrl-C itself, by [`is_interrupted`].
-pub(crate) fn be_patient() {
-    PATIENT.store(true, Ordering::SeqCst);
+/// From here on the work polls [`is_interrupted`], and the first Ctrl-C no longer ends the program.
+pub(crate) fn defer_ctrl_c() {
+    DEFERS_CTRL_C.store(true, Ordering::SeqCst);
 }
 
 /// Whether Ctrl-C has been pressed.
@@ -54,9 +53,9 @@ pub(crate) fn is_interrupted() -> bool {
     INTERRUPTED.load(Ordering::SeqCst)
 }
 
-/// Enters the part in which files appear; from here on they become whole, unless Ctrl-C was pressed before.
+/// Begins the part in which files appear, which Ctrl-C no longer stops; a failure if it was pressed before.
 pub(crate) fn begin_writing() -> Result<(), Failure> {
-    PATIENT.store(true, Ordering::SeqCst);
+    DEFERS_CTRL_C.store(true, Ordering::SeqCst);
     if INTERRUPTED.load(Ordering::SeqCst) {
         return Err(Failure::new(Status::Interrupted, MESSAGE));
     }
@@ -76,9 +75,9 @@ pub(crate) struct Watch {
     trace: Option<Trace>,
     is_timed: bool,
     picks: Picks,
-    /// Whether there is no way to begin.
-    is_void: bool,
-    /// What refinement began with, once it has.
+    /// Whether a picked triangle does not exist, so that nothing can be refined.
+    pick_failed: bool,
+    /// The state before the refinement, once that has begun.
     before: Rc<Cell<Option<Overview>>>,
 }
 
@@ -96,28 +95,28 @@ impl Watch {
     }
 
     fn of(line: ProgressBar) -> Self {
-        Self { line, trace: None, is_timed: false, picks: Picks::default(), is_void: false, before: Rc::default() }
+        Self { line, trace: None, is_timed: false, picks: Picks::default(), pick_failed: false, before: Rc::default() }
     }
 
-    /// The same, picking triangles.
+    /// Sets the triangles to pick.
     pub(crate) fn with_picks(mut self, picks: Picks) -> Self {
         self.picks = picks;
         self
     }
 
-    /// The same, leaving here what refinement begins with.
+    /// Sets where to store the state before the refinement.
     pub(crate) fn with_overview(mut self, before: Rc<Cell<Option<Overview>>>) -> Self {
         self.before = before;
         self
     }
 
-    /// The same, recording every step.
+    /// Sets a trace that records every step.
     pub(crate) fn with_trace(mut self, trace: Option<Trace>) -> Self {
         self.trace = trace;
         self
     }
 
-    /// The same, measuring the steps if that is wanted.
+    /// Sets whether the steps are timed.
     pub(crate) fn timed(mut self, is_timed: bool) -> Self {
         self.is_timed = is_timed;
         self
@@ -126,19 +125,19 @@ impl Watch {
 
 impl Observer for Watch {
     fn begins(&mut self, refinement: &mut Refinement) {
-        be_patient(); // From here on temporary files may be there.
+        defer_ctrl_c(); // From here on temporary files may be there.
         self.before.set(Some(refinement.overview()));
-        self.is_void = !self.picks.pick(refinement);
+        self.pick_failed = !self.picks.pick(refinement);
     }
 
     fn progress(&mut self, progress: Progress) -> bool {
-        PATIENT.store(true, Ordering::SeqCst);
+        DEFERS_CTRL_C.store(true, Ordering::SeqCst);
         if !self.line.is_hidden() {
             self.line.set_message(HumanCount(progress.waiting as u64).to_string());
             self.line.set_position(progress.vertices as u64);
         }
         let is_of_use = self.trace.as_ref().is_none_or(|trace| !trace.has_failed());
-        is_of_use && !self.is_void && !INTERRUPTED.load(Ordering::SeqCst)
+        is_of_use && !self.pick_failed && !INTERRUPTED.load(Ordering::SeqCst)
     }
 
     fn clock(&self) -> Option<Clock> {

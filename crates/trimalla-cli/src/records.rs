@@ -1,4 +1,4 @@
-//! Where the records of a drawing stand in its files.
+//! The lines of a drawing's records in its files.
 //!
 //! Reading keeps no lines, as good drawings need none. Where a drawing turns out to be at fault, its files are scanned
 //! again: they have been read without an error, so that every line which is neither blank nor a comment is a record.
@@ -58,7 +58,7 @@ fn records(text: &str) -> impl Iterator<Item = Record> + '_ {
     })
 }
 
-/// Takes a header, which says how many records follow, and those.
+/// Takes a header, which says how many records follow, and these records.
 fn section(records: &mut impl Iterator<Item = Record>) -> Vec<Record> {
     let count = records.next().and_then(|header| header.number.parse().ok());
     records.take(count.unwrap_or(0)).collect()

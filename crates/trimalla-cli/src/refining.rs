@@ -1,4 +1,4 @@
-//! What `mesh` and `refine` share: the options of a refinement, the flow from input to output, the report.
+//! The common part of `mesh` and `refine`: the options of a refinement, the flow from input to output, the report.
 
 use std::rc::Rc;
 use std::time::Instant;
@@ -23,7 +23,7 @@ use crate::repeat::CommandLine;
 use crate::trace::TraceOptions;
 use crate::{json, text};
 
-/// What is asked of a refinement, where results go, and how the report looks.
+/// The options of a refinement, of its outputs and of its report.
 #[derive(Debug, Args)]
 pub(crate) struct RefiningOptions {
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60 [default: 30]
@@ -82,23 +82,23 @@ pub(crate) struct RefiningOptions {
     details: bool,
 }
 
-/// What came of the work, its warnings in the words of the input.
-pub(crate) struct Made {
+/// The outcome of a refinement, its warnings in the numbers of the input.
+pub(crate) struct Outcome {
     pub(crate) meshed: Meshed,
-    /// What is odd about the input.
+    /// Warnings about the input.
     pub(crate) warnings: Vec<String>,
-    /// What was warned of before the work.
+    /// Warnings before the work.
     pub(crate) foreseen: Vec<String>,
-    /// What is promised in spite of small input angles.
+    /// The angle floor in words, if there are small input angles.
     pub(crate) floor: Option<String>,
 }
 
-/// From options and a progress bar to a mesh.
-pub(crate) type Make<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Made, Failure> + 'a;
+/// Makes a mesh, given options and an observer; the last argument silences warnings before the work.
+pub(crate) type MakeMesh<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Outcome, Failure> + 'a;
 
-/// What was read: what the flow needs to know of it.
-pub(crate) struct Read<'a> {
-    /// The line of the report that says what it was.
+/// A refinement to be run, and what the report says of its input.
+pub(crate) struct Job<'a> {
+    /// The line of the report about the input.
     pub(crate) heading: String,
     /// The command that repeats the run, as far as the input goes.
     pub(crate) command: CommandLine,
@@ -106,15 +106,15 @@ pub(crate) struct Read<'a> {
     pub(crate) first_index: u32,
     /// Vertices that are not new.
     pub(crate) vertices: usize,
-    /// Triangles that are there already.
+    /// The triangles of a given mesh.
     pub(crate) triangles: Option<&'a [[u32; 3]]>,
-    /// Makes the mesh, watched; the last argument silences warnings before the work.
-    pub(crate) make: &'a Make<'a>,
+    /// Makes the mesh.
+    pub(crate) make: &'a MakeMesh<'a>,
 }
 
 impl RefiningOptions {
-    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses
-    /// what cannot be meant, before anything else is read.
+    /// The options of the refinement: those of the recipe file, overridden by those of the command line. Refuses
+    /// options out of range before anything else is read.
     pub(crate) fn asked(&self) -> Result<RecipeFile, Failure> {
         let mut asked = self.recipe_file.read(&self.recipe)?;
         asked.min_angle_deg = self.min_angle.or(asked.min_angle_deg).or(Some(30.0));
@@ -137,39 +137,39 @@ impl RefiningOptions {
             .with_trace(&self.trace)
     }
 
-    /// Completes or removes what runs that were killed have left where the outputs go.
+    /// Completes or removes what killed runs have left in the places of the outputs.
     pub(crate) fn recover(&self) {
         let Self { output, recipe_file, trace, report, .. } = self;
         let single = [&recipe_file.save_recipe, &trace.trace, &trace.frames];
         outputs::recover(output.output.iter().chain(single.into_iter().flatten()), report.quiet);
     }
 
-    /// From what was read to files and report.
-    pub(crate) fn run(&self, asked: &RecipeFile, read: &Read<'_>, outputs: &Outputs) -> Result<Status, Failure> {
+    /// Runs the job and writes files and report.
+    pub(crate) fn run(&self, asked: &RecipeFile, job: &Job<'_>, outputs: &Outputs) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
         let trace = self.trace.begin();
-        let picks = self.pick.of(read.first_index, read.triangles)?;
+        let picks = self.pick.of(job.first_index, job.triangles)?;
         let before = Rc::default();
         let watch = Watch::new(!self.report.json && !self.report.quiet)
             .with_trace(trace.clone())
             .timed(self.details)
             .with_overview(Rc::clone(&before));
-        let mut made = (read.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
+        let mut outcome = (job.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
         picks.check()?;
-        made.warnings.extend(self.pick.warning(asked.recipe.select));
-        let Made { meshed: Meshed { mesh, report, .. }, warnings, .. } = &made;
+        outcome.warnings.extend(self.pick.warning(asked.recipe.select));
+        let Outcome { meshed: Meshed { mesh, report, .. }, warnings, .. } = &outcome;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;
         let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
-        let command = read.command.clone().with_refinement(asked, self.pick.numbers());
+        let command = job.command.clone().with_refinement(asked, self.pick.numbers());
         let missed = MissedBounds::of(mesh, report, &asked.refine_options().criteria);
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
         let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.recipe_file, asked)?;
         if self.report.json {
-            let mut object = json::of_meshing(&made, &recipe_file::key(asked), seconds);
+            let mut object = json::of_meshing(&outcome, &recipe_file::key(asked), seconds);
             json::add_asked(&mut object, asked, before.get(), &missed, &command);
             if let Some(statistics) = &details {
                 object["details"] = json::of_details(statistics, report);
@@ -177,13 +177,13 @@ impl RefiningOptions {
             json::print(&object)?;
         } else {
             let mut lines = text::Lines::default();
-            lines.heading(&read.heading);
+            lines.heading(&job.heading);
             lines.row("algorithm", recipe_file::full_title(asked));
             lines.row("steps", recipe_file::steps(&asked.recipe));
             text::add_before(&mut lines, before.get());
-            text::add_counts(&mut lines, mesh, read.vertices);
+            text::add_counts(&mut lines, mesh, job.vertices);
             text::add_outcome(&mut lines, report, asked, &missed);
-            if let Some(floor) = &made.floor {
+            if let Some(floor) = &outcome.floor {
                 lines.row("floor", floor);
             }
             lines.row("repeat", &command);
@@ -201,7 +201,7 @@ impl RefiningOptions {
         }
         if !self.report.quiet {
             text::name_stop(report);
-            text::name_leftovers(mesh, read.first_index, report, &missed);
+            text::name_leftovers(mesh, job.first_index, report, &missed);
         }
         Ok(Status::Unmet)
     }

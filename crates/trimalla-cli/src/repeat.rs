@@ -1,4 +1,4 @@
-//! The command that repeats a run: what was asked for, wherever it came from, as options.
+//! The command that repeats a run: every option, from the command line or a recipe file, spelled out.
 
 use std::path::Path;
 
@@ -20,14 +20,14 @@ impl CommandLine {
         Self(format!("trimalla {subcommand} {}", quoted(&shown(input))))
     }
 
-    /// The same with an option that takes a value.
+    /// Adds an option with its value.
     #[must_use]
     pub(crate) fn with(mut self, option: &str, value: impl std::fmt::Display) -> Self {
         self.0 += &format!(" --{option} {}", quoted(&value.to_string()));
         self
     }
 
-    /// The same with an option that takes a value, unless that is the default.
+    /// Adds an option with its value, unless that is the default.
     #[must_use]
     pub(crate) fn with_unless<T: PartialEq>(
         self,
@@ -39,7 +39,7 @@ impl CommandLine {
         if value == default { self } else { self.with(option, key(value)) }
     }
 
-    /// The same with what decides the domain of a drawing.
+    /// Adds the options that decide the domain of a drawing.
     #[must_use]
     pub(crate) fn with_domain(self, rule: DomainRule, crossings: &str, triangulator: &str) -> Self {
         self.with_unless("domain", rule, DomainRule::default(), |rule| rule.key().to_owned())
@@ -47,7 +47,7 @@ impl CommandLine {
             .with_unless("triangulator", triangulator, "incremental", str::to_owned)
     }
 
-    /// The same with recipe, bounds and limits, and the command as text.
+    /// Adds recipe, bounds and limits, and returns the command as text.
     pub(crate) fn with_refinement(self, asked: &RecipeFile, picks: &[usize]) -> String {
         let mut line = self.with("algorithm", asked.preset.unwrap_or_default().key());
         // --pick says itself that step 2 is manual.

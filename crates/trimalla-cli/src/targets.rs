@@ -1,4 +1,4 @@
-//! Where one output goes, and what it may not touch.
+//! The target of one output, and the files that it must not touch.
 
 use std::fs::{self, OpenOptions};
 use std::io::ErrorKind;
@@ -103,7 +103,7 @@ impl Target {
         Ok(())
     }
 
-    /// Finds out before the work what would fail after it.
+    /// Checks before the work whether the files can be written.
     pub(crate) fn try_places(&self) -> Result<(), Failure> {
         if self.is_folder {
             return match self.is_stdout() {

@@ -36,7 +36,7 @@ impl Lines {
     }
 }
 
-/// What was read, in one line.
+/// The input in one line.
 pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
     format!("{}: {}", drawing.name(), facts(&drawing.value))
 }
@@ -48,14 +48,14 @@ pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
     lines.row("triangles", mesh.triangles.len());
 }
 
-/// What a refinement began with.
+/// The state before a refinement.
 pub(crate) fn add_before(lines: &mut Lines, before: Option<Overview>) {
     let Some(Overview { vertices, triangles, min_angle_deg }) = before else { return };
     let angle = min_angle_deg.map_or_else(String::new, |angle| format!(", smallest angle {angle:.2} degrees"));
     lines.row("before", format_args!("{}, {}{angle}", count(vertices, "vertex"), count(triangles, "triangle")));
 }
 
-/// What came of a refinement, and the bounds that it was held against.
+/// The outcome of a refinement, with its bounds.
 pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &RecipeFile, missed: &MissedBounds) {
     lines.row("angles", angles([report.min_angle_deg, report.max_angle_deg]));
     let bounds = bounds(asked);
@@ -76,7 +76,7 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &RecipeFile
     }
 }
 
-/// Every bound on triangles that was asked for.
+/// Every bound on triangles.
 fn bounds(asked: &RecipeFile) -> String {
     let angle = format!("angle {} degrees", asked.min_angle_deg.unwrap_or_default());
     let area = asked.max_area.map(|area| format!("area {area}"));
@@ -131,8 +131,8 @@ pub(crate) fn name_stop(report: &Report) {
     }
 }
 
-/// Names the first triangles that limits kept from meeting a bound, on standard error; those that nobody picked are
-/// none of them.
+/// Names, on standard error, the first triangles that limits kept from meeting a bound; triangles that were not picked
+/// are left out.
 pub(crate) fn name_leftovers(mesh: &IndexedMesh, first_index: u32, report: &Report, missed: &MissedBounds) {
     const SHOWN: usize = 10;
     let all = report.leftovers.iter().zip(&missed.by_leftover);

@@ -51,7 +51,7 @@ struct State {
 }
 
 impl TraceOptions {
-    /// What records, if anything is to be.
+    /// Begins recording, if there is anything to record.
     pub(crate) fn begin(&self) -> Option<Trace> {
         let is_wanted = self.trace.is_some() || self.frames.is_some();
         let state = State { options: self.clone(), ..State::default() };
@@ -68,7 +68,7 @@ impl Trace {
         }
     }
 
-    /// Whether there is a fault, so that going on is of no use.
+    /// Whether a fault has occurred, so that the run can end.
     pub(crate) fn has_failed(&self) -> bool {
         self.0.borrow().failure.is_some()
     }
@@ -84,7 +84,7 @@ impl Trace {
 }
 
 impl State {
-    /// Begins what is not begun yet: not before the first step, as until then Ctrl-C ends the program at once.
+    /// Begins the outputs, at the first step: until then Ctrl-C ends the program at once.
     fn begin(&mut self) -> Result<(), IoError> {
         let Self { options: TraceOptions { trace, frames }, outputs, lines, pictures, .. } = self;
         if let (Some(path), None) = (trace, &lines) {

@@ -1,10 +1,8 @@
 //! Published tables to stand beside ours.
 //!
 //! A CSV file with a header that names at least `mesh`, `algorithm`, `angle_deg`, `vertices` and `triangles`, in any
-//! order; `appendix`,
-//! `priority`, `program` and `comment` are used where they are there. Empty counts are runs that gave no mesh. A
-//! comment that begins with
-//! `impossible` marks a row that no mesh can have.
+//! order; `appendix`, `priority`, `program` and `comment` are used if they are there. Empty counts are runs that gave
+//! no mesh. A comment that begins with `impossible` marks a row that no mesh can have.
 
 use std::path::Path;
 

@@ -22,7 +22,7 @@ pub struct Experiment {
     pub time_limit: f64,
     /// How drawings are read.
     pub domain: DomainOptions,
-    /// What is told of times; to time the steps makes a run about a tenth slower.
+    /// What tables show of times; to time the steps makes a run about a tenth slower.
     pub times: Times,
 }
 
@@ -111,7 +111,7 @@ impl Experiment {
 
     fn push_drawing(&mut self, name: String, title: &str, read: Result<Good, Vec<String>>) {
         let taken: Vec<&str> = self.drawings.iter().map(|d| &d.title[..]).collect();
-        let title = told_apart(title, &taken, "-");
+        let title = unique_name(title, &taken, "-");
         self.drawings.push(Drawing { name, title, read });
     }
 
@@ -125,7 +125,7 @@ impl Experiment {
             return Err(CompareError::Option { contender: contender.label, source });
         }
         let taken: Vec<&str> = self.contenders.iter().map(|c| &c.label[..]).collect();
-        contender.label = told_apart(&contender.label, &taken, " ");
+        contender.label = unique_name(&contender.label, &taken, " ");
         self.contenders.push(contender);
         Ok(())
     }
@@ -210,7 +210,7 @@ impl Task<'_> {
             self.options.limits.max_vertices,
             self.experiment.time_limit.to_bits()
         );
-        let own = self.contender.own_version().map(|version| format!("\0{version}")).unwrap_or_default();
+        let own = self.contender.version().map(|version| format!("\0{version}")).unwrap_or_default();
         let parts = [&self.good.content[..], b"\0", &recipe_text, b"\0", rest.as_bytes(), own.as_bytes()];
         let bytes = parts.into_iter().flatten();
         let digest = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, &b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
@@ -233,7 +233,7 @@ pub fn facts(pslg: &Pslg) -> String {
 }
 
 /// The name, with a number where another one has it already.
-fn told_apart(name: &str, taken: &[&str], before_number: &str) -> String {
+fn unique_name(name: &str, taken: &[&str], before_number: &str) -> String {
     let numbered = (2..).map(|number| format!("{name}{before_number}{number}"));
     let mut names = std::iter::once(name.to_owned()).chain(numbered);
     names.find(|name| !taken.contains(&&name[..])).unwrap_or_default()
@@ -281,10 +281,10 @@ mod tests {
     }
 
     #[test]
-    fn names_are_told_apart() {
+    fn names_are_made_unique() {
         let mut taken: Vec<String> = Vec::new();
         for name in ["a", "b", "a", "a-2", "a"] {
-            let own = told_apart(name, &taken.iter().map(|t| &t[..]).collect::<Vec<_>>(), "-");
+            let own = unique_name(name, &taken.iter().map(|t| &t[..]).collect::<Vec<_>>(), "-");
             taken.push(own);
         }
         taken.sort();

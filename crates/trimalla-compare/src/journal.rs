@@ -43,13 +43,14 @@ impl Journal {
         Ok(Self { path: path.to_owned(), file, known })
     }
 
-    /// What came of a run, if it is known.
+    /// The outcome of a run, if it is known.
     pub(crate) fn find(&self, task: &Task<'_>) -> Option<Outcome> {
         let known = self.known.get(&task.digest());
-        known.filter(|outcome| outcome.step_times.is_some() || task.experiment.times != Times::BySteps).cloned()
+        let needs_steps = task.experiment.times == Times::BySteps && task.contender.peer().is_none();
+        known.filter(|outcome| outcome.step_times.is_some() || !needs_steps).cloned()
     }
 
-    /// Adds what came of a run.
+    /// Adds the outcome of a run.
     pub(crate) fn add(&mut self, task: &Task<'_>, outcome: &Outcome) -> Result<(), CompareError> {
         let mut line = json!({
             "run": task.digest(),
@@ -112,7 +113,7 @@ fn outcomes(bytes: &[u8], path: &Path) -> Result<BTreeMap<String, Outcome>, Comp
     Ok(known)
 }
 
-/// A run by its digest, and what came of it.
+/// The digest of a run, and its outcome.
 fn entry(line: &Value) -> Option<(String, Outcome)> {
     Some((line.get("run")?.as_str()?.to_owned(), Outcome::from_json(line)?))
 }

@@ -11,8 +11,9 @@
 //! | `experiment`, `contender` | what is run: drawings, recipes or strategies of the caller's own, angles, limits |
 //! | `runs`, `outcome` | a queue of runs and the threads that empty it; what came of a run |
 //! | `journal` | outcomes so far, on disk, so that an experiment can go on after a stop |
+//! | `peer` | Triangle, run in processes of its own |
 //! | `baseline` | published tables to stand beside ours |
-//! | `sheet` | one drawing's columns, ours and the published ones |
+//! | `sheet` | one drawing's columns, those that were run and the published ones |
 //! | [`markdown`], [`records`], [`figures`] | sheets as tables, as CSV and JSON, as charts |
 //!
 //! # What every run gets
@@ -49,6 +50,7 @@ pub mod figures;
 mod journal;
 pub mod markdown;
 mod outcome;
+mod peer;
 pub mod records;
 mod runs;
 mod sheet;
@@ -59,6 +61,7 @@ pub use error::CompareError;
 pub use experiment::{Drawing, Experiment, Task, angles, facts};
 pub use journal::Journal;
 pub use outcome::{End, Outcome};
+pub use peer::{NoPeer, Peer};
 pub use runs::{NoWatch, Outcomes, Watch};
 pub use sheet::{Cell, Column, Quantity, Sheet, Times};
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::contender::Contender;
 use crate::experiment::Experiment;
 use crate::outcome::End;
 use crate::sheet::{Cell, Column, Quantity, Sheet, Times, seconds_text};
@@ -51,8 +52,8 @@ fn cell(cell: &Cell, quantity: Quantity) -> String {
         _ => format!("{value}"),
     });
     match (cell, number) {
-        (Cell::Ours(run), Some(number)) if run.below_bound > 0 => number + " \\*",
-        (Cell::Ours(run), None) => format!("ND ({})", run.end),
+        (Cell::Run(run), Some(number)) if run.below_bound > 0 => number + " \\*",
+        (Cell::Run(run), None) => format!("ND ({})", run.end),
         (_, Some(number)) if cell.impossible().is_some() => number + " †",
         (_, Some(number)) if cell.remark().is_some() => number + " ‡",
         (Cell::Published { .. }, None) => "ND".to_owned(),
@@ -64,7 +65,7 @@ fn cell(cell: &Cell, quantity: Quantity) -> String {
 fn add_notes(text: &mut String, sheet: &Sheet<'_>) {
     let cells = || sheet.columns.iter().flat_map(|column| &column.cells);
     let mut notes = Vec::new();
-    if cells().any(|cell| matches!(cell, Cell::Ours(run) if run.is_done() && run.below_bound > 0)) {
+    if cells().any(|cell| matches!(cell, Cell::Run(run) if run.is_done() && run.below_bound > 0)) {
         notes.push("\\* with triangles below the bound that the drawing's own angles force".to_owned());
     }
     for column in &sheet.columns {
@@ -99,10 +100,13 @@ fn limits(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
         format!("Each run: at most {} vertices and {} seconds.", experiment.max_vertices, experiment.time_limit);
     let cells = sheets.iter().flat_map(|s| &s.columns).flat_map(|c| &c.cells);
     let ends: Vec<End> =
-        cells.filter_map(|cell| if let Cell::Ours(run) = cell { Some(run.end) } else { None }).collect();
+        cells.filter_map(|cell| if let Cell::Run(run) = cell { Some(run.end) } else { None }).collect();
     let reasons = [
         (ends.contains(&End::Budget), "budget: the vertices were used up"),
         (ends.contains(&End::Time), "time: the seconds were"),
+        (ends.contains(&End::Below), "below the bound: triangles were left"),
+        (ends.contains(&End::Invalid), "invalid mesh: 'refine' refuses it"),
+        (ends.contains(&End::Crashed), "crashed: the process ended without a mesh"),
         (
             ends.iter().any(|end| matches!(end, End::Left(_))),
             "any other reason: why most of the triangles that are left were given up",
@@ -112,11 +116,14 @@ fn limits(experiment: &Experiment, sheets: &[Sheet<'_>]) -> String {
     if !reasons.is_empty() {
         text += &format!(" ND: no mesh without a triangle below the bound ({}).", reasons.join("; "));
     }
+    for peer in experiment.contenders().iter().filter_map(Contender::peer) {
+        text += &format!(" Triangle: its Python package {}, each run a process of its own.", escaped(peer.version()));
+    }
     text.push('\n');
     text
 }
 
-/// What would be markup is no markup, and what a terminal would obey is left out.
+/// Escapes markup, and leaves out control characters, which a terminal would obey.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars().filter(|c| !c.is_control()) {

@@ -1,4 +1,4 @@
-//! What came of a run.
+//! The outcome of a run.
 
 use std::fmt;
 
@@ -16,6 +16,12 @@ pub enum End {
     Time,
     /// It ended by itself and left triangles below the bound, most of them for this reason.
     Left(Reason),
+    /// A program of others left triangles below the bound.
+    Below,
+    /// A program of others made no valid mesh.
+    Invalid,
+    /// A program of others ended without a mesh.
+    Crashed,
 }
 
 impl End {
@@ -40,11 +46,14 @@ impl End {
             Self::Budget => "budget",
             Self::Time => "time",
             Self::Left(reason) => reason.key(),
+            Self::Below => "below the bound",
+            Self::Invalid => "invalid mesh",
+            Self::Crashed => "crashed",
         }
     }
 
     fn from_key(key: &str) -> Option<Self> {
-        let ends = [Self::Done, Self::Budget, Self::Time].into_iter();
+        let ends = [Self::Done, Self::Budget, Self::Time, Self::Below, Self::Invalid, Self::Crashed].into_iter();
         ends.chain(Reason::ALL.map(Self::Left)).find(|end| end.key() == key)
     }
 }
@@ -55,7 +64,7 @@ impl fmt::Display for End {
     }
 }
 
-/// What came of a run.
+/// The outcome of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// How it ended.
@@ -91,6 +100,12 @@ impl Outcome {
             seconds,
             step_times: report.step_times,
         }
+    }
+
+    /// Gives it another end.
+    #[must_use]
+    pub(crate) fn ended(self, end: End) -> Self {
+        Self { end, ..self }
     }
 
     /// Whether there is a mesh without a triangle below the bound but for those that the drawing forces.
@@ -152,7 +167,15 @@ mod tests {
 
     #[test]
     fn outcomes_come_back_from_json() {
-        let ends = [End::Done, End::Budget, End::Time, End::Left(Reason::PrecisionFloor)];
+        let ends = [
+            End::Done,
+            End::Budget,
+            End::Time,
+            End::Left(Reason::PrecisionFloor),
+            End::Below,
+            End::Invalid,
+            End::Crashed,
+        ];
         for end in ends {
             let outcome = Outcome {
                 end,

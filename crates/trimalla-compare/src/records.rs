@@ -44,11 +44,11 @@ fn csv_end(cell: &Cell, times: Times) -> Option<String> {
             };
             format!("{},{vertices},{triangles},,,,", field(&result))
         }
-        Cell::Ours(run) if run.is_done() => format!(
+        Cell::Run(run) if run.is_done() => format!(
             "done,{vertices},{triangles},{},{:.4},{:.4},{}",
             run.steiner_points, run.min_angle_deg, run.max_angle_deg, run.below_bound
         ),
-        Cell::Ours(run) => format!("{},,,,,,", run.end),
+        Cell::Run(run) => format!("{},,,,,,", run.end),
     };
     row += &csv_times(cell, times);
     Some(row)
@@ -67,7 +67,7 @@ fn times_header(times: Times) -> &'static str {
 
 fn csv_times(cell: &Cell, times: Times) -> String {
     match cell {
-        Cell::Ours(run) if times != Times::Hidden => {
+        Cell::Run(run) if times != Times::Hidden => {
             let steps = run.step_times.filter(|_| times == Times::BySteps);
             let steps =
                 steps.map(|steps| steps.by_name().map(|(_, seconds)| format!(",{}", seconds_text(seconds))).concat());
@@ -111,7 +111,7 @@ fn of_sheet(sheet: &Sheet<'_>, times: Times) -> Value {
 fn run(cell: &Cell, angle: f64, times: Times) -> Option<Value> {
     let mut object: Map<String, Value> = match cell {
         Cell::Absent => return None,
-        Cell::Ours(run) => run.to_json().as_object().cloned().unwrap_or_default(),
+        Cell::Run(run) => run.to_json().as_object().cloned().unwrap_or_default(),
         Cell::Published { counts, comment } => {
             let mut object = Map::new();
             object.insert("vertices".to_owned(), json!(counts.map(|c| c[0])));

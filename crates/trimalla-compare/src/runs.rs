@@ -15,6 +15,7 @@ use crate::error::CompareError;
 use crate::experiment::{Experiment, Task};
 use crate::journal::Journal;
 use crate::outcome::Outcome;
+use crate::peer::Question;
 use crate::sheet::Times;
 
 /// Watches an experiment, from several threads at a time.
@@ -25,7 +26,7 @@ pub trait Watch: Sync {
     /// Called when a run has ended.
     fn ran(&self, _task: &Task<'_>) {}
 
-    /// Asked again and again; `true` ends the experiment.
+    /// Called again and again; `true` ends the experiment.
     fn is_cancelled(&self) -> bool {
         false
     }
@@ -102,20 +103,36 @@ impl Shared<'_> {
 }
 
 impl Task<'_> {
-    /// Triangulates and refines, both timed together.
     fn run(&self, watch: &dyn Watch) -> Result<Outcome, CompareError> {
-        let start = Instant::now();
-        let limit = Duration::try_from_secs_f64(self.experiment.time_limit).unwrap_or(Duration::MAX);
-        let mut patience = |_: Progress| !watch.is_cancelled() && start.elapsed() < limit;
         if watch.is_cancelled() {
             return Err(CompareError::Interrupted);
         }
+        let limit = Duration::try_from_secs_f64(self.experiment.time_limit).unwrap_or(Duration::MAX);
+        match self.contender.peer() {
+            Some(_) => self.question(limit).run(&|| watch.is_cancelled()).ok_or(CompareError::Interrupted),
+            None => self.refine(limit, watch),
+        }
+    }
+
+    fn question(&self, limit: Duration) -> Question<'_> {
+        Question {
+            pslg: &self.good.pslg,
+            domain: &self.experiment.domain,
+            angle_deg: self.angle_deg,
+            max_vertices: self.options.limits.max_vertices,
+            limit,
+        }
+    }
+
+    /// Triangulates and refines, both timed together.
+    fn refine(&self, limit: Duration, watch: &dyn Watch) -> Result<Outcome, CompareError> {
+        let start = Instant::now();
         let mut refinement = self.begin()?;
-        let stop = refinement.run(&mut patience);
+        let stop = refinement.run(&mut |_: Progress| !watch.is_cancelled() && start.elapsed() < limit);
         let (_, report) = refinement.finish();
         let seconds = start.elapsed().as_secs_f64();
         if stop == StopReason::Cancelled && watch.is_cancelled() {
-            return Err(CompareError::Interrupted); // Interrupted runs are nobody's outcome.
+            return Err(CompareError::Interrupted); // An interrupted run has no outcome.
         }
         Ok(Outcome::of(&report, seconds))
     }

@@ -1,4 +1,4 @@
-//! One drawing's columns, ours and the published ones.
+//! One drawing's columns, those that were run and the published ones.
 
 use crate::baseline::Baseline;
 use crate::experiment::{Drawing, Experiment};
@@ -20,22 +20,22 @@ pub struct Sheet<'a> {
     pub columns: Vec<Column>,
 }
 
-/// A recipe, or a published column.
+/// A contender, or a published column.
 #[derive(Debug)]
 pub struct Column {
     /// Its title.
     pub label: String,
-    /// Whether it is published, not ours.
+    /// Whether it is published, not run here.
     pub is_published: bool,
     /// One for each angle.
     pub cells: Vec<Cell>,
 }
 
-/// One run, ours or published.
+/// One run, of this experiment or published.
 #[derive(Clone, Debug)]
 pub enum Cell {
-    /// One of ours.
-    Ours(Outcome),
+    /// One of this experiment.
+    Run(Outcome),
     /// A published one.
     Published {
         /// Vertices and triangles; `None` where the table says ND.
@@ -47,7 +47,7 @@ pub enum Cell {
     Absent,
 }
 
-/// What tables tell of times.
+/// What tables show of times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Times {
     /// Nothing: then the same experiment gives the same bytes.
@@ -96,10 +96,10 @@ impl Cell {
     #[must_use]
     pub fn value(&self, quantity: Quantity) -> Option<f64> {
         match (self, quantity) {
-            (Self::Ours(run), _) if !run.is_done() => None,
-            (Self::Ours(run), Quantity::Vertices) => Some(run.vertices as f64),
-            (Self::Ours(run), Quantity::Triangles) => Some(run.triangles as f64),
-            (Self::Ours(run), Quantity::Seconds) => Some(run.seconds),
+            (Self::Run(run), _) if !run.is_done() => None,
+            (Self::Run(run), Quantity::Vertices) => Some(run.vertices as f64),
+            (Self::Run(run), Quantity::Triangles) => Some(run.triangles as f64),
+            (Self::Run(run), Quantity::Seconds) => Some(run.seconds),
             (Self::Published { counts, .. }, Quantity::Vertices) => counts.map(|c| c[0] as f64),
             (Self::Published { counts, .. }, Quantity::Triangles) => counts.map(|c| c[1] as f64),
             _ => None,
@@ -128,7 +128,7 @@ impl Cell {
 }
 
 impl Experiment {
-    /// What came of it, one sheet a drawing, beside published tables where there are some.
+    /// The outcomes of the experiment, one sheet a drawing, beside published tables where there are some.
     #[must_use]
     pub fn sheets<'a>(&'a self, outcomes: &Outcomes, baseline: Option<&Baseline>) -> Vec<Sheet<'a>> {
         let sheet = |(d, drawing): (usize, &'a Drawing)| {
@@ -138,7 +138,7 @@ impl Experiment {
                 columns.extend(self.contenders().iter().enumerate().map(|(c, contender)| Column {
                     label: contender.label.clone(),
                     is_published: false,
-                    cells: (0..self.angles().len()).map(|a| outcome(c, a).map_or(Cell::Absent, Cell::Ours)).collect(),
+                    cells: (0..self.angles().len()).map(|a| outcome(c, a).map_or(Cell::Absent, Cell::Run)).collect(),
                 }));
                 columns.extend(baseline.map(|b| b.columns(&drawing.title, self.angles())).unwrap_or_default());
             }

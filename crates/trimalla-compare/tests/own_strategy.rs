@@ -43,7 +43,7 @@ fn experiment(version: &str) -> Experiment {
 fn outcomes(experiment: &Experiment, jobs: usize) -> Vec<Outcome> {
     let ran = experiment.run(jobs, None, &NoWatch).unwrap();
     let cells = experiment.sheets(&ran, None).into_iter().flat_map(|s| s.columns).flat_map(|c| c.cells);
-    cells.map(|cell| if let Cell::Ours(outcome) = cell { outcome } else { panic!("{cell:?}") }).collect()
+    cells.map(|cell| if let Cell::Run(outcome) = cell { outcome } else { panic!("{cell:?}") }).collect()
 }
 
 #[test]

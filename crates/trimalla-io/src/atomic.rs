@@ -1,4 +1,4 @@
-//! Files that appear together or not at all.
+//! Groups of files that appear together or not at all.
 //!
 //! ```text
 //!   stage     .trimalla-77-0.lock     held while the group is at work; says that .trimalla-77-0-* belong to a live process
@@ -14,8 +14,8 @@
 //!
 //! * An error or a panic before the renames removes the temporary files and leaves the old files as they were.
 //! * A rename that fails undoes those before it, where the file system has hard links or there was no old file.
-//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because nobody holds their lock any
-//!   more. A group without a record is removed. A group with a record is completed, unless somebody has changed a
+//! * A process that is killed leaves its temporary files; [`recover()`] finds them, because no process holds their lock
+//!   any more. A group without a record is removed. A group with a record is completed, unless somebody has changed a
 //!   target since.
 //! * A machine that stops leaves each file whole, but not each of a folder of pictures. Of a group, some files may be
 //!   old and others new until [`recover()`].
@@ -54,7 +54,7 @@ pub use recover::{Recovered, recover};
 #[derive(Debug, Default)]
 pub(crate) struct Group {
     moves: Vec<Move>,
-    /// One for each directory that a file of the group goes to.
+    /// The claims on the directories of the files.
     claims: Vec<Arc<Claim>>,
 }
 
@@ -122,8 +122,8 @@ impl Group {
         Ok(())
     }
 
-    /// Says in the lock files what goes where, so that a group is completed even if this process is killed between two
-    /// renames. The last one written makes the difference: it holds the list, and the others name it.
+    /// Writes the list of renames into the lock files, so that a group is completed even if this process is killed
+    /// between two renames. The lock file written last decides: it holds the list, and the others name it.
     fn record(&self) -> io::Result<()> {
         let is_atomic = self.moves.len() < 2 && self.moves.iter().all(|m| !m.is_folder());
         let Some((head, others)) = self.claims.split_first().filter(|_| !is_atomic) else { return Ok(()) };
@@ -133,7 +133,7 @@ impl Group {
         head.record(&record::head(head, others, &self.moves))
     }
 
-    /// The claim on the directory of a target, and the target by its absolute name.
+    /// The claim on the directory of a target, and the absolute name of the target.
     fn claim(&mut self, target: &Path) -> io::Result<(Arc<Claim>, PathBuf)> {
         let no_file = || io::Error::new(io::ErrorKind::InvalidInput, "the path names no file");
         let name = target.file_name().ok_or_else(no_file)?;
@@ -152,8 +152,8 @@ fn unwritable(path: &Path, source: io::Error) -> IoError {
     IoError::Unwritable { path: path.to_owned(), source }
 }
 
-/// Makes renames last. Not every system can sync a directory, and the files are whole either way, so failure is no
-/// error.
+/// Syncs a directory, so that renames survive a power failure. Not every system can, and the files are whole either
+/// way, so a failure is ignored.
 fn sync_directory(directory: &Path) {
     if let Ok(directory) = File::open(directory) {
         let _ = directory.sync_all();

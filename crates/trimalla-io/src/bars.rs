@@ -30,7 +30,7 @@ pub struct BarChart {
 /// One number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bar {
-    /// What it is the number of.
+    /// The label of the bar.
     pub label: String,
     /// The length of its bar, not negative, in any unit that all bars of the chart share.
     pub size: f64,
@@ -113,7 +113,7 @@ pub fn of_report(statistics: &Statistics, report: &Report) -> Vec<BarChart> {
     charts
 }
 
-/// The smallest angle of each triangle: what the legend of a picture shows anyway.
+/// The smallest angle of each triangle; the legend of a picture shows these bars, too.
 #[must_use]
 pub fn smallest_angles(statistics: &Statistics) -> BarChart {
     let angles = &statistics.smallest_angles;

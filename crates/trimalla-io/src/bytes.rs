@@ -3,8 +3,8 @@
 //! | what is behind the path | bound |
 //! |---|---|
 //! | a file | the length that it has when it is opened, and what the caller allows |
-//! | a pipe, a device | [`LONGEST_STREAM`] or what the caller allows; [`PATIENCE`] until the next bytes come |
-//! | standard input | [`LONGEST_STREAM`]; it waits as long as whoever writes there takes |
+//! | a pipe, a device | [`LONGEST_STREAM`] or what the caller allows; [`TIMEOUT`] until the next bytes come |
+//! | standard input | [`LONGEST_STREAM`]; no limit of time |
 //! | anything with a NUL byte | the block in which it comes: no text has one, and it may be a device without end |
 
 use std::fs::{self, File};
@@ -25,7 +25,7 @@ pub(crate) const LONGEST_FILE: u64 = 1 << 38;
 const LONGEST_STREAM: u64 = 1 << 31;
 
 /// A named pipe or device that delivers nothing for so long is taken for one that never will.
-const PATIENCE: Duration = Duration::from_secs(10);
+const TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Reads a text file of at most `longest` bytes.
 ///
@@ -63,7 +63,7 @@ fn try_read(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     if !found.is_file() {
-        return read_patiently(path, longest.min(LONGEST_STREAM));
+        return read_with_timeout(path, longest.min(LONGEST_STREAM));
     }
     let mut file = File::open(path)?;
     match file.metadata()?.len() {
@@ -117,14 +117,14 @@ fn block_of(stream: &mut impl Read, block: &mut Vec<u8>) -> io::Result<()> {
     }
 }
 
-/// Reads a pipe or device on a thread of its own: both opening it and reading it may take for ever. The thread of one
-/// that never delivers is left waiting.
-fn read_patiently(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
+/// Reads a pipe or device on a thread of its own: both opening it and reading it may block for ever. Then the thread is
+/// left blocked.
+fn read_with_timeout(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     let (sender, receiver) = sync_channel(1);
     let of_thread = path.to_owned();
     thread::Builder::new().spawn(move || deliver(&of_thread, &sender))?;
     gather(longest, too_long(longest), |block| {
-        *block = receiver.recv_timeout(PATIENCE).unwrap_or_else(|error| match error {
+        *block = receiver.recv_timeout(TIMEOUT).unwrap_or_else(|error| match error {
             RecvTimeoutError::Timeout => Err(nothing_comes()),
             RecvTimeoutError::Disconnected => Ok(Vec::new()),
         })?;
@@ -133,7 +133,7 @@ fn read_patiently(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
 }
 
 fn nothing_comes() -> io::Error {
-    let seconds = PATIENCE.as_secs();
+    let seconds = TIMEOUT.as_secs();
     io::Error::new(io::ErrorKind::TimedOut, format!("it is no file, and nothing comes from it for {seconds} seconds"))
 }
 

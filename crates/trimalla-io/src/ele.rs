@@ -6,7 +6,7 @@
 //! ```
 //! Rows are numbered like the vertices, or otherwise where the vertices that they name leave no doubt. Numbers behind
 //! the declared columns are ignored, which a [`Note`] says. Of six-node triangles the corners are kept. Orientation and
-//! shape are taken as they are; judging them is the work of a check.
+//! shape are taken as they are; a check tests them.
 
 use std::io::{self, Write};
 

@@ -68,9 +68,8 @@ impl<'a> Numbering<'a> {
         }
     }
 
-    /// Holds the first number of records that name vertices against the number of the first vertex. Where they differ,
-    /// the vertices named must show that they are not counted like the records: one of them must not exist if they
-    /// were.
+    /// Compares the first number of records that name vertices with the number of the first vertex. If they differ, the
+    /// vertices named must show that they are not counted like the records: one of them must not exist if they were.
     /// `named` holds the vertices by index, counted from 0 after the numbers of the vertices.
     pub(crate) fn check_base(
         &self,
@@ -94,7 +93,7 @@ impl<'a> Numbering<'a> {
         Ok(())
     }
 
-    /// The index of the first record; 1 where nothing decides it.
+    /// The index of the first record; 1 if nothing decides it.
     pub(crate) fn first_index(&self) -> u32 {
         self.first.unwrap_or(1)
     }
@@ -150,7 +149,7 @@ fn looks_like_an_integer(text: &[u8]) -> bool {
 }
 
 impl Reader<'_> {
-    /// A count of records or columns. Nothing is allocated on its word.
+    /// A count of records or columns. Nothing is allocated for it before the records are read.
     pub(crate) fn count(&mut self, what: &str) -> Result<u32, IoError> {
         let token = self.expect(what)?;
         self.integer_in(token, what, 0, i64::from(u32::MAX)).map(|n| n as u32)

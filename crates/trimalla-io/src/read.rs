@@ -14,7 +14,7 @@ use crate::node::{self, Nodes};
 use crate::poly::{self, Poly, Sections};
 use crate::{ele, meshsuite, soup};
 
-/// What a file holds, and the number that it gives to its first vertex.
+/// The content of a file, and the number that it gives to its first vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbered<T> {
     /// The drawing or mesh; its indices count from 0.
@@ -29,7 +29,7 @@ pub struct Numbered<T> {
 }
 
 impl<T> Numbered<T> {
-    /// What one file holds, of which nothing was ignored.
+    /// The content of one file, nothing of which was ignored.
     fn whole(value: T, first_index: u32, path: &Path) -> Self {
         Self { value, first_index, files: vec![path.to_owned()], notes: Vec::new() }
     }
@@ -88,9 +88,8 @@ const DRAWING_ENDINGS: &str = ".poly, .node or .mesh";
 const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
 
 /// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own,
-/// the
-/// `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh.
-/// Or one file: `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
+/// the `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh. Or one file:
+/// `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.

@@ -13,7 +13,7 @@ const BLOCK: usize = 1 << 16;
 /// Rows of fields with a space between them.
 pub(crate) struct Rows<'a> {
     out: &'a mut dyn Write,
-    /// Rows that wait, and the fields of the row begun, each with a space behind it.
+    /// Rows not yet written, and the fields of the current row, each with a space behind it.
     block: Vec<u8>,
 }
 
@@ -50,7 +50,7 @@ impl<'a> Rows<'a> {
         if self.block.len() < BLOCK { Ok(()) } else { self.send() }
     }
 
-    /// Hands out what waits.
+    /// Writes the rows that are left.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         self.send()
     }

@@ -6,7 +6,7 @@
 //! There is no header: a file that was cut off between two lines is a smaller soup. Corners of equal coordinates (0 and
 //! -0 are equal) become one vertex, and vertices are in the order of their first corners. Clockwise triangles are
 //! turned by exchanging their second and third corner; whether a triangle is clockwise or has no area is decided
-//! exactly. The edges that one triangle only has become the subsegments. Overlaps and gaps are for a check to judge.
+//! exactly. The edges that one triangle only has become the subsegments. Overlaps and gaps are left to a check.
 //!
 //! # Source
 //! The input of Sanhueza's Lepp tool (slides, `Triangles1.txt`); hence `.txt` is read as a soup, too.

@@ -4,7 +4,7 @@
 //! of five degrees; the legend is at the same time the histogram of the classes. All triangles of a class are one path,
 //! all subsegments are one path, and coordinates are rounded to hundredths of a unit on a sheet of about 1000 units, so
 //! that the file is as small as a picture of so many triangles can be, and the same on every platform.
-//! Classes are painted from good to bad: what is thin is never hidden by what is not.
+//! Classes are painted from good to bad, so that thin triangles are never hidden.
 
 mod angle;
 mod frame;

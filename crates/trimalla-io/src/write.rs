@@ -92,8 +92,7 @@ impl Outputs {
     ///
     /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone,
     /// `.poly` the vertices, subsegments and holes in one file. Pipes, devices and `-` (standard output) are written at
-    /// once, and to them
-    /// `.ele` writes the triangles alone; add them last, as they cannot be taken back.
+    /// once, and `.ele` writes only the triangles to them; add them last, as they cannot be taken back.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].

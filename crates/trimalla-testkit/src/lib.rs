@@ -1,4 +1,4 @@
-//! What the tests of trimalla lean on, and nothing that trimalla leans on.
+//! Helpers for the tests of trimalla; the library does not use them.
 //!
 //! * [`shared`] finds the folder of real inputs that several people test against; it is never
 //!   copied here.
@@ -9,8 +9,8 @@
 //! * [`peers`] runs checkers written by others.
 //!
 //! **Independence.** Of the library only its plain data types are used (`Point`, `Pslg`,
-//! `IndexedMesh`). Predicates, hull, triangulation and checker here share no line with those they
-//! judge.
+//! `IndexedMesh`). Predicates, hull, triangulation and checker here share no line with those that
+//! they test.
 //!
 //! **How to depend on it.** As a dev-dependency. In `trimalla` itself that is a cycle through a
 //! dev-dependency, which Cargo allows: use it from `tests/`, where both sides see one `trimalla`;

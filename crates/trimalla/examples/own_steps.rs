@@ -10,7 +10,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
 use trimalla::drawing::Pslg;
 use trimalla::geometry::{CircleSide, Point, Triangle, in_circle, in_diametral_disk};
-use trimalla::half_edge::{FaceId, HalfEdgeId};
+use trimalla::half_edge::{FaceId, HalfEdgeId, VertexId};
 use trimalla::locate::Locus;
 use trimalla::quality::against_input;
 use trimalla::refine::lepp::longest_edge;
@@ -19,8 +19,8 @@ use trimalla::refine::steps::{
 };
 use trimalla::refine::{NoObserver, RefineOptions, Refinement};
 
-/// Step 1: subsegments longer than this are halved before the first point goes in; after that, those with a vertex in the
-/// disk of which they are a diameter are, too.
+/// Step 1: subsegments longer than this are halved before the first point goes in; after that, those with a vertex in
+/// the disk of which they are a diameter are, too.
 pub(crate) struct NoneLonger(pub(crate) f64);
 
 impl NoneLonger {
@@ -44,9 +44,9 @@ impl PrepareStep for NoneLonger {
 
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
         let [a, b] = view.cdt.edge_points(h);
-        let apexes = [h, view.cdt.twin(h)].map(|side| view.cdt.apex(side)).into_iter().filter(|v| v.is_finite());
-        let is_inside = |v| in_diametral_disk(a, b, view.cdt.point(v)) == CircleSide::Inside;
-        self.is_too_long(view, h) || apexes.map(is_inside).any(|inside| inside)
+        let mut apexes = [h, view.cdt.twin(h)].map(|side| view.cdt.apex(side)).into_iter().filter(|v| v.is_finite());
+        let is_inside = |v: VertexId| in_diametral_disk(a, b, view.cdt.point(v)) == CircleSide::Inside;
+        self.is_too_long(view, h) || apexes.any(is_inside)
     }
 }
 

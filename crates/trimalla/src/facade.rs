@@ -21,7 +21,7 @@ pub struct DomainOptions {
     pub algorithm: AlgorithmKey,
 }
 
-/// Everything that [`mesh`] can be asked.
+/// The options of [`mesh`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshOptions {
     /// How the drawing is read.
@@ -37,13 +37,13 @@ pub enum Error {
     /// The drawing is at fault.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// The mesh to be refined is.
+    /// The mesh to be refined is at fault.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The mesh to be refined is not one of the drawing: every disagreement.
     #[error("the mesh is not one of the drawing: {}", first_of(.0))]
     NotOfDrawing(Vec<InputFault>),
-    /// An option is.
+    /// An option is out of range.
     #[error(transparent)]
     Option(#[from] OptionError),
 }
@@ -87,14 +87,14 @@ pub struct Meshed {
     pub mesh: IndexedMesh,
     /// What came of the refinement.
     pub report: Report,
-    /// What was odd about the drawing.
+    /// What is unusual in the drawing, though it could be meshed.
     pub warnings: Vec<Warning>,
-    /// What was foreseen of the refinement, where the observer wanted to know.
+    /// The outlook before the refinement, if the observer wanted it.
     pub outlook: Option<Outlook>,
 }
 
-/// [`mesh`], watched: the observer learns of the outlook, then of progress, and may cancel, in which case the mesh so
-/// far is returned.
+/// [`mesh`] with an observer, which gets the outlook, then the progress, and may cancel; then the mesh so far is
+/// returned.
 ///
 /// # Errors
 /// See [`mesh`].
@@ -161,9 +161,9 @@ pub fn refine_mesh(mesh: &IndexedMesh, input: Option<&Pslg>, options: &RefineOpt
     refine_mesh_with(mesh, &[], input, options, &mut NoObserver)
 }
 
-/// [`refine_mesh`] with area bounds triangle by triangle (none, or an entry a triangle), watched.
+/// [`refine_mesh`] with an observer, and with area bounds: none, or one entry for each triangle.
 ///
-/// A triangle of the result is held against the bound of the given triangle in which its middle lies.
+/// The bound of a triangle in the result is that of the given triangle in which its middle lies.
 ///
 /// # Errors
 /// See [`refine_mesh`].

@@ -17,13 +17,13 @@
 //! | I want to … | call |
 //! |---|---|
 //! | make a good mesh of a drawing | [`mesh()`] |
-//! | watch that work, cancel it, see its forecast | [`mesh_with()`] with an [`Observer`](refine::Observer) |
+//! | watch the refinement, cancel it, see its forecast | [`mesh_with()`] with an [`Observer`](refine::Observer) |
 //! | triangulate a drawing and keep its domain, with no more vertices | [`triangulate()`] |
 //! | split its segments until the triangulation is Delaunay | [`triangulate_conforming()`] |
 //! | refine a mesh that exists | [`refine_mesh()`] |
 //! | make a drawing of polygons, holes and islands | [`Pslg::of_rings`] |
 //! | triangulate points, insert, remove and move them | [`Delaunay`] |
-//! | the same with segments that must be edges | [`ConstrainedDelaunay`] |
+//! | triangulate points and segments, and change both | [`ConstrainedDelaunay`] |
 //! | find the triangle or vertex at a place | [`Triangulation::locate`](triangulation::Triangulation::locate) |
 //! | choose the angle, the area, the strategy | [`RefineOptions`], [`Preset`](refine::Preset), [`Recipe`](refine::Recipe) |
 //! | refine step by step, and back | [`Refinement`] |
@@ -38,12 +38,12 @@
 //!
 //! * [`geometry`]: points, exact predicates, rounded constructions; [`half_edge`]: half-edges without coordinates,
 //!   operators, rollback; [`drawing`]: drawings and meshes as plain arrays
-//! * [`triangulation`]: both together, the invariants and their checker
+//! * [`triangulation`]: half-edges with coordinates, the invariants and their checker
 //! * [`locate`]: where a point lies
 //! * [`delaunay`]: incremental, divide and conquer, insertion, removal
 //! * [`constrained`]: segments that must be edges, crossings, subsegments
 //! * [`domain`]: outlines, holes, what is kept of a drawing
-//! * [`quality`]: statistics, meshes held against their input
+//! * [`quality`]: statistics, meshes compared with their input
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
 //! # What holds everywhere

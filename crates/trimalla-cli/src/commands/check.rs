@@ -1,4 +1,4 @@
-//! `trimalla check`: is this a mesh, and the mesh of that drawing?
+//! `trimalla check`: checks a mesh, and compares it with its drawing.
 
 use std::path::PathBuf;
 
@@ -51,7 +51,7 @@ pub(crate) struct Options {
     min_angle: Option<f64>,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if let Some(degrees) = options.min_angle.filter(|a| !(0.0..=60.0).contains(a)) {
         return Err(OptionError::MinAngle(degrees).into());

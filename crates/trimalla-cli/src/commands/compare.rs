@@ -15,15 +15,15 @@ use trimalla::domain::DomainRule;
 use trimalla::drawing::Pslg;
 use trimalla::refine::Preset;
 use trimalla_compare::{
-    Baseline, Contender, Experiment, Journal, Sheet, Task, Times, Watch, angles, figures, markdown, records,
+    Baseline, Contender, Experiment, Journal, Peer, Sheet, Task, Times, Watch, angles, figures, markdown, records,
 };
 use trimalla_io::{Format, recipe};
 
 use crate::args::{CROSSINGS, one_of};
 use crate::console::{self, shown};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
-use crate::names::Names;
 use crate::outputs::{self, Outputs};
 use crate::progress;
 use crate::recipe_file::{named, title};
@@ -40,6 +40,8 @@ Examples:
         a recipe of your own beside a preset
   trimalla compare A.poly --baseline published.csv --svg all.svg --markdown table.md
         beside the published columns of mesh A, impossible rows marked
+  trimalla compare A.poly --algorithms off-center --triangle --jobs 1
+        beside Triangle, which is run through its Python package: pip install triangle
   trimalla compare *.poly --csv all.csv --resume all.journal
         stop it with Ctrl-C, and start it again: what is done is not done again
 
@@ -70,6 +72,13 @@ pub(crate) struct Options {
     #[arg(long, value_name = "ANGLES", default_value = "20..37", allow_hyphen_values = true, help_heading = "Experiment",
           value_parser = AngleList::parse)]
     angles: AngleList,
+
+    /// Run Triangle too, through its Python package, each run a process of its own
+    ///
+    /// It gets the angle, the vertex budget and the area bounds of regions; its time is that of the call in Python. If
+    /// python3 has no package 'triangle', a warning says so and the column is left out.
+    #[arg(long, help_heading = "Experiment")]
+    triangle: bool,
 
     /// A published table to stand beside ours: a CSV file with a row each mesh, algorithm and angle
     ///
@@ -211,10 +220,26 @@ impl Options {
             let file = named(recipe::read_file(path)?, path);
             experiment.add_contender(Contender::of_recipe(title(&file), file))?;
         }
+        if self.triangle {
+            self.add_triangle(experiment)?;
+        }
         Ok(())
     }
 
-    /// Where tables go: where they were asked, or to standard output if nothing was.
+    /// Adds Triangle, or warns that it is not installed.
+    fn add_triangle(&self, experiment: &mut Experiment) -> Result<(), Failure> {
+        if !Peer::knows(self.domain) {
+            let message = format!("Triangle cannot read a drawing by --domain {}", self.domain.key());
+            return Err(Failure::wrong_use(message).hint("--triangle goes with --domain seeds and --domain hull"));
+        }
+        match Peer::triangle() {
+            Ok(peer) => experiment.add_contender(Contender::of_peer(peer))?,
+            Err(why) => console::note("warning", &format!("no column for Triangle: {why}")),
+        }
+        Ok(())
+    }
+
+    /// Where tables go: to the named file, or to standard output if no output is named.
     fn markdown(&self) -> Result<Option<&Path>, Failure> {
         let nothing_else = self.csv.is_none() && self.json.is_none() && self.svg.is_none();
         let markdown = self.markdown.as_deref().or(nothing_else.then_some(Path::new("-")));
@@ -230,7 +255,7 @@ impl Options {
         self.svg.as_deref().filter(|svg| !is_one_file(svg))
     }
 
-    /// The files that come of it, in the order of [`Self::texts`].
+    /// The files to be written, in the order of [`Self::texts`].
     fn targets(&self, experiment: &Experiment) -> Result<Vec<PathBuf>, Failure> {
         let single = [self.csv.as_deref(), self.markdown()?, self.json.as_deref()];
         let mut targets: Vec<PathBuf> = single.into_iter().flatten().map(Path::to_owned).collect();
@@ -257,7 +282,7 @@ impl Options {
         Ok(texts)
     }
 
-    /// Completes or removes what runs that were killed have left where the outputs go.
+    /// Completes or removes what killed runs have left in the places of the outputs.
     fn recover(&self) {
         let plots = self.folder().map(|folder| folder.join("any.svg"));
         let single = [&self.csv, &self.markdown, &self.json, &self.svg, &plots];
@@ -273,7 +298,7 @@ impl Options {
     }
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let baseline = options.baseline.as_deref().map(Baseline::read).transpose()?;
     options.recover();
@@ -287,7 +312,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if let (Some(baseline), false) = (&baseline, options.quiet) {
         warn_of_strangers(baseline, &experiment);
     }
-    progress::be_patient();
+    progress::defer_ctrl_c();
     let jobs = options.jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
     let ran = experiment.run(jobs, journal.as_mut(), &Bar::new(!options.quiet)).map_err(Failure::from);
     let outcomes = ran.map_err(|failure| match &journal {
@@ -302,7 +327,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::begin_writing()?;
     prepared.commit()?;
     if let (Some(journal), None) = (journal, &options.resume) {
-        let _ = fs::remove_file(journal.path()); // All is told by the outputs now; a journal that stays does no harm.
+        let _ = fs::remove_file(journal.path()); // The outputs hold all of it now; a journal that stays does no harm.
     }
     Ok(Status::Done)
 }
@@ -310,7 +335,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 /// Reads a drawing and adds it; the files that it was read from.
 fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let drawing: Input<Pslg> = read_drawing(path)?.with_notes_shown();
-    let names = Names::of(&drawing);
+    let names = FileNumbers::of(&drawing);
     trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
     experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;
     Ok(drawing.files)
@@ -323,7 +348,7 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// What headings and files call a drawing.
+/// The name of a drawing in headings and file names.
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(String::new, |stem| shown(Path::new(stem)));
     if stem == "-" { "stdin".to_owned() } else { stem }
@@ -334,7 +359,7 @@ fn is_one_file(path: &Path) -> bool {
     path == Path::new("-") || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
 }
 
-/// Says what is wrong with drawings; that is the end only if none is right.
+/// Reports the faults of drawings; a failure only if every drawing has one.
 fn report_faults(experiment: &Experiment) -> Result<(), Failure> {
     let faults = || experiment.drawings().iter().flat_map(|drawing| drawing.faults());
     if experiment.drawings().iter().all(|drawing| !drawing.is_good()) {

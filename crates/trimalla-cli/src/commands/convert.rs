@@ -36,7 +36,7 @@ pub(crate) struct Options {
     format: Option<Format>,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover([&options.output], false);

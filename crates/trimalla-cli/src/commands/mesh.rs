@@ -6,10 +6,10 @@ use trimalla::{Error, MeshOptions};
 
 use crate::args::{DrawingOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::foresight::Foresight;
 use crate::input::read_drawing;
-use crate::names::Names;
-use crate::refining::{Made, Read, RefiningOptions};
+use crate::refining::{Job, Outcome, RefiningOptions};
 use crate::repeat::CommandLine;
 use crate::{progress, text};
 
@@ -60,16 +60,16 @@ pub(crate) struct Options {
     refining: RefiningOptions,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
     options.refining.recover();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = options.refining.outputs(&drawing)?;
-    let names = Names::of(&drawing);
+    let names = FileNumbers::of(&drawing);
     let domain = options.drawing.domain_options(options.triangulator);
-    let read = Read {
+    let job = Job {
         heading: text::of_drawing(&drawing),
         command: CommandLine::new("mesh", &options.drawing.input).with_domain(
             domain.rule,
@@ -89,7 +89,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
                         drawing.notes.iter().cloned().chain(meshed.warnings.iter().map(|w| names.warning(w)));
                     let warnings = warnings.collect();
                     let floor = text::floor(&meshed, refine, &drawing);
-                    Ok(Made { meshed, warnings, foreseen, floor })
+                    Ok(Outcome { meshed, warnings, foreseen, floor })
                 }
                 Err(Error::Domain(error)) => Err(names.failure(&error)),
                 Err(Error::Option(error)) => Err(error.into()),
@@ -97,5 +97,5 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
             }
         },
     };
-    options.refining.run(&asked, &read, &outputs)
+    options.refining.run(&asked, &job, &outputs)
 }

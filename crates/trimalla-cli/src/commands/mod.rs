@@ -12,7 +12,7 @@ pub(crate) mod triangulate;
 use crate::args::{Command, Program};
 use crate::exit::{Failure, Status};
 
-/// Does what the command line says.
+/// Runs the subcommand of the command line.
 pub(crate) fn run(program: Program) -> Result<Status, Failure> {
     match program.command {
         Command::Mesh(options) => mesh::run(&options),

@@ -9,10 +9,10 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::console::{count, shown};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing, read_mesh};
-use crate::names::Names;
 use crate::progress;
-use crate::refining::{Made, Read, RefiningOptions};
+use crate::refining::{Job, Outcome, RefiningOptions};
 use crate::renumber::Renumber as _;
 use crate::repeat::CommandLine;
 
@@ -64,7 +64,7 @@ pub(crate) struct Options {
     refining: RefiningOptions,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
@@ -74,7 +74,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let drawing = options.input.as_deref().map(read_drawing).transpose()?;
     mesh.files.extend(drawing.iter().flat_map(|drawing| drawing.files.clone())); // None of these is overwritten.
     let outputs = options.refining.outputs(&mesh)?;
-    let read = Read {
+    let job = Job {
         heading: heading(&mesh),
         command: options
             .input
@@ -89,10 +89,10 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
                 .map_err(|error| failure(error, &mesh, drawing.as_ref()))?;
             let notes = mesh.notes.iter().chain(drawing.iter().flat_map(|drawing| &drawing.notes)).cloned();
             let warnings = notes.chain(meshed.warnings.iter().map(|w| warning(w, &mesh, drawing.as_ref()))).collect();
-            Ok(Made { meshed, warnings, foreseen: Vec::new(), floor: None })
+            Ok(Outcome { meshed, warnings, foreseen: Vec::new(), floor: None })
         },
     };
-    options.refining.run(&asked, &read, &outputs)
+    options.refining.run(&asked, &job, &outputs)
 }
 
 /// The area bounds beside a mesh; none where there is no such file.
@@ -104,7 +104,7 @@ fn read_areas(path: &Path, mesh: &mut Input<IndexedMesh>) -> Result<Vec<Option<f
     }))
 }
 
-/// What was read, in one line.
+/// The input in one line.
 fn heading(mesh: &Input<IndexedMesh>) -> String {
     let IndexedMesh { points, triangles, segments, .. } = &mesh.value;
     let parts = [(points.len(), "vertex"), (triangles.len(), "triangle"), (segments.len(), "subsegment")];
@@ -116,13 +116,13 @@ fn heading(mesh: &Input<IndexedMesh>) -> String {
 fn warning(warning: &Warning, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> String {
     match (warning, drawing) {
         (Warning::IdleRegion { .. } | Warning::RegionTwice { .. }, Some(drawing)) => {
-            Names::of(drawing).warning(warning)
+            FileNumbers::of(drawing).warning(warning)
         }
         _ => format!("{}: {warning}", mesh.name()),
     }
 }
 
-/// An error of the library as the user shall read it.
+/// An error of the library in the numbers of the files.
 fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> Failure {
     let first = mesh.first_index;
     match (error, drawing) {
@@ -141,7 +141,7 @@ fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>
             drawing.name()
         ))
         .hint("--input takes the drawing that this mesh was made from"),
-        (Error::Mesh(MeshError::Drawing(error)), Some(drawing)) => Names::of(drawing).failure(&error),
+        (Error::Mesh(MeshError::Drawing(error)), Some(drawing)) => FileNumbers::of(drawing).failure(&error),
         (Error::Option(error), _) => error.into(),
         (other, _) => Failure::bad_input(format!("{}: {other}", mesh.name())),
     }

@@ -31,7 +31,7 @@ pub(crate) struct Options {
     json: bool,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let mesh = read_mesh(&options.mesh)?.with_notes_shown();
     let mut statistics = Statistics::of(&mesh.value);

@@ -10,8 +10,8 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
-use crate::names::Names;
 use crate::outputs::{self, Outputs};
 use crate::{json, progress, text};
 
@@ -25,12 +25,12 @@ and the order of the points make no difference, but for the order in which trian
 No vertex is added, but at crossings with
 --crossings split; except by conforming-delaunay, which splits segments and boundaries.";
 
-/// What to make, and how.
+/// Which triangulation to make, and how.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     /// The constrained Delaunay triangulation, by this algorithm.
     Constrained(AlgorithmKey),
-    /// The conforming one.
+    /// The conforming Delaunay triangulation.
     Conforming,
 }
 
@@ -57,7 +57,7 @@ impl Kind {
     }
 
     fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<(IndexedMesh, Vec<Warning>), Failure> {
-        let names = Names::of(drawing);
+        let names = FileNumbers::of(drawing);
         match self {
             Self::Constrained(algorithm) => {
                 let made = trimalla::triangulate(&drawing.value, &options.domain_options(algorithm));
@@ -91,14 +91,14 @@ pub(crate) struct Options {
     report: ReportOptions,
 }
 
-/// Runs it.
+/// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover(&options.output.output, options.report.quiet);
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = Outputs::plan(&options.output, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
-    let names = Names::of(&drawing);
+    let names = FileNumbers::of(&drawing);
     let start = Instant::now();
     let (mesh, warnings) = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();

@@ -10,7 +10,7 @@ use crate::common::Scratch;
 
 /// A recipe whose runs take a while: about fifty thousand vertices in a unit square.
 const SLOW: &str = "name = \"slow\"\n[criteria]\nmax-area = 1.5e-5\n";
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// The cells of the first table's row of this angle.
 fn row(table: &str, angle: &str) -> Vec<String> {
@@ -115,7 +115,7 @@ fn wait_for_lines(scratch: &Scratch, name: &str, lines: usize) {
     let start = Instant::now();
     let read = || std::fs::read_to_string(scratch.path().join(name)).unwrap_or_default();
     while read().matches('\n').count() < lines {
-        assert!(start.elapsed() < PATIENCE, "no journal of {lines} lines");
+        assert!(start.elapsed() < TIMEOUT, "no journal of {lines} lines");
         sleep(Duration::from_millis(5));
     }
 }
@@ -194,7 +194,7 @@ fn published_columns_stand_beside_ours_and_impossible_rows_are_marked() {
 }
 
 #[test]
-fn recipes_of_one_name_are_told_apart() {
+fn recipes_of_one_name_get_numbers() {
     let scratch = Scratch::with_square("compare-recipes");
     scratch.write("a.toml", "preset = \"lepp-centroid\"\nname = \"mine\"\n");
     scratch.write("b.toml", "preset = \"circumcenter\"\nname = \"mine\"\n");
@@ -241,4 +241,104 @@ fn what_is_no_journal_and_what_is_read_stays_as_it_is() {
     }
     scratch.run("compare square --csv nowhere/t.csv").expect(4);
     assert_eq!(scratch.files(), before);
+}
+
+/// A program `python3` of this text, in the directory `bin` of the test.
+#[cfg(unix)]
+fn with_python(scratch: &Scratch, text: &str) {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::create_dir_all(scratch.path().join("bin")).unwrap();
+    scratch.write("bin/python3", text);
+    let mode = std::fs::Permissions::from_mode(0o755);
+    std::fs::set_permissions(scratch.path().join("bin/python3"), mode).unwrap();
+}
+
+/// Runs the program where `bin` is all of the search path.
+#[cfg(unix)]
+fn run_with_python(scratch: &Scratch, line: &str) -> crate::common::Run {
+    let mut command = scratch.command(line.split_whitespace());
+    crate::common::Run::of(command.env("PATH", scratch.path().join("bin")).output().unwrap())
+}
+
+/// Stands in for Python: it answers, hangs and crashes by the angle that it is asked for.
+#[cfg(unix)]
+const PYTHON: &str = r#"#!/bin/sh
+[ $# = 2 ] && echo 20250106 && exit
+corners='"vertices":[[0,0],[1,0],[1,1],[0,1]],"segments":[[0,1],[1,2],[2,3],[3,0]]'
+case $3 in
+pq20S96Q) echo "{\"seconds\":0.5,$corners,\"triangles\":[[0,1,2],[0,2,3]]}" ;;
+pq25S96Q) exit 3 ;;
+pq26S96Q) kill -SEGV $$ ;;
+pq27S96Q) echo nonsense ;;
+pq30S96Q) exec /bin/sleep 60 ;;
+pq45S96Q | pq46S96Q) echo "{\"seconds\":0.5,$corners,\"triangles\":[[0,1,2],[0,2,3]]}" ;;
+pq50S96Q) echo "{\"seconds\":0.5,$corners,\"triangles\":[[0,1,2],[0,3,2]]}" ;;
+esac
+"#;
+
+#[cfg(unix)]
+#[test]
+fn triangle_is_run_in_processes_that_may_crash_and_hang() {
+    let scratch = Scratch::with_square("compare-triangle");
+    with_python(&scratch, PYTHON);
+    let line = "compare square --algorithms off-center --triangle --angles 20,25,26,27,30,45,46,50 --max-vertices 100 \
+                --time-limit 3 --markdown t.md --csv t.csv --resume t.journal";
+    let start = Instant::now();
+    assert_eq!(run_with_python(&scratch, line).expect(0).stderr, "");
+    assert!(start.elapsed() < TIMEOUT / 2, "the one that hangs is killed");
+    let table = scratch.read("t.md");
+    assert!(table.contains("| vertices | off-center | Triangle |"), "{table}");
+    let cells = ["20", "25", "26", "27", "30", "45", "46", "50"].map(|angle| row(&table, angle)[2].clone());
+    let crashed = "ND (crashed)";
+    let expected = ["4", crashed, crashed, crashed, "ND (time)", "4", "ND (below the bound)", "ND (invalid mesh)"];
+    assert_eq!(cells, expected, "{table}");
+    assert!(table.contains("| 20° |") && table.contains(" 0.500 |"), "its own time: {table}");
+    assert!(table.contains("Triangle: its Python package 20250106, each run a process of its own."), "{table}");
+    let csv = scratch.read("t.csv");
+    assert!(csv.contains("square,Triangle,20,done,4,2,0,45.0000,90.0000,0,0.500\n"), "{csv}");
+    // What the journal knows is not run again, unless the package is another one.
+    with_python(&scratch, &PYTHON.replace("exit 3", "exec /bin/sleep 60"));
+    run_with_python(&scratch, line).expect(0);
+    assert_eq!(row(&scratch.read("t.md"), "25")[2], crashed);
+    with_python(&scratch, &PYTHON.replace("exit 3", "exec /bin/sleep 60").replace("20250106", "20260101"));
+    run_with_python(&scratch, line).expect(0);
+    assert_eq!(row(&scratch.read("t.md"), "25")[2], "ND (time)");
+}
+
+#[cfg(unix)]
+#[test]
+fn without_triangle_one_line_says_so() {
+    let scratch = Scratch::with_square("compare-no-triangle");
+    with_python(&scratch, "#!/bin/sh\nexit 1\n");
+    let line = "compare square --algorithms off-center --triangle --angles 20";
+    let run = run_with_python(&scratch, line).expect(0);
+    let absent = "warning: no column for Triangle: python3 has no package 'triangle' (pip install triangle)\n";
+    assert_eq!(run.stderr, absent);
+    assert!(run.stdout.contains("| vertices | off-center |\n"), "{run:#?}");
+    std::fs::remove_file(scratch.path().join("bin/python3")).unwrap();
+    let run = run_with_python(&scratch, line).expect(0);
+    assert_eq!(run.stderr, "warning: no column for Triangle: python3 cannot be started\n");
+    let run = run_with_python(&scratch, &format!("{line} --domain nesting")).expect(2);
+    run.says("error: Triangle cannot read a drawing by --domain nesting");
+}
+
+/// Triangle itself, where it is installed.
+#[test]
+fn triangle_meets_the_angle_that_it_is_asked_for() {
+    let scratch = Scratch::with_square("compare-live-triangle");
+    scratch.write("wedge.poly", "3 2 0 0\n1 0 0\n2 9 0\n3 9 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+    scratch.write("points.node", "5 2 0 0\n1 0 0\n2 9 0\n3 9 1\n4 1 5\n5 3 3\n");
+    scratch.write("triangle.py", "raise SystemExit('this is not the package')\n");
+    let line =
+        "compare square wedge points --algorithms off-center --triangle --angles 20,33 --csv t.csv --domain hull";
+    let run = scratch.run(line).expect(0);
+    if run.stderr.starts_with("warning: no column for Triangle: ") {
+        eprintln!("skipped: {}", run.stderr);
+        return;
+    }
+    let csv = scratch.read("t.csv");
+    assert_eq!(csv.lines().filter(|line| line.contains(",Triangle,") && line.contains(",done,")).count(), 6, "{csv}");
+    assert!(csv.contains("square,Triangle,33,done,4,2,0,45.0000,90.0000,0,"), "{csv}");
+    let forced = |line: &str| line.starts_with("wedge,Triangle,20,done,") && line.split(',').nth(9) != Some("0");
+    assert!(csv.lines().any(forced), "the corner of the wedge: {csv}");
 }

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use crate::common::{Run, Scratch};
 
 /// Longer than a pipe is waited for.
-const PATIENCE: Duration = Duration::from_secs(25);
+const TIMEOUT: Duration = Duration::from_secs(25);
 
 /// What reads a file called X of this name.
 const READERS: [(&str, &str); 7] = [
@@ -32,7 +32,7 @@ fn start(scratch: &Scratch, line: &str) -> Child {
 fn end_of(mut child: Child, line: &str) -> Run {
     let start = Instant::now();
     while child.try_wait().unwrap().is_none() {
-        if start.elapsed() > PATIENCE {
+        if start.elapsed() > TIMEOUT {
             child.kill().unwrap();
             panic!("it does not end: {line}");
         }

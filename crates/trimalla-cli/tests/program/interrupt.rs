@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::common::{Run, Scratch};
 
-const PATIENCE: Duration = Duration::from_secs(20);
+const TIMEOUT: Duration = Duration::from_secs(20);
 
 fn start(scratch: &Scratch, line: &str, stdin: Stdio) -> Child {
     let mut command = scratch.command(line.split_whitespace());
@@ -24,7 +24,7 @@ fn interrupt(child: &Child) {
 fn end_of(mut child: Child) -> Run {
     let start = Instant::now();
     while child.try_wait().unwrap().is_none() {
-        if start.elapsed() > PATIENCE {
+        if start.elapsed() > TIMEOUT {
             child.kill().unwrap();
             panic!("the program does not end on Ctrl-C");
         }

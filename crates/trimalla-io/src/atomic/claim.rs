@@ -1,8 +1,7 @@
 //! The lock file of a group in one directory.
 //!
 //! It is created before the first temporary file and removed after the last one, and locked all the while. A lock ends
-//! with its process, however that ends, so whoever can lock the file of another process knows that this process is no
-//! more.
+//! with its process, however that ends: a process that can lock the file of another knows that the other has ended.
 //!
 //! Two processes may look at one lock file at the same time:
 //! ```text
@@ -22,11 +21,11 @@ use std::time::{Duration, Instant};
 
 const MOST_NAMES: usize = 1000;
 
-/// Renames take less than a millisecond; who has not done them in this time does not go on.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// Renames take less than a millisecond; a process that has not done them in this time is taken for dead.
+const TIMEOUT: Duration = Duration::from_secs(5);
 const PAUSE: Duration = Duration::from_micros(200);
 
-/// How every name of ours begins.
+/// The prefix of the names of our lock and temporary files.
 pub(super) const PREFIX: &str = ".trimalla-";
 
 /// A lock file, removed when its last temporary file is gone.
@@ -50,7 +49,7 @@ impl Claim {
                 Ok(file) if try_lock(&file) != Lock::Held && is_still_there(&path, &file) => {
                     return Ok(Self { directory: directory.to_owned(), stem, file, temporaries: AtomicU64::new(0) });
                 }
-                Ok(_) => {} // A cleaner was faster, and removes it.
+                Ok(_) => {} // A recovering process was faster, and removes it.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
             }
@@ -109,15 +108,14 @@ impl Drop for Claim {
 }
 
 /// Locks directories for the moment in which files appear in them, so that two groups do not mix; unlocked when the
-/// files returned are dropped. Where a directory cannot be locked, or somebody who does not go on holds the lock, it is
-/// done without.
+/// returned files are dropped. A directory that cannot be locked, or whose lock is not released in time, is skipped.
 pub(super) fn lock_directories(directories: impl IntoIterator<Item = PathBuf>) -> Vec<File> {
-    let in_order: BTreeSet<PathBuf> = directories.into_iter().collect(); // All in one order: nobody waits in a circle.
+    let in_order: BTreeSet<PathBuf> = directories.into_iter().collect(); // All processes use one order, so that none waits in a circle.
     let start = Instant::now();
     let mut locked = Vec::new();
     for directory in in_order {
         let Ok(file) = File::open(&directory) else { continue };
-        while try_lock(&file) == Lock::Held && start.elapsed() < PATIENCE {
+        while try_lock(&file) == Lock::Held && start.elapsed() < TIMEOUT {
             thread::sleep(PAUSE);
         }
         locked.push(file);
@@ -133,7 +131,7 @@ fn no_free_name() -> io::Error {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lock {
     Taken,
-    /// Another process or thread holds it.
+    /// Another process or thread holds the lock.
     Held,
     /// The file system has no locks: who is alive cannot be known here.
     Unknown,

@@ -1,4 +1,4 @@
-//! A file on its way.
+//! A file that is being written.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, IntoInnerError, Stdout, Write};
@@ -19,7 +19,7 @@ pub struct Draft {
     /// As the caller named it.
     path: PathBuf,
     buffer: BufWriter<Sink>,
-    /// Where it goes; nowhere if it is written directly.
+    /// The temporary file and its target; none if the file is written directly.
     staged: Option<(Temporary, PathBuf)>,
 }
 
@@ -44,7 +44,7 @@ impl Draft {
     pub(super) fn file(path: &Path, claim: Arc<Claim>, target: PathBuf) -> io::Result<Self> {
         let (temporary, file) = claim.create_file()?;
         if let Ok(old) = fs::metadata(&target) {
-            file.set_permissions(old.permissions())?; // At once: what is private is never open to others.
+            file.set_permissions(old.permissions())?; // At once, so that a private file is never readable by others.
         }
         Ok(Self::of(path, Sink::File(file), Some((Temporary::new(temporary, Some(claim)), target))))
     }

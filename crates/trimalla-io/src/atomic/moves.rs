@@ -1,4 +1,4 @@
-//! A temporary file or folder, and its way onto its target.
+//! A temporary file or folder, and its rename onto the target.
 
 use std::fs;
 use std::io;
@@ -26,7 +26,7 @@ impl Temporary {
         &self.path
     }
 
-    /// The name under which what is replaced is kept for a moment.
+    /// The name under which the replaced file is kept for a moment.
     pub(super) fn aside(&self) -> PathBuf {
         self.path.with_extension("old")
     }
@@ -48,7 +48,7 @@ pub(super) fn remove(path: &Path) {
     }
 }
 
-/// By what is seen whether somebody has changed a file.
+/// The properties of a file that show whether it was changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stamp {
     Absent,
@@ -78,7 +78,7 @@ impl Move {
         Self::again(temporary, target, before)
     }
 
-    /// A move of a process that is no more.
+    /// A move of a process that has ended.
     pub(super) fn again(temporary: Temporary, target: PathBuf, before: Stamp) -> Self {
         Self { temporary, target, before }
     }
@@ -100,7 +100,7 @@ impl Move {
         self.temporary().is_dir()
     }
 
-    /// Whether the target is as it was, or the rename is done, so that nothing of anybody else's is lost.
+    /// Whether the target is unchanged, or the rename is done, so that no change by others is lost.
     pub(super) fn is_still_right(&self) -> bool {
         !exists(self.temporary()) || Stamp::of(&self.target) == self.before || self.is_halfway()
     }

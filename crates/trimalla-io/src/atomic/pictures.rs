@@ -1,4 +1,4 @@
-//! A folder of numbered pictures on its way.
+//! A folder of numbered pictures that is being written.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};

@@ -1,4 +1,4 @@
-//! Which file is behind a path, and whether it may be replaced.
+//! The file behind a path, and whether it may be replaced.
 
 use std::fs::{self, OpenOptions};
 use std::io;

@@ -1,4 +1,4 @@
-//! What a lock file says of a group whose renames have begun.
+//! The record in the lock file of a group whose renames have begun.
 //!
 //! Fields that end with a NUL byte, which no name has:
 //! ```text
@@ -20,7 +20,7 @@ const HEAD: &[u8] = b"head";
 const MEMBER: &[u8] = b"member";
 const END: &[u8] = b"end";
 
-/// What is read from a lock file.
+/// The record that is read from a lock file.
 #[derive(Debug)]
 pub(super) enum Record {
     /// No rename had begun.
@@ -57,7 +57,7 @@ fn closed(mut fields: Vec<Vec<u8>>) -> Vec<u8> {
 }
 
 impl Record {
-    /// Reads the record in a lock file of this directory; what is no record says nothing.
+    /// Reads the record in a lock file of this directory; anything else is [`Nothing`](Self::Nothing).
     pub(super) fn parse(bytes: &[u8], directory: &Path) -> Self {
         Self::try_parse(bytes, directory).unwrap_or(Self::Nothing)
     }

@@ -1,4 +1,4 @@
-//! What killed processes have left in a directory.
+//! Completes or removes what killed processes have left in a directory.
 //!
 //! A lock file that can be locked has no owner any more. Its record decides:
 //! ```text
@@ -22,7 +22,7 @@ use super::record::Record;
 /// No record of a group is longer.
 const LONGEST: u64 = 1 << 26;
 
-/// What was found of processes that were killed.
+/// The files of killed processes that were completed or removed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Recovered {
@@ -86,14 +86,14 @@ fn is_ours(name: &str) -> bool {
         }
 }
 
-/// A lock file whose owner is no more; nobody else settles it meanwhile.
+/// A lock file whose owner has ended; locked, so that no other process settles it meanwhile.
 struct Orphan {
     path: PathBuf,
     file: File,
 }
 
 impl Orphan {
-    /// Locks the file, if nobody holds it.
+    /// Locks the file, if no process holds the lock.
     fn take(path: &Path) -> Option<Self> {
         if !fs::symlink_metadata(path).is_ok_and(|found| found.is_file()) {
             return None;

@@ -114,7 +114,7 @@ fn a_group_killed_anywhere_is_old_or_new_after_recovery() {
     group.record().unwrap();
     fs::rename(live.join("f"), group.moves[3].temporary().with_extension("old")).unwrap();
     check("halfway", &new);
-    // Nobody's temporary.
+    // A temporary file without a lock file.
     fs::write(live.join(".trimalla-1-1-1.tmp"), "half").unwrap();
     fs::write(live.join(".trimalla-rc"), "the user's").unwrap();
     let found = recover(&live);

@@ -171,7 +171,7 @@ fn indexed(n: usize, make: impl Fn(f64) -> Point) -> Vec<Point> {
     (0..n).map(|i| make(i as f64)).collect()
 }
 
-/// The same points in random order.
+/// Points in random order.
 pub(super) fn shuffled(mut points: Vec<Point>, rng: &mut SplitMix64) -> Vec<Point> {
     rng.shuffle(&mut points);
     points

@@ -63,7 +63,8 @@ pslg_kinds! {
     ExactBundle = "exact-bundle", dirty => soups::exact_bundle;
     /// Random points, segments added as long as they touch nothing.
     NonCrossing = "non-crossing", clean => |n, rng| soups::non_crossing(n, rng, |rng| rng.unit());
-    /// The same on a small integer grid: many collinear and cocircular points.
+    /// Random points on a small integer grid, many of them collinear or cocircular; segments added as long as they
+    /// touch nothing.
     NonCrossingGrid = "non-crossing-grid", clean =>
         |n, rng| soups::non_crossing(n, rng, |rng| rng.below(7) as f64);
     /// Vertices inside one segment, in random order (B04).

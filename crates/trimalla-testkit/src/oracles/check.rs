@@ -38,7 +38,7 @@ pub enum DelaunayRule {
     /// No opposite vertex strictly inside the circle.
     #[default]
     Delaunay,
-    /// The same with ties decided by the perturbation: the one canonical triangulation.
+    /// No opposite vertex inside the circle, ties decided by the perturbation: the one canonical triangulation.
     Canonical,
 }
 
@@ -141,7 +141,7 @@ fn capped(what: &str, faults: impl Iterator<Item = String>) -> Vec<String> {
     list
 }
 
-/// Part 1: nothing that would make the other parts fail.
+/// Part 1: faults that would make the other parts fail.
 fn number_faults(mesh: &IndexedMesh, input: Option<&Pslg>) -> Vec<String> {
     let n = mesh.points.len();
     let mut faults = Vec::new();
@@ -318,7 +318,7 @@ fn constrained_edges(mesh: &IndexedMesh, input: Option<&Pslg>, edges: &Edges) ->
         if constrained.contains(&[a, b]) || !edges.joins(a, b) {
             continue;
         }
-        // Where several vertices are on a segment as far as tolerance tells, the chain above may have taken others.
+        // Where several vertices are on a segment within tolerance, the chain above may have taken others.
         if lies_on_a_segment(mesh, input, &first, [a, b]) {
             constrained.extend([[a, b], [b, a]]);
         } else if !edges.is_boundary(a, b) {
@@ -329,7 +329,7 @@ fn constrained_edges(mesh: &IndexedMesh, input: Option<&Pslg>, edges: &Edges) ->
     (constrained, faults)
 }
 
-/// Whether both vertices are on one input segment, as far as tolerance tells.
+/// Whether both vertices are on one input segment, within tolerance.
 fn lies_on_a_segment(mesh: &IndexedMesh, input: &Pslg, first: &[u32], ends: [u32; 2]) -> bool {
     input.segments.iter().any(|segment| {
         let [a, b] = segment.map(|v| first[v as usize]);

@@ -45,7 +45,7 @@ pub fn brute_force_cdt(points: &[Point], segments: &[[u32; 2]]) -> Vec<[u32; 3]>
     canonical(&triangles)
 }
 
-/// What can be seen and what can hide it.
+/// The points, and the constraints that can hide them.
 struct Scene<'a> {
     /// All points, duplicates too.
     points: &'a [Point],
@@ -56,7 +56,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// Joins equal points and drops constraints that say nothing new.
+    /// Joins equal points and drops repeated constraints.
     fn new(points: &'a [Point], segments: &[[u32; 2]]) -> Self {
         let first = representatives(points);
         let mut walls: Vec<[u32; 2]> = segments.iter().map(|s| s.map(|v| first[v as usize])).collect();

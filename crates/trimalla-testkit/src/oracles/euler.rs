@@ -13,7 +13,7 @@ pub struct Euler {
     pub faces: usize,
     /// Edges with one triangle.
     pub boundary_edges: usize,
-    /// Pieces that hang together through vertices.
+    /// Connected components; a common vertex connects.
     pub components: usize,
 }
 

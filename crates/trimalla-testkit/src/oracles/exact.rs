@@ -16,8 +16,8 @@ use dashu_ratio::RBig;
 use trimalla::geometry::Point;
 
 /// Relative distance from zero below which the filter gives up; about nine times the proven error
-/// of the longer of the two determinants, `(10 + 96 ε) ε` (Shewchuk 1997), so that nobody has to
-/// trust the proof to the last bit.
+/// of the longer of the two determinants, `(10 + 96 ε) ε` (Shewchuk 1997), so that the tests do not depend
+/// on the last bit of the proof.
 const FILTER: f64 = 1e-14;
 
 /// The sign of twice the area of `abc`: 1 counter-clockwise, −1 clockwise, 0 collinear.
@@ -214,7 +214,7 @@ fn in_circle_of(v: &[f64], exactly: impl Fn(&[f64]) -> Vec<IBig>) -> i32 {
     sign_of(det.cmp(&IBig::ZERO))
 }
 
-/// The values times one common power of two that makes all of them integers, if none has more than so many bits then.
+/// The values times one common power of two that makes all of them integers, if none then has more than `bits` bits.
 fn small_integers<const N: usize>(values: &[f64], bits: i32) -> Option<[i128; N]> {
     let mut parts = [(0, 0); N];
     for (part, &value) in parts.iter_mut().zip(values) {

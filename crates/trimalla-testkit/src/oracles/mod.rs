@@ -1,4 +1,4 @@
-//! Slow, obvious, exact answers to compare the library with.
+//! Oracles: slow, obvious, exact answers to compare with those of the library.
 //!
 //! Everything is decided by signs of exact numbers. Where the answer would otherwise not be unique,
 //! the tie rule of the library applies: a symbolic perturbation raises the lifted height of each

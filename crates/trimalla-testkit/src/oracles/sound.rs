@@ -23,7 +23,7 @@ use super::exact::{in_circle, is_within, lexicographic, on_open_segment, order_a
 /// How far a vertex of a chain may lie beside its segment.
 pub const BESIDE_ULPS: f64 = 64.0;
 
-/// What is wrong with a mesh. Numbers are indices of vertices, triangles and segments.
+/// A flaw of a mesh. Numbers are indices of vertices, triangles and segments.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Flaw {
     /// A triangle or subsegment names a vertex that is not there, or one vertex twice.
@@ -51,7 +51,7 @@ pub enum Flaw {
 }
 
 impl Flaw {
-    /// The kind in a few words, the same for all flaws of the kind.
+    /// The kind in a few words, equal for all flaws of the kind.
     #[must_use]
     pub const fn key(&self) -> &'static str {
         match self {
@@ -95,7 +95,7 @@ impl fmt::Display for Flaw {
 /// `is_delaunay` says whether part 5 is asked for.
 ///
 /// # Complexity
-/// Linear but for part 3, which compares neighbours along the x axis: quadratic in the worst case.
+/// Linear, except part 3, which compares neighbours along the x axis: quadratic in the worst case.
 ///
 /// # Examples
 /// ```
@@ -318,7 +318,7 @@ fn used_twins(input: &Pslg, sides: &Sides) -> Vec<Option<u32>> {
     twins
 }
 
-/// The smallest positive number: what rounding moves a coordinate by at least.
+/// The smallest positive number: rounding moves a coordinate by at least this.
 const SMALLEST: f64 = 5e-324;
 
 /// An input segment between two used vertices.

@@ -1,6 +1,6 @@
 //! Readers of the shared real inputs, one file a family, small and trusting.
 //!
-//! They exist so that tests of the library do not lean on the io crate, which is itself under test.
+//! They exist so that tests of the library do not depend on the io crate, which is itself under test.
 //! They panic on what they do not understand. The rules are those of the shared `data/README.md`:
 //! points stay as listed, duplicates too; the closing point of a ring that repeats its first is not
 //! counted; a ring of two points is one segment, of one point none.
@@ -50,7 +50,7 @@ pub struct NamedInput {
     pub family: String,
     /// Its file name.
     pub name: String,
-    /// What it says.
+    /// Its content as a drawing.
     pub pslg: Pslg,
     /// Whether its segments are rings that bound a domain by the even–odd rule, as opposed to loose
     /// segments.

@@ -1,4 +1,4 @@
-//! The tables of the shared `data/README.md`: what somebody else counted in each input.
+//! The tables of the shared `data/README.md`: counts of each input, made by others.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ pub struct ReadmeRow {
     pub segments: Option<usize>,
     /// The troubles counted, in words.
     pub notes: String,
-    /// What the program it comes from makes of it, in words.
+    /// The result of the program that the input comes from, in words.
     pub peer: String,
 }
 

@@ -1,4 +1,4 @@
-//! Phase two of inserting a segment: the crossed faces away, others in their place.
+//! Phase two of inserting a segment: replaces the crossed faces by others that have the segment as an edge.
 
 use super::plan::SegmentPlan;
 use super::pseudo_polygon::{Edges, Filler, Filling};
@@ -6,7 +6,7 @@ use crate::delaunay::Lawson;
 use crate::half_edge::{FaceId, Half, HalfEdgeId, Journal};
 use crate::triangulation::Triangulation;
 
-/// The faces that a segment crosses, split by it; kept from one segment to the next, so that none allocates.
+/// The faces that a segment crosses, in two halves; kept between segments so that none allocates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Corridor {
     faces: Vec<FaceId>,
@@ -16,11 +16,11 @@ pub(crate) struct Corridor {
 }
 
 impl Corridor {
-    /// Puts the planned edge into the triangulation, with that mark, and legalises what it has made. Where the
-    /// triangulation was constrained Delaunay it is so again: a segment only hides vertices, so it spoils no face that
-    /// it does not cross.
+    /// Puts the planned edge into the triangulation, with that mark, and legalises the new faces. If the triangulation
+    /// was constrained Delaunay before, it is so again: a segment only hides vertices, so every face that it does not
+    /// cross still passes the circle test.
     ///
-    /// Returns whether it is there; where not, nothing has changed: the plan crosses constrained edges or is out of
+    /// Returns whether the edge is there. If not, nothing has changed: the plan crosses constrained edges or is out of
     /// date.
     pub(super) fn apply<J: Journal>(
         &mut self,

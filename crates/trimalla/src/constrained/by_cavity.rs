@@ -1,7 +1,7 @@
 //! Insertion and splits by cavity: what `delaunay::cavity` does, with segments and provenance.
 //!
-//! A cavity is found first and filled afterwards. Between the two the caller may look at its rim, which tells the
-//! neighbours that the vertex will have and the subsegments opposite it, and change his mind: nothing has changed yet.
+//! A cavity is found first and filled afterwards. In between the caller may inspect its rim, which has the later
+//! neighbours of the vertex and the subsegments opposite it, and give up: nothing has changed yet.
 
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
@@ -15,15 +15,15 @@ use crate::locate::Locus;
 /// What is known of the cavity of a split.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplitCavity {
-    /// Whether the faces beside the edge have the point in their circles, as all others of the cavity have: it may lie
-    /// off the edge by its rounding.
+    /// Whether the circles of both faces at the edge hold the point, as those of all other faces of the cavity do: it
+    /// may lie off the edge by its rounding.
     is_proved: bool,
     /// The ends of the edge, if it is one of the boundary.
     boundary: Option<[VertexId; 2]>,
 }
 
 impl ConstrainedTriangulation {
-    /// Finds the cavity of a free point whose place is known; says whether it can be filled.
+    /// Finds the cavity of a free point at a known locus; returns whether it can be filled.
     pub(crate) fn find_cavity(&self, cavity: &mut Cavity, p: Point, locus: Locus) -> bool {
         cavity.find(self, p, locus)
     }
@@ -68,7 +68,7 @@ impl ConstrainedTriangulation {
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Puts a vertex into a cavity that was just found, which takes the faces of the fan in its stead.
+    /// Fills a cavity that was just found with a fan around a new vertex; `cavity` holds the faces of the fan then.
     pub(crate) fn fill_cavity(&mut self, cavity: &mut Cavity, p: Point, provenance: Provenance) -> VertexId {
         let v = self.add_vertex(p, provenance);
         cavity.fill(self.data.triangulation_mut(), v, self.j);
@@ -76,8 +76,8 @@ impl<J: Journal> Edit<'_, J> {
         v
     }
 
-    /// Puts a vertex into the cavity of a split that was just found; says whether the fan is as it was filled, without
-    /// flips.
+    /// Fills the cavity of a split that was just found with a fan around a new vertex; returns it, and whether the fan
+    /// stayed as it was filled, without flips.
     pub(crate) fn fill_split(
         &mut self,
         cavity: &mut Cavity,
@@ -90,15 +90,15 @@ impl<J: Journal> Edit<'_, J> {
         (v, found.is_proved || self.legalise_spokes(v) == 0)
     }
 
-    /// Legalises the spokes of a vertex that has filled its cavity off the edge it split, by its rounding: where it
-    /// lies beyond the circle of a face beside that edge, the face should have stayed. The rim has passed the same
-    /// test. Returns how many flips that took.
+    /// Legalises the spokes of a vertex that lies off the edge it split, by its rounding: if it lies outside the circle
+    /// of a face at that edge, the face should have stayed. The rim has passed the circle test. Returns how many flips
+    /// that took.
     fn legalise_spokes(&mut self, v: VertexId) -> u64 {
         self.data.star(v).for_each(|spoke| self.work.lawson.push(spoke));
         self.legalise()
     }
 
-    /// Inserts a point whose place is known, by cavity; `None`, and nothing changed, where rounding leaves no room.
+    /// Inserts a point at a known locus by cavity; `None`, and nothing changed, where rounding leaves no room.
     pub(crate) fn insert_by_cavity(&mut self, p: Point, locus: Locus) -> Option<VertexId> {
         let (provenance, boundary) = match locus {
             Locus::Edge(h) => (self.provenance_on(h, p), self.noted_ends(h)),
@@ -153,7 +153,7 @@ impl<J: Journal> Edit<'_, J> {
         self.legalise();
     }
 
-    /// Does something with the cavity of the workspace.
+    /// Calls `act` with the cavity of the workspace.
     fn with_cavity<T>(&mut self, act: impl FnOnce(&mut Self, &mut Cavity) -> T) -> T {
         let mut cavity = std::mem::take(&mut self.work.cavity);
         let result = act(self, &mut cavity);

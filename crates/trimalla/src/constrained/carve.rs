@@ -1,4 +1,4 @@
-//! Carving: what is outside away, in one change that can be taken back.
+//! Carving: removes what is outside the domain, in one change that can be taken back.
 
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
@@ -23,7 +23,7 @@ impl<J: Journal> Edit<'_, J> {
         self.carve_real(&kept)
     }
 
-    /// [`carve`](Self::carve), where `kept` names real faces alone.
+    /// [`carve`](Self::carve) for a `kept` that names real faces only.
     pub(crate) fn carve_real(&mut self, kept: &[bool]) -> bool {
         debug_assert!((0..kept.len()).all(|f| !kept[f] || self.is_real(FaceId::from_index(f))), "a real face");
         let Some(first) = kept.iter().position(|&is_kept| is_kept) else { return false };
@@ -38,8 +38,8 @@ impl<J: Journal> Edit<'_, J> {
         true
     }
 
-    /// Makes the convex hull the domain, without the flat triangles at it; says whether the triangulation is closed by
-    /// a domain now. See [`ConstrainedDelaunay::carve_hull`](super::ConstrainedDelaunay::carve_hull).
+    /// Makes the convex hull the domain, without the flat triangles at it; returns whether the triangulation is closed
+    /// by a domain now. See [`ConstrainedDelaunay::carve_hull`](super::ConstrainedDelaunay::carve_hull).
     pub fn carve_hull(&mut self) -> bool {
         if self.closure() == Closure::Domain {
             return true;
@@ -48,8 +48,9 @@ impl<J: Journal> Edit<'_, J> {
         self.carve_real(&kept)
     }
 
-    /// Makes boundary edges that no segment runs along segments of their own, named after all others in the order of
-    /// their vertices, each from its lower end on: they are split and meet others like segments of the input.
+    /// Makes each boundary edge that is part of no segment a segment of its own, numbered after all others in the order
+    /// of their vertices, each from its lower end on: refinement splits them and joins others to them as to segments of
+    /// the input.
     fn constrain_boundary(&mut self, ghosts: &[FaceId]) {
         let bare = ghosts.iter().filter_map(|&f| self.ghost_edge(f)).filter(|&g| !self.is_marked(g));
         let ends = |g| [self.origin(g).min(self.dest(g)), self.origin(g).max(self.dest(g))];

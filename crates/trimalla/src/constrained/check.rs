@@ -15,7 +15,7 @@ impl ConstrainedTriangulation {
         self.with_segment_faults(Triangulation::check(self))
     }
 
-    /// Every broken invariant, as [`check`](Self::check), and every edge that fails the constrained circle test.
+    /// Every broken invariant, and every edge that fails the constrained circle test.
     ///
     /// # Complexity
     /// See [`check`](Self::check).
@@ -66,7 +66,7 @@ impl ConstrainedTriangulation {
     }
 }
 
-/// Where the input vertices that are used lie.
+/// The places of the used input vertices.
 struct InputPlaces {
     vertices: Vec<(VertexId, Point)>,
     tree: BoxTree,
@@ -80,7 +80,7 @@ impl InputPlaces {
         Self { vertices, tree }
     }
 
-    /// Those exactly on a segment, its ends too.
+    /// The used input vertices exactly on a segment, its ends included.
     fn exactly_on(&self, line: Segment) -> impl Iterator<Item = VertexId> + '_ {
         let near = self.tree.near(line, [0.0, 0.0]).into_iter().map(|i| self.vertices[i as usize]);
         near.filter(move |&(_, p)| on_segment(line.start, line.end, p)).map(|(v, _)| v)

@@ -1,4 +1,4 @@
-//! Which input segments an edge is part of.
+//! Classes: the input segments that an edge is part of.
 //!
 //! A constrained edge carries a mark, which names a *class*: the input segments that run along the edge. Nearly all
 //! classes are of one segment. Where segments overlap on one line, the class is a span of that line (see `lines.rs`),
@@ -11,7 +11,7 @@ use super::columns;
 use super::lines::{Lines, Span};
 use crate::half_edge::{Entry, Journal, VertexId};
 
-/// In the mark of a span, above its number.
+/// The bit that is set in the mark of a span; the other bits are its number.
 const SPAN: u32 = 1 << 31;
 
 /// The classes of marks.
@@ -20,7 +20,7 @@ const SPAN: u32 = 1 << 31;
 /// allocation of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Classes {
-    /// The lists, one behind the other.
+    /// The members of all lists, one list behind the other.
     members: Vec<u32>,
     /// Where each list ends.
     ends: Vec<u32>,
@@ -28,7 +28,7 @@ pub(crate) struct Classes {
     alone: Vec<u32>,
     /// The mark of each list of none or several, so that equal lists share one.
     class_of: BTreeMap<Vec<u32>, u32>,
-    /// Where segments overlap.
+    /// The lines on which segments overlap.
     pub(super) lines: Lines,
 }
 
@@ -42,9 +42,9 @@ struct ClassCount {
 /// What a mark names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Class<'a> {
-    /// These segments, sorted.
+    /// A list of segments, sorted.
     List(&'a [u32]),
-    /// Those of a line that cover a span.
+    /// The segments of a line that cover a span.
     Span(Span),
 }
 
@@ -121,7 +121,7 @@ impl Classes {
         }
     }
 
-    /// No segment joins the line of a mark from now on, where it names a span.
+    /// Closes the line of a mark that names a span: no segment joins it from now on.
     pub(super) fn close_line_of<J: Journal>(&mut self, mark: u32, j: &mut J) {
         if let Some(line) = self.line_of_mark(mark) {
             self.lines.close(line, j);
@@ -141,7 +141,7 @@ impl Classes {
         }
     }
 
-    /// Forgets the newest classes, down to that many.
+    /// Drops the newest classes, down to that many.
     fn truncate(&mut self, count: ClassCount) {
         self.lines.truncate_spans(count.spans as usize);
         while self.ends.len() > count.lists as usize {

@@ -1,4 +1,4 @@
-//! What the room notes in a journal: see [`Column`].
+//! The columns of this room in a journal: see [`Column`].
 
 use crate::half_edge::{Column, Room};
 
@@ -24,7 +24,7 @@ pub(super) const LINE_CLOSED: Column = column(6);
 pub(super) const LINE_MEMBER_REMOVED: Column = column(7);
 /// Vertices from `index` on were given room for a provenance.
 pub(super) const PROVENANCE_APPENDED: Column = column(8);
-/// A vertex got its first provenance but that of a free one.
+/// A vertex, free until then, got its first words of provenance.
 pub(super) const PROVENANCE_STORED: Column = column(9);
 /// First word of a vertex's provenance.
 pub(super) const PROVENANCE_KIND: Column = column(10);
@@ -32,7 +32,7 @@ pub(super) const PROVENANCE_KIND: Column = column(10);
 pub(super) const PROVENANCE_PLACE: Column = column(11);
 /// Vertex `index` has split an edge of the boundary, which the triangles outside follow.
 pub(super) const BOUNDARY_SPLIT: Column = column(12);
-/// What is known of the outside: `index` is whether it is thin, `old` holds the bits of a length.
+/// The state of the outside: `index` is whether it is thin, `old` holds the bits of a length.
 pub(super) const OUTSIDE: Column = column(13);
 /// A region was added.
 pub(super) const REGION_ADDED: Column = column(14);

@@ -38,7 +38,7 @@ pub struct ConstrainedDelaunay {
     work: Workspace,
 }
 
-/// Everything that can be read of a constrained triangulation can be read of one that is Delaunay.
+/// A constrained Delaunay triangulation is read as a constrained triangulation.
 impl Deref for ConstrainedDelaunay {
     type Target = ConstrainedTriangulation;
 
@@ -70,7 +70,7 @@ impl From<ConstrainedDelaunay> for ConstrainedTriangulation {
     }
 }
 
-/// Making one.
+/// Construction.
 impl ConstrainedDelaunay {
     /// Triangulates points and segments.
     ///
@@ -83,7 +83,7 @@ impl ConstrainedDelaunay {
         Self::with_algorithm(points, segments, crossings, AlgorithmKey::default())
     }
 
-    /// [`new`](Self::new), the points triangulated by that algorithm.
+    /// Triangulates points and segments, the points by the given algorithm.
     ///
     /// # Errors
     /// See [`new`](Self::new).
@@ -106,7 +106,7 @@ impl ConstrainedDelaunay {
         Self::from_delaunay_triangulation(delaunay.into_triangulation())
     }
 
-    /// [`from_delaunay`](Self::from_delaunay) of a triangulation that is known to be Delaunay.
+    /// A constrained triangulation without constraints, of a triangulation that is known to be Delaunay.
     pub(crate) fn from_delaunay_triangulation(t: Triangulation) -> Self {
         Self::new_unchecked(ConstrainedTriangulation::new(t))
     }
@@ -116,7 +116,7 @@ impl ConstrainedDelaunay {
         Self { data, work: Workspace::default() }
     }
 
-    /// Its data and the workspace.
+    /// The data and the workspace.
     pub(crate) fn into_parts(self) -> (ConstrainedTriangulation, Workspace) {
         (self.data, self.work)
     }
@@ -151,10 +151,10 @@ impl ConstrainedDelaunay {
     /// See [`ConstraintError`]. Nothing has changed then.
     pub fn insert_segments(&mut self, segments: &[[u32; 2]], crossings: Crossings) -> Result<(), ConstraintError> {
         let mut log = UndoLog::new();
-        self.edit(&mut log).or_as_before(|edit| edit.insert_segments(segments, crossings))
+        self.edit(&mut log).atomically(|edit| edit.insert_segments(segments, crossings))
     }
 
-    /// [`insert_segments`](Self::insert_segments), noting what is overwritten; taking it back is the caller's.
+    /// [`insert_segments`](Self::insert_segments) with a journal; after an error the caller takes the changes back.
     ///
     /// # Errors
     /// See [`ConstraintError`].
@@ -169,7 +169,7 @@ impl ConstrainedDelaunay {
 
     /// Inserts the segment between two used vertices (or duplicates of such).
     ///
-    /// A segment between a vertex and itself is nothing, and gets a name all the same.
+    /// A segment from a vertex to itself has no edge; it gets an id nevertheless.
     ///
     /// # Errors
     /// [`ConstraintError::Crossing`] names the segments crossed; [`ConstraintError::UnusedVertex`],
@@ -187,19 +187,19 @@ impl ConstrainedDelaunay {
     ) -> Result<SegmentId, ConstraintError> {
         match crossings {
             Crossings::Refuse => self.insert_segment_with(a, b, crossings, &mut NoJournal),
-            // Splitting may end in an error midway: what was done by then is taken back.
+            // Splitting may end in an error midway: then the changes so far are taken back.
             Crossings::Split => {
                 let mut log = UndoLog::new();
-                self.edit(&mut log).or_as_before(|edit| edit.insert_segment(a, b, crossings))
+                self.edit(&mut log).atomically(|edit| edit.insert_segment(a, b, crossings))
             }
         }
     }
 
-    /// [`insert_segment`](Self::insert_segment), noting what is overwritten.
+    /// [`insert_segment`](Self::insert_segment) with a journal, so that it can be taken back.
     ///
     /// # Errors
-    /// See [`insert_segment`](Self::insert_segment); but where crossings are split, taking back what was done is the
-    /// caller's.
+    /// See [`insert_segment`](Self::insert_segment); where crossings are split, the caller takes the changes back after
+    /// an error.
     pub fn insert_segment_with<J: Journal>(
         &mut self,
         a: VertexId,
@@ -218,7 +218,7 @@ impl ConstrainedDelaunay {
         self.remove_segment_with(segment, &mut NoJournal)
     }
 
-    /// [`remove_segment`](Self::remove_segment), noting what is overwritten.
+    /// [`remove_segment`](Self::remove_segment) with a journal, so that it can be taken back.
     pub fn remove_segment_with<J: Journal>(&mut self, segment: SegmentId, j: &mut J) -> bool {
         self.edit(j).remove_segment(segment)
     }
@@ -235,7 +235,7 @@ impl ConstrainedDelaunay {
         self.insert_with(p, &mut NoJournal)
     }
 
-    /// [`insert`](Self::insert), noting what is overwritten.
+    /// [`insert`](Self::insert) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// See [`insert`](Self::insert).
@@ -251,7 +251,7 @@ impl ConstrainedDelaunay {
         self.remove_with(v, &mut NoJournal)
     }
 
-    /// [`remove`](Self::remove), noting what is overwritten.
+    /// [`remove`](Self::remove) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// See [`remove`](Self::remove).
@@ -265,7 +265,7 @@ impl ConstrainedDelaunay {
     /// [`RemoveError`] where other constraints end at `v`, where it is an input vertex, or where the neighbours
     /// leave no room for the straight edge, or where the boundary of a domain is near itself; nothing has changed then.
     pub fn merge_subsegments(&mut self, v: VertexId, log: &mut UndoLog) -> Result<HalfEdgeId, RemoveError> {
-        self.edit(log).or_as_before(|edit| edit.merge_subsegments(v))
+        self.edit(log).atomically(|edit| edit.merge_subsegments(v))
     }
 }
 
@@ -273,7 +273,7 @@ impl ConstrainedDelaunay {
 impl ConstrainedDelaunay {
     /// Moves a vertex, with the segments that end there; segments that it lay on stay where they are.
     ///
-    /// Where the new place is another vertex's, nothing changes and that vertex is returned.
+    /// If another vertex lies at the new place, nothing changes and that vertex is returned.
     ///
     /// # Errors
     /// [`MoveError`]; nothing has changed then.
@@ -281,7 +281,7 @@ impl ConstrainedDelaunay {
         self.move_vertex_with(v, p, &mut UndoLog::new())
     }
 
-    /// [`move_vertex`](Self::move_vertex), noting what is overwritten.
+    /// [`move_vertex`](Self::move_vertex) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// See [`move_vertex`](Self::move_vertex).
@@ -297,7 +297,7 @@ impl ConstrainedDelaunay {
         self.edit(log).remove_with_segments(v)
     }
 
-    /// Puts a segment that was removed back in, under its own id. One that is there stays as it is.
+    /// Puts a removed segment back in, under its own id. A segment that is there stays as it is.
     ///
     /// # Errors
     /// See [`insert_segment`](Self::insert_segment); nothing has changed then.
@@ -316,7 +316,7 @@ impl ConstrainedDelaunay {
     /// Removes the real faces that `keep` (one entry a face slot) refuses; ghosts then close the boundary of what
     /// is left, and every edge of that boundary is constrained.
     ///
-    /// Returns whether anything was kept; where not, nothing has changed.
+    /// Returns whether any face was kept; if not, nothing has changed.
     ///
     /// # Guarantees
     /// One change: a rollback puts all faces back into their slots.
@@ -336,8 +336,8 @@ impl ConstrainedDelaunay {
     ///      a───b                   a═b            its edges are constrained, and can be split where rounding allows it.
     /// ```
     ///
-    /// Returns whether the triangulation is closed by a domain now. One that was already stays as it is, and so does
-    /// one without triangles, which is refused.
+    /// Returns whether the triangulation is closed by a domain now. A triangulation that was closed by one stays as it
+    /// is; so does one without triangles, for which the answer is no.
     ///
     /// # Guarantees
     /// Half-edges of triangles keep their ids. Each edge of the hull that no segment runs along becomes a segment of
@@ -367,7 +367,7 @@ impl ConstrainedDelaunay {
         self.edit(j).carve_hull()
     }
 
-    /// Takes back what was noted since a checkpoint.
+    /// Takes back every change since a checkpoint.
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         self.data.rollback(log, to);
     }

@@ -36,11 +36,11 @@ pub struct ConstrainedTriangulation {
     origins: Origins,
     regions: Regions,
     outside: Outside,
-    /// The vertices along a space-filling curve, where a build has left their order behind: it follows from the points.
+    /// The vertices along a space-filling curve, cached by a build; the order follows from the points.
     curve_order: Option<Vec<VertexId>>,
 }
 
-/// Everything that can be read of a triangulation can be read of a constrained one.
+/// A constrained triangulation is read as a triangulation.
 impl Deref for ConstrainedTriangulation {
     type Target = Triangulation;
 
@@ -50,8 +50,8 @@ impl Deref for ConstrainedTriangulation {
     }
 }
 
-/// Equal triangulations, classes, segments, origins, regions, and limits for splits of the boundary. What is kept only
-/// because it would take time to find it again does not count.
+/// Compares triangulations, classes, segments, origins, regions, and the limits for splits of the boundary. Caches do
+/// not count.
 impl PartialEq for ConstrainedTriangulation {
     fn eq(&self, other: &Self) -> bool {
         self.t == other.t
@@ -63,7 +63,7 @@ impl PartialEq for ConstrainedTriangulation {
     }
 }
 
-/// Making one.
+/// Construction.
 impl ConstrainedTriangulation {
     /// A triangulation without segments yet; its vertices are the input.
     pub(crate) fn new(t: Triangulation) -> Self {
@@ -85,12 +85,12 @@ impl ConstrainedTriangulation {
         Self { origins, ..Self::new(t) }
     }
 
-    /// The same with the order of its vertices along a space-filling curve.
+    /// Sets the cached order of the vertices along a space-filling curve.
     pub(super) fn with_curve_order(self, curve_order: Option<Vec<VertexId>>) -> Self {
         Self { curve_order, ..self }
     }
 
-    /// The triangulation, free of its segments.
+    /// Gives the triangulation away, without its segments.
     pub(crate) fn into_triangulation(self) -> Triangulation {
         self.t
     }
@@ -145,7 +145,7 @@ impl ConstrainedTriangulation {
         self.origins.given_points()
     }
 
-    /// Whether it was taken up from a mesh.
+    /// Whether the triangulation was made from a mesh.
     pub(super) fn is_of_mesh(&self) -> bool {
         self.origins.is_of_mesh()
     }
@@ -188,8 +188,8 @@ impl ConstrainedTriangulation {
         (self.input_points()..self.t.points().len()).filter(|&v| self.t.is_used(VertexId::from_index(v))).count()
     }
 
-    /// Takes the order of the vertices along a space-filling curve, if a build has left it behind and it is still that
-    /// of all vertices; else computes it.
+    /// Takes the cached order of the vertices along a space-filling curve, if it still covers all vertices; else
+    /// computes it.
     pub(crate) fn take_order_along_curve(&mut self) -> Vec<VertexId> {
         let known = self.curve_order.take().filter(|order| order.len() == self.t.points().len());
         debug_assert!(known.as_ref().is_none_or(|order| *order == along_curve(self.t.points())), "no vertex moves");
@@ -209,7 +209,7 @@ impl ConstrainedTriangulation {
         self.t.region(f).checked_sub(1).and_then(|region| self.regions.rule(region, || self.t.corners(f)))
     }
 
-    /// What holds in each region; faces name them from 1 on.
+    /// The rules of all regions; faces name regions from 1 on.
     pub(crate) fn regions(&self) -> &Regions {
         &self.regions
     }
@@ -220,7 +220,7 @@ impl ConstrainedTriangulation {
         self.t.region(f).checked_sub(1).and_then(|region| self.regions.fixed_area_bound(region))
     }
 
-    /// Says which regions there are; faces name them from 1 on ([`set_region`](Self::set_region)).
+    /// Sets the rules of all regions; faces name regions from 1 on ([`set_region`](Self::set_region)).
     pub(crate) fn set_regions<J: Journal>(&mut self, rules: Vec<RegionRule>, j: &mut J) {
         self.regions.set(rules, j);
     }
@@ -238,13 +238,13 @@ impl ConstrainedTriangulation {
 
 /// Changes that leave the triangulation as it is.
 impl ConstrainedTriangulation {
-    /// Names a segment and makes its class; returns the mark.
+    /// Gives a segment an id and a class; returns the mark.
     pub(crate) fn begin_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> u32 {
         let segment = self.name_segment(ends, j);
         self.classes.mark_of(&[segment], j)
     }
 
-    /// Names a segment, which has no class so far.
+    /// Gives a segment an id, without a class yet.
     pub(super) fn name_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> SegmentId {
         let segment = self.segments.len() as SegmentId;
         if J::ACTIVE {
@@ -259,7 +259,7 @@ impl ConstrainedTriangulation {
         self.segments.reserve_exact(segments);
     }
 
-    /// For how many segments there is room.
+    /// The capacity for segments.
     pub(super) fn room_for_segments(&self) -> usize {
         self.segments.capacity()
     }
@@ -275,13 +275,13 @@ impl ConstrainedTriangulation {
         self.t.mesh.set_mark(h, mark, j);
     }
 
-    /// Says where a vertex comes from.
+    /// Sets where a vertex comes from.
     #[inline]
     pub(crate) fn set_provenance<J: Journal>(&mut self, v: VertexId, provenance: Provenance, j: &mut J) {
         self.origins.set(v, provenance, j);
     }
 
-    /// Adds an unused vertex of that provenance.
+    /// Adds an unused vertex with a provenance.
     pub(crate) fn add_vertex<J: Journal>(&mut self, p: Point, provenance: Provenance, j: &mut J) -> VertexId {
         let v = self.t.add_vertex(p, j);
         self.set_provenance(v, provenance, j);
@@ -300,7 +300,7 @@ impl ConstrainedTriangulation {
     }
 }
 
-/// Parts, lent to the operations of the room. What changes them notes it in a journal.
+/// Access to the parts for the operations of this room, which journal every change.
 impl ConstrainedTriangulation {
     pub(super) fn triangulation_mut(&mut self) -> &mut Triangulation {
         &mut self.t
@@ -319,18 +319,18 @@ impl ConstrainedTriangulation {
     }
 }
 
-/// Changing it, and taking changes back.
+/// Edits and rollback.
 impl ConstrainedTriangulation {
-    /// What changes it, with a workspace and a journal: it stays a triangulation, whatever is done.
+    /// Begins an edit with a workspace and a journal.
     #[inline]
     pub fn edit<'a, J: Journal>(&'a mut self, work: &'a mut Workspace, journal: &'a mut J) -> Edit<'a, J> {
         Edit::new(self, work, journal)
     }
 
-    /// Takes back what was noted since a checkpoint.
+    /// Takes back every change since a checkpoint.
     ///
     /// # Complexity
-    /// Linear in the entries noted since.
+    /// Linear in the entries recorded since.
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         while let Some(entry) = log.pop_since(to) {
             self.undo(entry);

@@ -12,12 +12,11 @@ use crate::half_edge::{FaceId, HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
 use crate::triangulation::{Closure, Triangulation};
 
-/// A constrained triangulation that is being changed, with what that takes: a workspace, and the journal that notes
-/// what is overwritten.
+/// A constrained triangulation that is being changed, with a workspace, and with a journal of the overwritten entries.
 ///
 /// # Guarantees
-/// Each operation is done as a whole or changes nothing, and leaves a triangulation. Where all edges pass the circle
-/// test before, they do so after, but for the operations that say otherwise.
+/// Each operation is done as a whole or changes nothing, and leaves a triangulation. If all edges passed the circle
+/// test before, they do so after, except for the operations that say otherwise.
 #[derive(Debug)]
 pub struct Edit<'a, J> {
     pub(super) data: &'a mut ConstrainedTriangulation,
@@ -25,7 +24,7 @@ pub struct Edit<'a, J> {
     pub(super) j: &'a mut J,
 }
 
-/// What is being changed can be read.
+/// An edit is read as the triangulation that it changes.
 impl<J> Deref for Edit<'_, J> {
     type Target = ConstrainedTriangulation;
 
@@ -41,7 +40,7 @@ impl<'a, J: Journal> Edit<'a, J> {
         Self { data, work, j }
     }
 
-    /// Does something with another journal, as a whole.
+    /// Calls `act` with another journal.
     pub fn with_log<K: Journal, T>(&mut self, log: &mut K, act: impl FnOnce(&mut Edit<'_, K>) -> T) -> T {
         act(&mut Edit::new(self.data, self.work, log))
     }
@@ -52,18 +51,19 @@ impl<'a, J: Journal> Edit<'a, J> {
         (self.data.triangulation_mut(), self.j)
     }
 
-    /// Begins the next search at a vertex.
+    /// Lets the next point location start at a vertex.
     #[inline(always)]
     pub(super) fn search_from(&mut self, v: VertexId) {
         self.work.hint = self.data.outgoing(v).map_or(self.work.hint, HalfEdgeId::face);
     }
 
-    /// Lets an edge wait for [`legalise`](Self::legalise).
+    /// Pushes an edge that [`legalise`](Self::legalise) is to test.
     pub(super) fn push(&mut self, h: HalfEdgeId) {
         self.work.lawson.push(h);
     }
 
-    /// Flips the edges that wait, and those beside them, until all pass the circle test; how many flips it took.
+    /// Flips the edges on the stack, and those beside them, until all pass the circle test; returns how many flips it
+    /// took.
     pub(super) fn legalise(&mut self) -> u64 {
         self.work.lawson.legalise_all(self.data.triangulation_mut(), self.j)
     }
@@ -91,7 +91,7 @@ impl<'a, J: Journal> Edit<'a, J> {
         }
     }
 
-    /// Inserts a point whose place is known.
+    /// Inserts a point at a known locus.
     pub(crate) fn insert_vertex_at(&mut self, p: Point, locus: Locus) -> VertexId {
         let (provenance, boundary) = match locus {
             Locus::Edge(h) => (self.provenance_on(h, p), self.noted_ends(h)),
@@ -119,7 +119,7 @@ impl<'a, J: Journal> Edit<'a, J> {
         }
     }
 
-    /// Says which regions there are; faces name them from 1 on ([`set_region`](Self::set_region)).
+    /// Sets the rules of all regions; faces name regions from 1 on ([`set_region`](Self::set_region)).
     pub(crate) fn set_regions(&mut self, rules: Vec<RegionRule>) {
         self.data.set_regions(rules, self.j);
     }
@@ -129,17 +129,17 @@ impl<'a, J: Journal> Edit<'a, J> {
         self.data.set_region(f, region, self.j);
     }
 
-    /// Adds an unused vertex of that provenance.
+    /// Adds an unused vertex with a provenance.
     pub(super) fn add_vertex(&mut self, p: Point, provenance: Provenance) -> VertexId {
         self.data.add_vertex(p, provenance, self.j)
     }
 
-    /// Puts the duplicates that [`use_vertex`](Self::use_vertex) has noted in order.
+    /// Sorts the duplicates that [`use_vertex`](Self::use_vertex) has noted.
     pub(crate) fn sort_duplicates(&mut self) {
         self.data.triangulation_mut().sort_duplicates();
     }
 
-    /// Inserts an input vertex that was left unused so far; a duplicate of a used vertex is noted as such.
+    /// Inserts an input vertex that is still unused; a duplicate of a used vertex is noted as one.
     pub(crate) fn use_vertex(&mut self, v: VertexId) {
         let p = self.point(v);
         match self.locate_from(self.work.hint, p) {
@@ -184,8 +184,8 @@ impl<'a, J: Journal> Edit<'a, J> {
 
 /// Edits that can be taken back.
 impl Edit<'_, UndoLog> {
-    /// Does something that is taken back if it ends in an error.
-    pub(super) fn or_as_before<T, E>(&mut self, act: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+    /// Calls `act`, and takes its changes back if it ends in an error.
+    pub(super) fn atomically<T, E>(&mut self, act: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         let here = self.j.checkpoint();
         let result = act(self);
         if result.is_err() {

@@ -66,7 +66,7 @@ pub enum ConstraintError {
     /// point with coordinates lies on both, within rounding.
     #[error("splitting the crossing of segments {} and {} near {} found no place after {steps} steps", .pair.segments[0], .pair.segments[1], .pair.at)]
     CrossingsExhausted {
-        /// The pair at work then.
+        /// The pair that was being split then.
         pair: CrossingPair,
         /// Steps by then.
         steps: u64,

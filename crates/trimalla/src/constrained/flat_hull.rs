@@ -15,10 +15,10 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 /// side: its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.
 const ON_HULL_ULPS: f64 = 16.0;
 
-/// Adds the flat triangles at the hull to what is outside.
+/// Marks the flat triangles at the hull as outside.
 ///
-/// Segments stop it, and a vertex that bounds the domain already: the domain stays in one piece and keeps all its
-/// vertices.
+/// It stops at segments, and at a vertex that bounds the domain already: so the domain stays in one piece and keeps all
+/// its vertices.
 ///
 /// # Complexity
 /// O(n log n) in the sides of the hull, and linear.
@@ -37,7 +37,7 @@ pub(crate) fn leave_out(cdt: &ConstrainedTriangulation, outside: &mut [bool]) {
         let segment = Segment::new(a, b);
         let reach = ON_HULL_ULPS * math::last_place(segment.largest_coordinate());
         let mut inwards = vec![side];
-        // Each face joins what is outside once.
+        // Each face is marked once.
         while let Some(h) = inwards.pop() {
             let (face, apex) = (h.face().index(), cdt.apex(h));
             let is_flat = !cdt.is_marked(h) && !outside[face] && !bounds[apex.index()];

@@ -23,14 +23,14 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 /// Whether input vertices beside a segment, within rounding, may be on its chain: see rule 4 of [`Strip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beside {
-    /// Only those exactly on it.
+    /// They may not, unless they are exactly on it.
     Refused,
-    /// Where edges that cross were led through them.
+    /// They may, where edges that cross were led through them.
     Allowed,
 }
 
 impl Beside {
-    /// What holds in a drawing: vertices beside segments are on chains only if any two segments cross where there is no
+    /// The rule for a drawing: vertices beside segments are on chains only if any two segments cross where there is no
     /// vertex.
     ///
     /// # Complexity
@@ -41,14 +41,14 @@ impl Beside {
 }
 
 impl ConstrainedTriangulation {
-    /// What holds for the segments between input vertices.
+    /// The rule for the segments between input vertices.
     pub(super) fn beside_of_input(&self) -> Beside {
         let segments: Vec<[u32; 2]> = self.segments().iter().map(|ends| ends.map(|v| v.0)).collect();
         // Segments of a mesh whose ends are no input vertices are out of range, and passed over.
         Beside::of(&self.points()[..self.input_points()], &segments)
     }
 
-    /// [`beside_of_input`](Self::beside_of_input), asked once.
+    /// [`beside_of_input`](Self::beside_of_input), computed once and then cached in `known`.
     pub(super) fn known_beside(&self, known: &mut Option<Beside>) -> Beside {
         *known.get_or_insert_with(|| self.beside_of_input())
     }
@@ -97,12 +97,12 @@ struct Swept<'a> {
     cdt: &'a ConstrainedTriangulation,
     ends: [VertexId; 2],
     corners: [Point; 3],
-    /// The side of the piece on which it lies.
+    /// The side of the piece on which the triangle lies.
     turn: Orientation,
 }
 
 impl<'a> Swept<'a> {
-    /// That of a piece split at `p`; `None` where `p` is exactly on its line.
+    /// The triangle of a piece split at `p`; `None` where `p` is exactly on its line.
     fn new(cdt: &'a ConstrainedTriangulation, ends: [VertexId; 2], p: Point) -> Option<Self> {
         let [a, b] = ends.map(|v| cdt.point(v));
         let turn = orient2d(a, b, p);
@@ -124,7 +124,7 @@ impl<'a> Swept<'a> {
             && self.sides().into_iter().all(|[x, y]| orient2d(x, y, w) != away)
     }
 
-    /// Whether an edge meets the triangle: no side of the triangle and not the edge itself parts the two.
+    /// Whether an edge meets the triangle: neither a side of the triangle nor the edge separates the two.
     fn meets(&self, h: HalfEdgeId) -> bool {
         let [p, q] = self.cdt.edge_points(h);
         let away = self.turn.reversed();

@@ -1,4 +1,4 @@
-//! Inserting a segment: piece by piece between the vertices on it, crossings are handled as [`Crossings`] says.
+//! Inserting a segment: piece by piece between the vertices on it; crossings are handled as [`Crossings`] says.
 //!
 //! 1. Survey the whole way, from vertex to vertex on it, before anything changes: free, in pieces, or along others.
 //! 2. A free way is one plan, which is carried out. Otherwise pieces go in one after the other (`split_crossings.rs`),
@@ -26,8 +26,8 @@ pub enum Crossings {
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. Taking back
-    /// what was done before an error is the caller's.
+    /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. After an
+    /// error the caller takes the changes back.
     ///
     /// # Errors
     /// See [`ConstraintError`].
@@ -40,7 +40,7 @@ impl<J: Journal> Edit<'_, J> {
         }
         let first = self.segments().len();
         if first == 0 {
-            // All at once, as a rule: no room is left over.
+            // Reserved for all at once, so that no capacity is left over.
             self.data.reserve_segments(segments.len());
         }
         for (i, &[a, b]) in segments.iter().enumerate() {
@@ -63,7 +63,7 @@ impl<J: Journal> Edit<'_, J> {
     ///
     /// # Errors
     /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); where crossings are
-    /// split, taking back what was done before an error is the caller's.
+    /// split, the caller takes the changes back after an error.
     pub fn insert_segment(
         &mut self,
         a: VertexId,
@@ -82,7 +82,7 @@ impl<J: Journal> Edit<'_, J> {
         inserted.map(|()| segment)
     }
 
-    /// The number of a new segment between two vertices, if there may be one.
+    /// The id of a new segment between two vertices, or why there can be none.
     fn next_segment(&self, ends: [VertexId; 2]) -> Result<SegmentId, ConstraintError> {
         let count = self.segments().len();
         if count >= ConstraintError::MAX_SEGMENTS {
@@ -106,7 +106,7 @@ impl<J: Journal> Edit<'_, J> {
         let way = self.data.survey(segment, ends, crossings, plan)?;
         self.data.name_segment(ends, self.j);
         if way == Way::Overlaps {
-            // What joins a line needs no class of its own.
+            // A segment that joins a line needs no class of its own.
             if let Some(gaps) = self.join_line(segment, plan) {
                 return self.fill_gaps(segment, gaps, plan);
             }
@@ -120,7 +120,7 @@ impl<J: Journal> Edit<'_, J> {
         self.insert_pieces(Piece { from, to, mark }, segment, (plan, &mut Some(Beside::Allowed)))
     }
 
-    /// Carries a plan out that crosses no constraint.
+    /// Carries out a plan that crosses no constraint.
     pub(super) fn apply_plan(&mut self, plan: &SegmentPlan, mark: u32) {
         let mark = match plan.existing {
             Some(h) => self.joined(self.mark(h), mark),
@@ -171,7 +171,7 @@ impl<J: Journal> Edit<'_, J> {
 }
 
 impl ConstrainedTriangulation {
-    /// Looks at the whole way of a segment. Where it is free, `plan` is that of the segment.
+    /// Plans the whole way of a segment. If it is free, `plan` is the plan of the segment.
     pub(super) fn survey(
         &self,
         segment: SegmentId,
@@ -224,7 +224,7 @@ impl ConstrainedTriangulation {
     }
 }
 
-/// What lies on the way of a segment.
+/// What a survey found on the way of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Way {
     /// A single piece that crosses no constraint and is none yet.
@@ -235,8 +235,8 @@ pub(super) enum Way {
     Overlaps,
 }
 
-/// The point where two lines cross that are known to, rounded; the middle of the second where they are too close to
-/// parallel for numbers.
+/// The point where two lines cross that are known to cross, rounded; the middle of the second if they are too close to
+/// parallel for rounded arithmetic.
 pub(super) fn crossing_of([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     Segment::new(a, b).crossing_point(Segment::new(c, d)).unwrap_or_else(|| Point::midpoint(c, d))
 }

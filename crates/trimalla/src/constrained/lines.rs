@@ -1,4 +1,4 @@
-//! Segments that overlap on one line, kept once.
+//! Segments that overlap on one line; each line is stored once.
 //!
 //! Of 10,000 nested segments on a line, each of the 20,000 edges is part of up to 10,000. Lists of segments an edge
 //! would be quadratic. So an edge of such a line names the two vertices between which it lies, and the segments along
@@ -57,7 +57,7 @@ pub(super) struct Span {
 /// A list that grows by blocks: one that doubles takes, while it moves, three times the room of what is in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Blocks<T> {
-    /// All full but the last.
+    /// All blocks but the last are full.
     blocks: Vec<Vec<T>>,
 }
 
@@ -68,7 +68,7 @@ impl<T> Default for Blocks<T> {
 }
 
 impl<T> Blocks<T> {
-    /// What a block holds.
+    /// The entries of a block.
     const LEN: usize = 1 << 10;
 
     fn len(&self) -> usize {
@@ -85,7 +85,7 @@ impl<T> Blocks<T> {
         match self.blocks.last_mut().filter(|block| block.len() < Self::LEN) {
             Some(block) => block.push(value),
             None => {
-                // Most drawings have few.
+                // Most drawings have few spans, so that the first block starts small.
                 let mut block = Vec::with_capacity(if is_first { 0 } else { Self::LEN });
                 block.push(value);
                 self.blocks.push(block);
@@ -125,13 +125,13 @@ impl Lines {
         self.spans.get(i).copied()
     }
 
-    /// Adds a span, which a segment that joined its line before covers; its number.
+    /// Adds a span that a member of its line covers; returns its number.
     pub(super) fn add_span(&mut self, ends: [VertexId; 2], first: u32) -> usize {
         self.spans.push(Span { ends, first });
         self.spans.len() - 1
     }
 
-    /// Forgets the newest spans, down to that many.
+    /// Drops the newest spans, down to that many.
     pub(super) fn truncate_spans(&mut self, len: usize) {
         self.spans.truncate(len);
     }
@@ -236,7 +236,7 @@ impl Lines {
         upper
     }
 
-    /// No segment joins a line from now on.
+    /// Closes a line: no segment joins it from now on.
     pub(super) fn close<J: Journal>(&mut self, line: u32, j: &mut J) {
         if std::mem::replace(&mut self.lines[line as usize].is_open, false) && J::ACTIVE {
             j.note(columns::LINE_CLOSED, line, 0);

@@ -1,4 +1,4 @@
-//! Merging two subsegments: the vertex between them taken out.
+//! Merging two subsegments: removes the vertex between them.
 
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
@@ -17,7 +17,7 @@ impl<J: Journal> Edit<'_, J> {
     ///         d                      d
     /// ```
     ///
-    /// Taking back what was done before an error is the caller's.
+    /// After an error the caller takes the changes back.
     ///
     /// # Errors
     /// [`RemoveError`] where other constraints end at `v`, where it is an input vertex, or where the neighbours

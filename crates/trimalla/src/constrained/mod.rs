@@ -7,7 +7,7 @@
 //! | type | what it is |
 //! |---|---|
 //! | [`ConstrainedTriangulation`] | the data: any triangulation with segments, provenances and regions; changed through a journal |
-//! | [`Workspace`] | lists that operations work with; lent, and without a memory of its own |
+//! | [`Workspace`] | scratch lists, lent to operations; they keep nothing from one operation to the next |
 //! | [`Edit`] | the two together with a journal: every operation |
 //! | [`ConstrainedDelaunay`] | data and workspace that stay constrained Delaunay: the operations that keep that promise |
 

@@ -56,7 +56,7 @@ pub enum MoveError {
 impl Edit<'_, UndoLog> {
     /// Moves a vertex, with the segments that end there; segments that it lay on stay where they are.
     ///
-    /// Where the new place is another vertex's, nothing changes and that vertex is returned.
+    /// If another vertex lies at the new place, nothing changes and that vertex is returned.
     ///
     /// # Errors
     /// [`MoveError`]; nothing has changed then.
@@ -71,7 +71,7 @@ impl Edit<'_, UndoLog> {
         match self.locate_from(self.work.hint, p) {
             Locus::Vertex(w) if w != v => return Ok(Inserted::Existing(w)),
             Locus::Vertex(_) => {
-                // The same place: at most the sign of a zero differs.
+                // The place is equal: at most the sign of a zero differs.
                 self.data.set_point(v, p, self.j);
                 return Ok(Inserted::New(v));
             }
@@ -81,7 +81,7 @@ impl Edit<'_, UndoLog> {
             _ => {}
         }
         let segments = self.segments_at(v);
-        self.or_as_before(|edit| {
+        self.atomically(|edit| {
             edit.remove_segments(&segments);
             edit.move_free_vertex(v, p)?;
             edit.restore_segments(&segments)
@@ -98,7 +98,7 @@ impl Edit<'_, UndoLog> {
         let segments = self.segments_at(v);
         let kept: Vec<SegmentId> =
             segments.iter().copied().filter(|&s| !self.segments()[s as usize].contains(&v)).collect();
-        self.or_as_before(|edit| {
+        self.atomically(|edit| {
             edit.remove_segments(&segments);
             edit.remove(v).map_err(|_| MoveError::Unused(v))?;
             edit.restore_segments(&kept)
@@ -115,7 +115,7 @@ impl Edit<'_, UndoLog> {
         segments.iter().try_for_each(|&segment| Ok(self.restore_segment(segment, Crossings::Refuse)?))
     }
 
-    /// Puts a segment that was removed back in, under its own id. One that is there stays as it is.
+    /// Puts a removed segment back in, under its own id. A segment that is there stays as it is.
     ///
     /// # Errors
     /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); nothing has changed
@@ -129,10 +129,10 @@ impl Edit<'_, UndoLog> {
             return Ok(());
         }
         let mut plan = self.work.plan.take().unwrap_or_default();
-        let restored = self.or_as_before(|edit| {
+        let restored = self.atomically(|edit| {
             edit.data.survey(segment, ends, crossings, &mut plan)?;
             let mark = edit.data.classes_mut().mark_of(&[segment], edit.j);
-            // Where segments on the same line overlap, it no longer counts as one of that line: edges list it.
+            // It no longer counts as a member of the line on which it overlaps others: edges list it.
             edit.insert_pieces(Piece { from: a, to: b, mark }, segment, (&mut plan, &mut None))
         });
         self.work.plan = Some(plan);

@@ -1,4 +1,4 @@
-//! What lies outside the domain, as the proof that the boundary does not cross itself.
+//! The outside of the domain in triangles: the proof that the boundary does not cross itself.
 //!
 //! A split of a subsegment is rounded, and proved: every triangle that it makes is counter-clockwise. On the boundary
 //! of a domain that proves one side only. Outside, once carved, there are no triangles, and two parts of the boundary
@@ -18,10 +18,10 @@
 //! edges of a triangulation, which cross nowhere, and each split moves it over a triangle in which nothing lies: no two
 //! parts of it change sides. Nothing is measured, and no number of last places enters.
 //!
-//! # Where no proof is asked
+//! # Where no proof is needed
 //! Hardly any boundary comes near itself within rounding. There no such triangulation is made:
 //!
-//! 1. Before the outside goes, every triangle outside with a boundary edge is looked at. Where an angle of one is below
+//! 1. Before the outside is removed, every triangle outside with a boundary edge is tested. If one has an angle below
 //!    [`THIN`], the boundary [may be thin](is_thin_outside), and every split needs the proof.
 //! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it.
 //!
@@ -64,7 +64,7 @@ const SHORT_ULPS: f64 = (1_u32 << 26) as f64;
 /// Triangles outside with a boundary edge and an angle below this, as its tangent, make the boundary thin.
 const THIN: f64 = 2e-5;
 
-/// What is known of the outside of a domain.
+/// The outside of a domain.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Outside {
     /// Whether the boundary comes near itself somewhere.
@@ -83,8 +83,8 @@ impl PartialEq for Outside {
 }
 
 impl Outside {
-    /// What is outside of the faces kept of a triangulation that is about to be carved; `before` is what is known where
-    /// that was carved once already.
+    /// The outside of the faces that a carving will keep; `before` is the outside so far, if the triangulation was
+    /// carved already.
     ///
     /// # Complexity
     /// Linear in the vertices, and in the edges of the boundary.
@@ -94,8 +94,7 @@ impl Outside {
         Self { is_thin, short: short_edge(t), faces: None }
     }
 
-    /// What is outside of a domain that came without its outside: that is triangulated, and kept if the boundary is
-    /// thin.
+    /// The outside of a domain that came without it: it is triangulated, and kept if the boundary is thin.
     ///
     /// # Complexity
     /// O(n log n) in the vertices of the boundary.
@@ -113,7 +112,7 @@ impl Outside {
         self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
     }
 
-    /// Replaces it, through the journal; the triangles are not noted, as they can be made again.
+    /// Replaces the state, through the journal; the triangles are not recorded, as they can be made again.
     pub(super) fn set<J: Journal>(&mut self, new: Self, j: &mut J) {
         if J::ACTIVE {
             j.note(columns::OUTSIDE, u32::from(self.is_thin), self.short.to_bits());
@@ -129,14 +128,14 @@ impl Outside {
         }
     }
 
-    /// Takes back what was noted with vertex `v`.
+    /// Takes back the split at vertex `v`.
     fn undo_split(&mut self, v: VertexId) {
         if self.faces.as_mut().is_some_and(|faces| !faces.take_back(v)) {
             self.forget();
         }
     }
 
-    /// Vertex `v` is taken back: triangles outside that were made after it came know it still, and are made again.
+    /// Vertex `v` is taken back: triangles outside that were made after it still use it, and are made again.
     pub(super) fn undo_vertex(&mut self, v: VertexId) {
         if self.faces.as_ref().is_some_and(|faces| faces.names.contains_key(&v)) {
             self.forget();
@@ -156,12 +155,12 @@ impl Outside {
         }
     }
 
-    /// Forgets the triangles: they are made again when they are needed.
+    /// Drops the triangles: they are made again when they are needed.
     fn forget(&mut self) {
         self.faces = None;
     }
 
-    /// Forgets how to take splits back; nobody will.
+    /// Drops the records of splits, which will not be taken back.
     fn forget_undo(&mut self) {
         if let Some(faces) = &mut self.faces {
             faces.changes.clear();
@@ -234,7 +233,7 @@ struct Change {
 struct Faces {
     /// `None` where there is none, as where the boundary crosses itself already: then no split is proved.
     cdt: Option<Box<ConstrainedDelaunay>>,
-    /// The vertices of the boundary, as they are called here.
+    /// For each vertex of the boundary its id in `cdt`.
     names: BTreeMap<VertexId, VertexId>,
     log: UndoLog,
     changes: Vec<Change>,
@@ -273,7 +272,7 @@ impl Faces {
         is_thin_outside(cdt, &kept, inner.iter().map(|&h| cdt.twin(h)))
     }
 
-    /// A boundary edge as it is here.
+    /// The half-edge in `cdt` of a boundary edge.
     fn edge(&self, cdt: &ConstrainedTriangulation, [from, to]: [VertexId; 2]) -> Option<HalfEdgeId> {
         let [from, to] = [*self.names.get(&from)?, *self.names.get(&to)?];
         cdt.half_edge_between(from, to).filter(|&h| cdt.is_marked(h))
@@ -301,7 +300,7 @@ impl Faces {
         may_split
     }
 
-    /// Notes that vertex `v` at `p` has split a boundary edge; says whether that was proved.
+    /// Notes that vertex `v` at `p` has split a boundary edge; returns whether that was proved.
     fn split(&mut self, ends: [VertexId; 2], v: VertexId, p: Point) -> bool {
         let before = self.log.checkpoint();
         let Some(local) = self.lead_through(ends, p) else { return false };
@@ -310,7 +309,7 @@ impl Faces {
         true
     }
 
-    /// Takes the last split back; says whether it was that by this vertex.
+    /// Takes the last split back; returns whether it was that of vertex `v`.
     fn take_back(&mut self, v: VertexId) -> bool {
         let (Some(cdt), Some(change)) = (&mut self.cdt, self.changes.pop()) else { return false };
         cdt.rollback(&mut self.log, change.before);
@@ -329,8 +328,8 @@ fn boundary_of(cdt: &ConstrainedTriangulation) -> Vec<[VertexId; 2]> {
 
 impl Edit<'_, UndoLog> {
     /// Leads constrained edge `h` through a new vertex at `p`, if the new edges cross and touch nothing that is
-    /// constrained, and the triangle between them and the old edge holds nothing. Otherwise `None`, and taking back
-    /// what was done is the caller's.
+    /// constrained, and the triangle between them and the old edge holds nothing. Otherwise `None`, and the caller
+    /// takes the changes back.
     ///
     /// ```text
     ///          p                p
@@ -380,7 +379,7 @@ impl ConstrainedTriangulation {
         if self.outside().faces.is_some() { self.boundary_ends(h) } else { None }
     }
 
-    /// Whether a vertex at `p` may split an edge as far as what is outside goes: always where that is inside.
+    /// Whether the outside allows a vertex at `p` to split an edge; always, if the edge is inside the domain.
     #[inline]
     pub(super) fn outside_allows(&mut self, h: HalfEdgeId, p: Point) -> bool {
         let is_sure = self.closure() != Closure::Domain || !self.outside().needs_proof(self.edge_points(h));
@@ -417,16 +416,16 @@ impl ConstrainedTriangulation {
         self.outside_mut().faces.get_or_insert(faces)
     }
 
-    /// Forgets how to take splits of the boundary back; nobody will.
+    /// Drops the records of splits of the boundary, which will not be taken back.
     pub(crate) fn forget_undo_outside(&mut self) {
         self.outside_mut().forget_undo();
     }
 
-    /// Looks at what is outside of a domain that came without its outside.
+    /// Triangulates the outside of a domain that came without it.
     ///
     /// # Complexity
     /// O(n log n) in the vertices of the boundary.
-    pub(crate) fn look_outside(&mut self) {
+    pub(crate) fn triangulate_outside(&mut self) {
         let outside = Outside::of_boundary(self);
         self.outside_mut().set(outside, &mut NoJournal);
     }

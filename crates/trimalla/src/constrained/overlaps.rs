@@ -140,7 +140,7 @@ impl ConstrainedTriangulation {
         }
     }
 
-    /// Whether a span may end at a vertex: those of the input are never merged away nor moved.
+    /// Whether a span may end at a vertex: an input vertex, which is never merged away or moved.
     fn may_end_span(&self, v: VertexId) -> bool {
         v.index() < self.input_points()
     }
@@ -171,16 +171,15 @@ impl ConstrainedTriangulation {
     }
 }
 
-/// What step 2 looks at.
+/// Step 2: reading chains.
 impl ConstrainedTriangulation {
     /// From the first to the last of the ends of two stretches of a line.
     fn reach(&self, [[a, b], [c, d]]: [[VertexId; 2]; 2]) -> [VertexId; 2] {
         [if self.is_before(c, a) { c } else { a }, if self.is_before(b, d) { d } else { b }]
     }
 
-    /// Of the edges with the mark of `h`, which is that of one segment, the one at an end of the segment from which
-    /// they lead to
-    /// `h`; `None` where they are not one path.
+    /// The edge at an end of a segment from which its chain leads to `h`, whose mark names only that segment; `None`
+    /// where the edges with that mark are not one path.
     fn first_of_chain(&self, h: HalfEdgeId, ends: [VertexId; 2]) -> Option<HalfEdgeId> {
         let mut last = self.twin(h);
         for _ in 0..self.face_slots() {
@@ -232,7 +231,7 @@ impl ConstrainedTriangulation {
 
 /// Steps 2 and 3.
 impl<J: Journal> Edit<'_, J> {
-    /// Lets a new segment join the lines that it overlaps, which become one. Returns the gaps on its way, each between
+    /// Adds a new segment to the lines that it overlaps, which become one. Returns the gaps on its way, each between
     /// two vertices exactly on it that follow one another; `None` where there is no line that it could join.
     pub(super) fn join_line(&mut self, segment: SegmentId, plan: &mut SegmentPlan) -> Option<Vec<[VertexId; 2]>> {
         let ends @ [start, to] = self.segments()[segment as usize];
@@ -276,7 +275,7 @@ impl<J: Journal> Edit<'_, J> {
         line
     }
 
-    /// Lets the stretch of a line reach two vertices, the lexicographically lower one first.
+    /// Extends the stretch of a line to two vertices, the lexicographically lower one first.
     fn stretch_line(&mut self, line: u32, ends: [VertexId; 2]) {
         let old = self.classes().lines.ends(line);
         let new = self.reach([old, ends]);
@@ -318,7 +317,7 @@ impl<J: Journal> Edit<'_, J> {
     /// Puts the pieces of a new member of a line in that no other member covers.
     ///
     /// # Errors
-    /// Those of the pieces; what was done by then is the caller's to take back.
+    /// Those of the pieces; the caller takes the changes so far back.
     pub(super) fn fill_gaps(
         &mut self,
         segment: SegmentId,

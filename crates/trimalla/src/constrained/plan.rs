@@ -1,10 +1,10 @@
-//! Phase one of inserting a segment: what it crosses, looked up and changed by nobody.
+//! Phase one of inserting a segment: collects what it crosses. Read-only.
 
 use crate::geometry::{Orientation, lexicographic, orient2d};
 use crate::half_edge::{HalfEdgeId, VertexId};
 use crate::triangulation::Triangulation;
 
-/// Spokes around the start of a segment that are looked at before its other end is searched too.
+/// How many spokes around the start of a segment are tested before the search goes on at both ends.
 const FIRST_SPOKES: usize = 32;
 
 /// What lies along a segment from a vertex towards another, up to the first vertex on it.
@@ -29,7 +29,7 @@ pub struct SegmentPlan {
     pub existing: Option<HalfEdgeId>,
     /// Crossed edges, each from its right to its left end.
     pub crossed: Vec<HalfEdgeId>,
-    /// Those of them that are constrained.
+    /// The crossed edges that are constrained.
     pub constrained: Vec<HalfEdgeId>,
     /// Vertices left of the segment, from start to end.
     pub left: Vec<VertexId>,
@@ -42,7 +42,7 @@ pub struct SegmentPlan {
 }
 
 impl SegmentPlan {
-    /// Nothing planned yet.
+    /// An empty plan.
     pub(super) fn new(from: VertexId, to: VertexId) -> Self {
         Self {
             from,
@@ -57,7 +57,7 @@ impl SegmentPlan {
         }
     }
 
-    /// Forgets what was planned before; what that took room for is kept.
+    /// Clears the plan and keeps its allocations.
     fn start(&mut self, from: VertexId, to: VertexId) {
         (self.from, self.to, self.existing) = (from, to, None);
         self.left.clear();
@@ -97,7 +97,7 @@ impl Triangulation {
         Ok(plan)
     }
 
-    /// [`plan_towards`](Self::plan_towards), written over an earlier plan.
+    /// [`plan_towards`](Self::plan_towards), written into an earlier plan to reuse its allocations.
     pub(super) fn plan_into(&self, plan: &mut SegmentPlan, from: VertexId, to: VertexId) -> Result<(), LeavesDomain> {
         plan.start(from, to);
         match self.first_step(from, to)? {
@@ -179,8 +179,8 @@ impl Triangulation {
         None
     }
 
-    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` where more
-    /// than so many spokes would have to be looked at.
+    /// Turns around `from` until an edge runs along the segment, or a face has it strictly inside; `None` if that takes
+    /// more than `spokes` spokes.
     ///
     /// ```text
     ///        l  l            a turn that starts on the right goes counter-clockwise, one that starts
@@ -274,7 +274,7 @@ impl Triangulation {
     }
 }
 
-/// Where a spoke points, for who looks along the segment.
+/// Where a spoke points, seen along the segment.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Bearing {
     /// Along the segment.

@@ -101,7 +101,7 @@ impl Origins {
         v.index().checked_sub(self.first).map_or(Provenance::Input, |i| self.provenances.get(i))
     }
 
-    /// Says where a vertex comes from; those before the first with a provenance of their own are the input, always.
+    /// Sets where a vertex comes from; a vertex before the first with a provenance of its own always is input.
     #[inline]
     pub(super) fn set<J: Journal>(&mut self, v: VertexId, provenance: Provenance, j: &mut J) {
         if let Some(i) = v.index().checked_sub(self.first) {
@@ -136,7 +136,7 @@ struct Provenances {
     words: Vec<[u64; 2]>,
     /// Where the words of each vertex lie, counted from 1; 0 for none. Those after the last are free.
     places: Vec<u32>,
-    /// One bit a vertex: whether it is not free. Refinement asks for every corner of every bad triangle.
+    /// One bit a vertex: whether it is not free. Refinement reads it for every corner of every bad triangle.
     bound: Vec<u64>,
 }
 
@@ -160,7 +160,7 @@ impl Provenances {
         (is_on && (kind >> 8) as u32 == segment).then(|| f64::from_bits(place))
     }
 
-    /// Sets it, through the journal.
+    /// Sets the provenance of the `i`-th vertex after the input, through the journal.
     #[inline(always)] // For each new vertex; nearly all are free, and were.
     fn set<J: Journal>(&mut self, i: usize, new: Provenance, j: &mut J) {
         let place = self.place(i);

@@ -1,4 +1,4 @@
-//! Segments inside the domain let go, and brought back by splitting.
+//! Segments inside the domain: released, and recovered by splitting.
 //!
 //! ```text
 //!      x ─── y            a ─ ─ ─ ─ b crosses x–y: the segment is not there.
@@ -10,8 +10,8 @@
 //! Where two segments meet at a small angle, the caller names the place of the split in the place of the middle: halves
 //! of unequal lengths would put vertices into each other's circles for ever.
 //!
-//! The edges that come to be need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in
-//! for one segment may flip an edge of another away, so all are looked at until a round finds nothing missing.
+//! The new edges need no mark to stay: the triangulation is *conforming* Delaunay. A vertex that goes in for one
+//! segment may flip an edge of another away, so all are tested until a round finds nothing missing.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.1, recovery by unions.
@@ -26,7 +26,7 @@ use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::half_edge::{HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
 
-/// A stretch of segments that was let go.
+/// A released stretch of segments.
 pub(crate) type Released = Piece;
 
 /// Where splitting stops.
@@ -35,23 +35,23 @@ pub(crate) struct SplitLimits<'a> {
     pub(crate) vertices: usize,
     /// No more pieces than this in one go.
     pub(crate) pieces: usize,
-    /// Whether two ends are far enough apart to be parted.
+    /// Whether two ends are far enough apart for a vertex between them.
     pub(crate) may_part: &'a dyn Fn(Point, Point) -> bool,
     /// The parameter, from its start to its end, at which a stretch that crosses edges is split.
     pub(crate) place: &'a dyn Fn(&ConstrainedTriangulation, Released, &SegmentPlan) -> f64,
 }
 
-/// Segments on their way back, so that the work can be done in slices.
+/// A recovery in progress, so that the work can be done in slices.
 #[derive(Clone, Debug)]
 pub(crate) struct Recovery {
-    /// Pieces still to be looked at, the next one last.
+    /// Pieces still to be treated, the next one last.
     waiting: Vec<Piece>,
     /// Pieces for the next round, in order.
     next: Vec<Piece>,
     stage: Stage,
-    /// Pieces for which there was no room: they are no edges.
+    /// Pieces for which there was no room: they are not edges.
     lost: Vec<Piece>,
-    /// Whether pieces may be led through input vertices beside them, once that was asked.
+    /// Whether pieces may be led through input vertices beside them, once that was computed.
     beside: Option<Beside>,
 }
 
@@ -69,13 +69,13 @@ enum Stage {
     Halving {
         has_grown: bool,
     },
-    /// What the limits left missing goes in as whole edges.
+    /// Pieces that the limits left missing go in as whole edges.
     Whole,
     Done,
 }
 
 impl Recovery {
-    /// The recovery of segments that were let go.
+    /// The recovery of released segments.
     pub(crate) fn of(released: Vec<Released>) -> Self {
         let waiting = released.into_iter().rev().collect();
         Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new(), beside: None }
@@ -91,16 +91,16 @@ impl Recovery {
         self.stage == Stage::Done
     }
 
-    /// What is no chain of edges, for want of room.
+    /// The stretches that are no chains of edges, for want of room.
     pub(crate) fn into_lost(self) -> Vec<Released> {
         self.lost
     }
 }
 
 impl<J: Journal> Edit<'_, J> {
-    /// Lets go of every segment inside the domain; those between two regions stay.
+    /// Releases every segment inside the domain: its edges lose their marks. Segments between two regions stay.
     ///
-    /// Returns what was let go, in the order of its vertices, and the edges that may fail the circle test now
+    /// Returns the released stretches, in the order of their vertices, and the edges that may fail the circle test now
     /// ([`legalise_some`](Self::legalise_some)).
     pub(crate) fn release_inner_segments(&mut self) -> (Vec<Released>, Lawson) {
         let inner: Vec<HalfEdgeId> = self.edges().filter(|&h| self.is_inner(h)).collect();
@@ -125,12 +125,12 @@ impl<J: Journal> Edit<'_, J> {
         waiting.legalise_all(self.data.triangulation_mut(), self.j)
     }
 
-    /// Looks at so many of the edges that wait, and at those beside the flipped ones; how many flips it took.
+    /// Legalises up to `most` of the waiting edges, and those beside flipped ones; returns how many flips it took.
     pub(crate) fn legalise_some(&mut self, waiting: &mut Lawson, most: usize) -> u64 {
         waiting.legalise_some(self.data.triangulation_mut(), most, self.j)
     }
 
-    /// Marks what is there of the segments let go; returns the pieces that are no edges.
+    /// Marks the released pieces that are edges; returns the others.
     pub(crate) fn mark_present(&mut self, released: &[Released]) -> Vec<Released> {
         let mut missing = Vec::new();
         for &piece in released {
@@ -156,7 +156,7 @@ impl<J: Journal> Edit<'_, J> {
         if self.half_edge_between(piece.from, piece.to).is_some() {
             return None;
         }
-        // A vertex exactly on the way parts it for nothing.
+        // A vertex exactly on the way splits it without a new one.
         let plan = self.plan_towards(piece.from, piece.to).ok()?;
         if plan.to != piece.to {
             let may_pass = self.may_pass_through(plan.to, piece.mark, || self.known_beside(beside));
@@ -186,10 +186,10 @@ impl<J: Journal> Edit<'_, J> {
 }
 
 impl Edit<'_, UndoLog> {
-    /// Splits what was let go until it is edges, and marks those: one slice of that work.
+    /// One slice of a recovery: splits the released pieces until they are edges, and marks these.
     ///
-    /// What the limits leave missing goes in as whole edges. Where those cross, but for rounding, what they did not
-    /// cross before they were let go, that takes vertices too, and free vertices make room for them. A piece that
+    /// Pieces that the limits leave missing go in as whole edges. Rounding may make these cross where they did not
+    /// cross before they were released; that takes vertices too, and free vertices make room for them. A piece that
     /// cannot be put in is lost.
     pub(crate) fn recover_some(&mut self, recovery: &mut Recovery, limits: &SplitLimits<'_>) -> Changed {
         let mut changed = Changed::default();
@@ -259,7 +259,7 @@ impl Edit<'_, UndoLog> {
         }
     }
 
-    /// Removes the newest vertex that was inserted freely; says whether there was one.
+    /// Removes the newest vertex that was inserted freely; returns whether there was one.
     fn remove_newest_free(&mut self) -> bool {
         let newest = (self.given_points()..self.points().len()).rev().map(VertexId::from_index);
         let mut free = newest.filter(|&v| self.is_used(v) && self.is_deletable(v));

@@ -12,7 +12,7 @@ use crate::half_edge::{Entry, FaceId, Journal};
 use crate::locate::{Locus, Walk};
 use crate::triangulation::Triangulation;
 
-/// What holds in a region of a domain.
+/// The attribute and the area bound of a region of a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegionRule {
     /// The attribute of its triangles.
@@ -40,12 +40,12 @@ impl Regions {
         self.given.is_some() || self.rules.iter().any(|rule| rule.max_area.is_some())
     }
 
-    /// What holds in each region.
+    /// The rule of each region.
     pub(crate) fn rules(&self) -> &[RegionRule] {
         &self.rules
     }
 
-    /// What holds in a region, for a triangle with these corners.
+    /// The rule of a region, for a triangle with these corners.
     #[inline]
     pub(super) fn rule(&self, region: u32, corners: impl FnOnce() -> [Point; 3]) -> Option<RegionRule> {
         let rule = self.rules.get(region as usize).copied()?;
@@ -69,7 +69,7 @@ impl Regions {
     /// The bound for a triangle with these corners, which came out of a given one near `hint`.
     ///
     /// # Guarantees
-    /// Independent of the hint, but where rounding puts the middle outside the domain.
+    /// Independent of the hint, except where rounding puts the middle outside the domain.
     ///
     /// # Complexity
     /// The given triangles between the hint and the place.

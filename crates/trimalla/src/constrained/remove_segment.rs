@@ -1,4 +1,4 @@
-//! Taking a segment out, and walking along one.
+//! Removing a segment, and walking along one.
 
 use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
 use super::edit::Edit;
@@ -46,7 +46,7 @@ impl<J: Journal> Edit<'_, J> {
         !chain.is_empty()
     }
 
-    /// Takes a segment's name off edges; those that only it constrained are free again, and legalised.
+    /// Detaches a segment from edges; those that only it constrained are free again, and legalised.
     fn detach_segment(&mut self, edges: &[HalfEdgeId], segment: SegmentId) {
         for &h in edges {
             let mut mark = self.without_segment(self.mark(h), segment);

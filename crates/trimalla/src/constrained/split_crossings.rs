@@ -11,16 +11,16 @@
 //! 4. Else compute the crossing point, rounded, release the constraint and insert the point where it lies. Both the
 //!    constraint and the piece go back on the list, split at that vertex.
 //!
-//! Rounding bends what is split by an ulp, and a bent piece may cross what its straight one did not: the list takes
-//! care of that too. Step 3 keeps this from going on: no vertex is made nearer than that reach to an edge that already
-//! has a vertex there, so crossings of nearly parallel pieces do not creep along them. A bound on the steps ends the
-//! work in any case.
+//! Rounding bends a split piece by an ulp, and the bent piece may cross what the straight one did not: such crossings
+//! go through the list, too. Step 3 keeps this from going on: no vertex is made nearer than that reach to an edge that
+//! already has a vertex there, so crossings of nearly parallel pieces do not creep along them. A bound on the steps
+//! ends the work in any case.
 //!
 //! # Invariants
 //! A vertex splits a piece only if it lies in the strip of [`Strip::PARTING_PLACES`] of every input segment of its
-//! class, and its foot strictly between those of the ends: see [`Strip`] for the rule. Bends do not add up, then, and
-//! the pieces of a segment are always one monotone path from its start to its end. Where no vertex and no rounded point
-//! is so, the segments are too close to one another for coordinates, and the pair is named in an error.
+//! class, and its foot strictly between those of the ends: see [`Strip`] for the rule. So bends do not add up, and the
+//! pieces of a segment are always one monotone path from its start to its end. Where no vertex and no rounded point
+//! satisfies this, the segments are too close to one another for coordinates, and an error names the pair.
 //!
 //! # Source
 //! Leading an edge through a vertex within rounding of it is the hot-pixel rule of snap rounding `[Hobby99]`, used here
@@ -45,7 +45,7 @@ const REACH_PLACES: f64 = 4.0;
 pub(crate) struct Piece {
     pub(crate) from: VertexId,
     pub(crate) to: VertexId,
-    /// Its class.
+    /// The mark of its class.
     pub(crate) mark: u32,
 }
 
@@ -224,13 +224,13 @@ impl Stretch {
         Self { ends: Segment::new(a, b), strips: cdt.strips(mark, Strip::PARTING_PLACES).collect() }
     }
 
-    /// Whether a vertex there may split it.
+    /// Whether a vertex at `p` may split it.
     fn is_split_by(&self, p: Point) -> bool {
         let Segment { start, end } = self.ends;
         self.strips.iter().all(|strip| strip.is_between(start, p, end) && strip.contains(p))
     }
 
-    /// Whether a point is no farther off than so many last places, if that counts.
+    /// Whether a point is within `places` last places, if there is such a limit.
     fn reaches(&self, places: Option<f64>, p: Point) -> bool {
         places.is_none_or(|places| Strip::new(self.ends, places).contains(p))
     }

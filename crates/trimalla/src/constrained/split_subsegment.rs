@@ -11,7 +11,7 @@ use crate::triangulation::Closure;
 /// Why a subsegment cannot be split at a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplitError {
-    /// The rounded point is one of the ends: the subsegment is as short as numbers allow.
+    /// The rounded point is one of the ends: the subsegment is as short as floating-point numbers allow.
     TooShort,
     /// The rounded point lies where one of the four triangles would not be counter-clockwise, or where the boundary of
     /// the domain would meet itself: another vertex or constraint is closer than rounding.
@@ -21,11 +21,11 @@ pub enum SplitError {
 impl ConstrainedTriangulation {
     /// The point that stands for parameter `t` of a subsegment, with its provenance.
     ///
-    /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the places of
-    /// the subsegment's ends alone, so that a mesh read from a file is split where it would have been before. Where
-    /// crossings have bent the segment so far that this is no point between the subsegment's own ends, it is computed
-    /// from those. Either keeps the rule of [`Strip`]; where neither does, the point is an end, at which nothing can be
-    /// split.
+    /// It is computed from the ends of the input segment, so repeated halving does not drift, and from the coordinates
+    /// of the subsegment's ends alone, so that a mesh read from a file is split where it would have been before. If
+    /// crossings have bent the segment so far that this point does not lie between the subsegment's own ends, it is
+    /// computed from those. Either keeps the rule of [`Strip`]; where neither does, the point is an end, at which
+    /// nothing can be split.
     ///
     /// `t` runs from 0 at `origin(h)` to 1 at `dest(h)`.
     pub(crate) fn point_on_subsegment(&self, h: HalfEdgeId, t: f64) -> (Point, Provenance) {
@@ -33,7 +33,7 @@ impl ConstrainedTriangulation {
     }
 
     /// [`point_on_subsegment`](Self::point_on_subsegment) without the provenance, which
-    /// [`provenance_on`](Self::provenance_on) tells later.
+    /// [`provenance_on`](Self::provenance_on) gives later.
     pub(crate) fn place_on_subsegment(&self, h: HalfEdgeId, t: f64) -> Point {
         self.place_between(self.origin(h), self.dest(h), self.mark(h), t)
     }
@@ -101,7 +101,7 @@ impl ConstrainedTriangulation {
 
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
     ///
-    /// Where segments overlap their common points are as good as those of the finest.
+    /// Where segments overlap, their common points are as exact as those of the finest.
     pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
         let extent = |s: &u32| self.segment_points(*s).largest_coordinate();
         match self.class(mark) {
@@ -138,8 +138,8 @@ impl ConstrainedTriangulation {
         })
     }
 
-    /// Whether a vertex at `p` may split an edge as far as the triangles beside it tell; what is outside the domain is
-    /// asked when it is split.
+    /// Whether the triangles beside an edge allow a vertex at `p` to split it; the outside of the domain is tested when
+    /// it is split.
     pub(crate) fn can_split(&self, h: HalfEdgeId, p: Point) -> Result<(), SplitError> {
         let [x, y] = self.edge_points(h);
         if p == x || p == y {
@@ -212,8 +212,8 @@ fn at_parameter(whole: Segment, [from, to]: [f64; 2], t: f64) -> Point {
 }
 
 /// The point at parameter `t` between two points with their parameters on the only segment of a class, if that keeps
-/// the rule of [`Strip`]. A point at a parameter of a segment is in its strip: only its place between the two is asked
-/// for.
+/// the rule of [`Strip`]. A point at a parameter of a segment is in its strip, so that only its place between the two
+/// is tested.
 #[inline]
 fn place_on_only_segment(whole: Segment, [(p, tp), (q, tq)]: [(Point, f64); 2], t: f64) -> Option<Point> {
     let point = at_parameter(whole, [tp, tq], t);

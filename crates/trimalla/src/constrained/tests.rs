@@ -1,4 +1,4 @@
-//! Small constrained triangulations, by hand and by chance.
+//! Small constrained triangulations, made by hand and at random.
 
 use super::*;
 use crate::delaunay::{BuildError, Delaunay, Inserted, limit_of_test};

@@ -1,4 +1,4 @@
-//! Lists and places that operations work with, kept from one to the next.
+//! Scratch of operations, kept from one to the next.
 
 use super::apply::Corridor;
 use super::plan::SegmentPlan;
@@ -6,14 +6,14 @@ use super::pseudo_polygon::Filling;
 use crate::delaunay::{Cavity, Lawson};
 use crate::half_edge::FaceId;
 
-/// What operations on a [`ConstrainedTriangulation`](super::ConstrainedTriangulation) work with: lists, so that none
-/// allocates, and the face at which a search begins.
+/// Scratch lists of the operations on a [`ConstrainedTriangulation`](super::ConstrainedTriangulation), so that none
+/// allocates, and the face at which the next point location starts.
 ///
-/// Nothing in it changes what an operation does, but [`set_filling`](Self::set_filling): one workspace serves any
-/// number of triangulations, and a new one is as good as an old one.
+/// Nothing in it but [`set_filling`](Self::set_filling) changes what an operation does: one workspace serves any number
+/// of triangulations, and a new one is as good as an old one.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Edges that wait for the circle test.
+    /// Edges to be tested by the circle test.
     pub(super) lawson: Lawson,
     /// The faces that a new vertex replaces.
     pub(super) cavity: Cavity,
@@ -41,7 +41,7 @@ impl Default for Workspace {
 }
 
 impl Workspace {
-    /// Chooses how regions beside new segments are filled: the result is the same.
+    /// Chooses how regions beside new segments are filled; the result does not depend on it.
     pub fn set_filling(&mut self, filling: Filling) {
         self.filling = filling;
     }

@@ -87,7 +87,7 @@ impl AlgorithmKey {
         }
     }
 
-    /// Runs it.
+    /// Runs the algorithm.
     ///
     /// # Errors
     /// See [`BuildError`].
@@ -98,7 +98,7 @@ impl AlgorithmKey {
         }
     }
 
-    /// Runs it on all points; hands on their order [`along_curve`](super::along_curve) where it knows it afterwards.
+    /// Triangulates all points; returns their order [`along_curve`](super::along_curve) too, if the algorithm has it.
     ///
     /// # Errors
     /// See [`BuildError`].
@@ -134,7 +134,7 @@ impl FromStr for AlgorithmKey {
 /// Every coordinate finite, every index in range; the subset without repetitions, in order.
 pub(crate) fn validate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Option<Vec<VertexId>>, BuildError> {
     BuildError::if_too_many(points.len(), 0)?;
-    // All together, without a branch a point: hardly any input has one that is not finite.
+    // One test of all points, without a branch for each: nearly every input is finite.
     let are_finite = points.iter().fold(true, |are_finite, p| are_finite & p.is_finite());
     if !are_finite {
         if let Some((index, &point)) = points.iter().enumerate().find(|(_, p)| !p.is_finite()) {

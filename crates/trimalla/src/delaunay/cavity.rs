@@ -1,4 +1,4 @@
-//! Insertion by cavity: every face whose circle holds the new point away, a fan in their place.
+//! Insertion by cavity: replaces every face whose circle holds the new point by a fan.
 //!
 //! 1. Start with the one or two faces in which the point lies.
 //! 2. From each edge of the rim, as long as it is unconstrained and the circle of the face beyond holds the point (the
@@ -23,11 +23,11 @@ use crate::triangulation::Triangulation;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cavity {
     faces: Vec<FaceId>,
-    /// In order, the first one once more at the end.
+    /// The edges of the rim in order, the first one once more at the end.
     rim: Vec<RimEdge>,
-    /// Where each of them starts.
+    /// The point at which each edge of the rim starts.
     starts: Vec<Point>,
-    /// Sides that wait until those before them are done, and whether they are to be passed; the next one last.
+    /// Sides that are still to be done, and whether the face across is to be taken in; the next one last.
     stack: Vec<(Side, bool)>,
 }
 
@@ -52,11 +52,10 @@ impl Side {
 }
 
 impl Cavity {
-    /// Finds the cavity of a point inside a face or on an edge of the domain; a constrained edge is a wall that the
-    /// point parts, and the point may lie off it by its rounding.
+    /// Finds the cavity of a point inside a face or on an edge of the domain. A constrained edge is a wall; the point
+    /// may split it, and may lie off it by its rounding.
     ///
-    /// Says whether the point can be inserted there: not where rounding leaves a face of the fan flat, nor at other
-    /// loci.
+    /// Returns whether the point can be inserted: not where rounding leaves a face of the fan flat, nor at other loci.
     ///
     /// # Complexity
     /// The faces to be replaced: about four on average.
@@ -74,7 +73,7 @@ impl Cavity {
                 self.dig(t, h.face(), [h.next(), h.prev()], p);
                 let middle = self.rim.len();
                 self.dig(t, o.face(), [o.next(), o.prev()], p);
-                // The rim runs from dest(h) round to origin(h) and back: both spokes carry half of the parted edge.
+                // The rim runs from dest(h) round to origin(h) and back: both spokes carry half of the split edge.
                 self.rim[0].spoke = mark;
                 self.rim[middle].spoke = mark;
                 self.close_rim();
@@ -86,7 +85,7 @@ impl Cavity {
 
     /// Takes the two faces at an unconstrained edge as the cavity, whatever their circles hold.
     ///
-    /// Says whether the point can be inserted there, as [`find`](Self::find).
+    /// Returns whether the point can be inserted: not where rounding leaves a face of the fan flat.
     pub(crate) fn take_pair(&mut self, t: &Triangulation, p: Point, h: HalfEdgeId) -> bool {
         self.clear();
         let o = t.twin(h);
@@ -164,17 +163,17 @@ impl Cavity {
         &self.rim
     }
 
-    /// Where each of them starts; of no meaning at infinity.
+    /// The point at which each edge of the rim starts; of no meaning at infinity.
     pub(crate) fn rim_starts(&self) -> &[Point] {
         &self.starts
     }
 
-    /// The faces of the cavity, or once it is filled those of the fan.
+    /// The faces of the cavity or, once it is filled, those of the fan.
     pub(crate) fn faces(&self) -> &[FaceId] {
         &self.faces
     }
 
-    /// The face beside the edge of the rim whose start is the lowest: it depends on no slot.
+    /// The face at the edge of the rim that starts at the lowest vertex: so it depends on no slot.
     pub(crate) fn lowest_face(&self) -> FaceId {
         let lowest = (0..self.faces.len()).min_by_key(|&i| self.rim[i].from);
         lowest.map_or(FaceId(0), |i| self.faces[i])
@@ -200,7 +199,7 @@ impl Cavity {
         }
     }
 
-    /// Goes around all that is to be taken in beyond a side, counter-clockwise as its rim is.
+    /// Depth-first walk over the faces to be taken in beyond a side; adds their rim edges counter-clockwise.
     ///
     /// ```text
     ///           end                   The face beyond has two more sides, tested together. Where neither is passed, the way goes
@@ -242,7 +241,7 @@ impl Cavity {
         self.starts.push(t.points.get(from.index()).copied().unwrap_or_default());
     }
 
-    /// Adds the first edge of the rim once more.
+    /// Adds the first edge of the rim again at its end.
     fn close_rim(&mut self) {
         self.rim.push(self.rim[0]);
         self.starts.push(self.starts[0]);

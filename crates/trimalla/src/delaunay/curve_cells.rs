@@ -1,8 +1,8 @@
-//! Grids of cells over points, by which they are put along a curve.
+//! Grids of cells over points, whose cells a curve visits in order.
 //!
-//! Of a heavy-tailed set (a few points are very far out) the grid over all points has nearly all of them in a few
-//! cells. There the grid is laid over the core, which a sample tells; the points outside of it come last, all with one
-//! key.
+//! In a heavy-tailed set a few points are very far out, and nearly all others would lie in a few cells of a grid over
+//! all points. So the grid covers the core only, which a sample finds; the points outside of the core come last, all
+//! with one key.
 
 use crate::geometry::{BoundingBox, Point, hilbert_key_16};
 
@@ -50,7 +50,7 @@ pub(super) struct CoreCells {
 }
 
 impl CoreCells {
-    /// Over `point(0)`, `point(1)`, …, `point(len - 1)`, all finite.
+    /// The grid over `point(0)`, `point(1)`, …, `point(len - 1)`, all finite.
     ///
     /// # Complexity
     /// Linear.
@@ -73,8 +73,8 @@ impl CoreCells {
 /// The box around the core of a set in `bounds`; `None` where the set is not heavy-tailed.
 ///
 /// # Guarantees
-/// At least three quarters of the points lie in it, whatever a sample says: sorting the others again takes a share of
-/// the time only.
+/// At least three quarters of the points lie in the core, whatever the sample was: so sorting the others again takes a
+/// bounded share of the time.
 fn core(len: usize, point: impl Fn(usize) -> Point, bounds: BoundingBox) -> Option<BoundingBox> {
     if len < SAMPLED_FROM {
         return None;
@@ -90,7 +90,7 @@ fn core(len: usize, point: impl Fn(usize) -> Point, bounds: BoundingBox) -> Opti
     (outside <= len / 4).then_some(core)
 }
 
-/// The least and the greatest value once the outermost are left out.
+/// The least and the greatest value without the outermost ones.
 fn inner_range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let mut values: Vec<f64> = values.collect();
     let left_out = values.len() / OUTERMOST;

@@ -43,7 +43,7 @@ impl BuildError {
     /// Six half-edges a vertex, named by 32 bits.
     pub const MAX_POINTS: usize = 700_000_000;
 
-    /// The error of so many more points than there are, where they are too many.
+    /// The error if `more` points besides `points` are too many.
     ///
     /// Every vertex that is made goes through this limit or the bound on vertices of a refinement, so that no index of
     /// a half-edge passes 32 bits.
@@ -53,7 +53,7 @@ impl BuildError {
     }
 }
 
-/// [`BuildError::MAX_POINTS`]; fewer where a test says so.
+/// [`BuildError::MAX_POINTS`], or the smaller limit of a test.
 pub(crate) fn max_points() -> usize {
     #[cfg(test)]
     if let Some(fewer) = limit_of_test::get() {
@@ -62,7 +62,7 @@ pub(crate) fn max_points() -> usize {
     BuildError::MAX_POINTS
 }
 
-/// A limit that is met without filling the memory.
+/// A limit for tests, which meet it without filling the memory.
 #[cfg(test)]
 pub(crate) mod limit_of_test {
     use std::cell::Cell;
@@ -75,7 +75,7 @@ pub(crate) mod limit_of_test {
         LIMIT.get()
     }
 
-    /// Does something on this thread with no more points than that.
+    /// Runs `act` on this thread under a limit of that many points.
     pub(crate) fn with<T>(points: usize, act: impl FnOnce() -> T) -> T {
         LIMIT.set(Some(points));
         let result = act();
@@ -129,7 +129,7 @@ pub struct Delaunay {
     last: FaceId,
 }
 
-/// Everything that can be read of a triangulation can be read of a Delaunay one.
+/// A Delaunay triangulation is read as a triangulation.
 impl Deref for Delaunay {
     type Target = Triangulation;
 
@@ -176,7 +176,7 @@ impl Delaunay {
         Self { t, lawson: Lawson::default(), last: FaceId(0) }
     }
 
-    /// The triangulation, free of its invariant.
+    /// Gives the triangulation away, which then need not stay Delaunay.
     #[must_use]
     pub fn into_triangulation(self) -> Triangulation {
         self.t
@@ -193,7 +193,7 @@ impl Delaunay {
         self.insert_with(p, &mut NoJournal)
     }
 
-    /// [`insert`](Self::insert), noting what is overwritten.
+    /// [`insert`](Self::insert) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// [`BuildError::NotFinite`], [`BuildError::TooManyPoints`].
@@ -223,7 +223,7 @@ impl Delaunay {
         self.remove_with(v, &mut NoJournal)
     }
 
-    /// [`remove`](Self::remove), noting what is overwritten.
+    /// [`remove`](Self::remove) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// See [`remove`](Self::remove).
@@ -235,7 +235,7 @@ impl Delaunay {
 
     /// Moves a vertex: removes it and inserts it again under the same id.
     ///
-    /// Where the new place is another vertex's, nothing changes and that vertex is returned.
+    /// If another vertex lies at the new place, nothing changes and that vertex is returned.
     ///
     /// # Errors
     /// [`RemoveError`] where the vertex is not used or the point not finite.
@@ -243,7 +243,7 @@ impl Delaunay {
         self.move_vertex_with(v, p, &mut NoJournal)
     }
 
-    /// [`move_vertex`](Self::move_vertex), noting what is overwritten.
+    /// [`move_vertex`](Self::move_vertex) with a journal, so that it can be taken back.
     ///
     /// # Errors
     /// See [`move_vertex`](Self::move_vertex).
@@ -255,7 +255,7 @@ impl Delaunay {
             if w != v {
                 return Ok(Inserted::Existing(w));
             }
-            self.t.set_point(v, p, j); // The same place: at most the sign of a zero differs.
+            self.t.set_point(v, p, j); // The place is equal: at most the sign of a zero differs.
             return Ok(Inserted::New(v));
         }
         remove_vertex(&mut self.t, v, &mut self.lawson, j)?;
@@ -265,7 +265,7 @@ impl Delaunay {
         Ok(Inserted::New(v))
     }
 
-    /// Takes back what was noted since a checkpoint.
+    /// Takes back every change since a checkpoint.
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         self.t.rollback(log, to);
     }

@@ -25,7 +25,8 @@ use crate::triangulation::Triangulation;
 
 /// Triangulates `points[i]` for `i` in `subset` (all where `None`); ids are indices into `points`.
 ///
-/// Hands on the order of the vertices [`along_curve`](order::along_curve) too, where each is used: it costs nothing.
+/// Returns the order of the vertices [`along_curve`](order::along_curve) too, if every vertex is used: it is known for
+/// free.
 pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> (Triangulation, Option<Vec<VertexId>>) {
     let chosen: Option<Vec<Point>> = subset.map(|s| s.iter().map(|v| points[v.index()]).collect());
     let curve = order::sorted_along_curve(chosen.as_deref().unwrap_or(points));
@@ -49,13 +50,13 @@ fn insert_all(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
     let mut same = Vec::new();
     let mut lawson = Lawson::default();
     let mut last = LastInserted::none();
-    // Not a `for` loop: the rounds are nested loops where they call, and a machine of states where they are called.
+    // `for_each` and not `for`: internal iteration compiles to nested loops, external iteration to a state machine.
     order.filter(|v| !first.contains(v)).for_each(|v| insert(t, v, &mut last, &mut lawson, &mut same));
     same
 }
 
 /// Inserts a vertex; where another one lies already, the two are noted instead.
-#[inline(never)] // On its own it knows that nothing else looks at the mesh.
+#[inline(never)] // A function of its own: the compiler then knows that nothing else aliases the mesh.
 fn insert(
     t: &mut Triangulation,
     v: VertexId,
@@ -73,42 +74,42 @@ fn insert(
     insert_at::<true, _>(t, v, locus, lawson, &mut NoJournal);
 }
 
-/// The vertex inserted last, from which the walk to the next one starts: that is near, as a rule.
+/// The vertex inserted last and its faces: the next point is near as a rule, and the walk to it starts in one of them.
 ///
 /// ```text
 ///           c                 Inside a face, the vertex makes three: one between a and b, one between b and c, one between c and a.
-///         / | \               Whatever is flipped then, each keeps the vertex and lies in its sector. Of b and a the first is
-///       /   v   \             asked that has the next point on its left: mostly the point lies in the sector that follows.
+///         / | \               Whatever is flipped then, each keeps the vertex and lies in its sector. The next walk starts in
+///       /   v   \             the face after b if the next point is left of the ray to b, else by the ray to a.
 ///     /  ╱     ╲  \
-///    a ─────────── b          It is a guess, for which rounding does not matter: every walk arrives.
+///    a ─────────── b          The choice may be wrong by rounding: every walk arrives nevertheless.
 /// ```
 #[derive(Clone, Copy, Debug)]
 struct LastInserted {
     at: Point,
     a: Point,
     b: Point,
-    /// Those between a and b, b and c, c and a; thrice the same where it lies on an edge or outside.
+    /// The faces between a and b, b and c, c and a; one face three times if the vertex lies on an edge or outside.
     faces: [FaceId; 3],
 }
 
 impl LastInserted {
-    /// None so far: the first walk starts anywhere.
+    /// No vertex yet: the first walk starts anywhere.
     fn none() -> Self {
         let origin = Point::default();
         Self { at: origin, a: origin, b: origin, faces: [FaceId(0); 3] }
     }
 
-    /// The face on the side of a point.
+    /// The face in whose sector a point lies.
     #[inline(always)] // Before each walk.
     fn face_towards(&self, p: Point) -> FaceId {
         let is_left_of = |corner: Point| (corner - self.at).cross(p - self.at) > 0.0;
         let (is_after_a, is_after_b) = (is_left_of(self.a), is_left_of(self.b));
-        // Of the last two one is chosen. That of b is branched on: without, each walk would wait for the answer.
+        // The last two are selected without a branch. The test of b is a branch, so that the walk need not wait for it.
         self.faces[if is_after_b { 1 } else { 2 * usize::from(!is_after_a) }]
     }
 
     /// Notes a vertex that is about to be inserted at a locus. Nothing is freed in bulk: new faces come last.
-    #[inline(always)] // As above.
+    #[inline(always)] // Before each insertion.
     fn note(&mut self, t: &Triangulation, v: VertexId, locus: Locus) {
         self.at = t.point(v);
         match locus {
@@ -169,7 +170,8 @@ fn chain(t: &mut Triangulation) -> Vec<(VertexId, VertexId)> {
     same
 }
 
-/// From storage order back to the caller's ids, which are returned; equal points become the one of lowest id.
+/// Renames the vertices from storage order to the caller's ids, and returns those; of equal points the one of lowest id
+/// is used.
 fn name_vertices(
     t: &mut Triangulation,
     points: &[Point],

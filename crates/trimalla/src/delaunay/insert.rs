@@ -69,7 +69,7 @@ fn raise<J: Journal>(t: &mut Triangulation, h: HalfEdgeId, v: VertexId, lawson: 
     let first = t.mesh.twin(chain_end(t, t.mesh.twin(h)));
     let spoke = t.mesh.attach_outside(first, last, v, j);
     t.set_state(2, t.closure, None, j);
-    // A fan over collinear points passes the circle test; the edges are looked at all the same.
+    // A fan over collinear points passes the circle test; its edges are tested nevertheless.
     let fan: Vec<HalfEdgeId> = t.mesh.star_from(spoke).collect();
     for h in fan {
         lawson.legalise_around::<false, 1, J>(t, [h.next()], t.point(v), j);

@@ -5,7 +5,7 @@ use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, insid
 use crate::half_edge::{HalfEdgeId, Journal, VertexId, push_if};
 use crate::triangulation::{Closure, Triangulation};
 
-/// A stack of edges to look at, kept between insertions so that none allocates.
+/// A stack of edges to test, kept between insertions so that none allocates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lawson {
     stack: Vec<HalfEdgeId>,
@@ -14,7 +14,7 @@ pub(crate) struct Lawson {
 }
 
 impl Lawson {
-    /// Whether no edge waits.
+    /// Whether the stack is empty.
     pub(crate) fn is_done(&self) -> bool {
         self.stack.is_empty()
     }
@@ -40,10 +40,10 @@ impl Lawson {
     /// Every flip adds an edge at `q`, and none is ever taken away: at most as many flips as there
     /// are vertices. `BULK` says that vertices keep no half-edges meanwhile, and that there are no marks.
     ///
-    /// Edges are tested when they come to lie opposite `q`, together, and the illegal ones wait: tests that do not hang
-    /// on each other's answers overlap in the processor. A verdict stays true until its flip, as only a flip across
-    /// another edge of the same face beyond could change it, and a face with two edges opposite `q` does not hold `q`
-    /// in its circle.
+    /// Each edge is tested as soon as it lies opposite `q`, two edges at a time, so that independent tests overlap in
+    /// the processor; only illegal edges are pushed. A result stays true until its flip, as only a flip across another
+    /// edge of the same face beyond could change it, and a face with two edges opposite `q` does not hold `q` in its
+    /// circle.
     ///
     /// # Source
     /// `[Lawson77]`; with constraints `[Vigo97]` section 3.
@@ -79,8 +79,7 @@ impl Lawson {
         }
     }
 
-    /// Legalises everywhere: edges on the stack may lie anywhere; the four sides of a flipped pair
-    /// are looked at again.
+    /// Legalises everywhere: edges on the stack may lie anywhere; the four sides of a flipped pair are tested again.
     ///
     /// Flips raise the lifted surface nowhere, so the loop ends; `[Lawson77]` bounds it by the square of the
     /// number of vertices. Returns how many flips there were.
@@ -92,7 +91,7 @@ impl Lawson {
         flips
     }
 
-    /// [`legalise_all`](Self::legalise_all), for so many edges of the stack at most; the others wait.
+    /// [`legalise_all`](Self::legalise_all) for at most `most` edges; the others stay on the stack.
     pub(crate) fn legalise_some<J: Journal>(&mut self, t: &mut Triangulation, most: usize, j: &mut J) -> u64 {
         let mut flips = 0;
         for _ in 0..most {
@@ -102,7 +101,7 @@ impl Lawson {
         flips
     }
 
-    /// Flips an edge that fails the circle test; then its sides wait, and the edge itself.
+    /// Flips an edge that fails the circle test, and pushes its four sides and the edge itself.
     #[inline(always)] // The body of two loops.
     fn flip_if_illegal<J: Journal>(&mut self, t: &mut Triangulation, e: HalfEdgeId, j: &mut J) -> bool {
         if !t.mesh.is_alive(e.face()) || t.mesh.is_marked(e) {
@@ -161,7 +160,7 @@ fn are_illegal<const BULK: bool>(t: &Triangulation, edges: [HalfEdgeId; 2], q: P
     }
 }
 
-/// The same one after the other: ghosts are there, or rounding leaves a test open.
+/// [`is_illegal`] for one edge after the other, where there are ghosts or rounding leaves a test open.
 #[cold]
 #[inline(never)]
 fn each_is_illegal<const BULK: bool>(t: &Triangulation, edges: [HalfEdgeId; 2], q: Point) -> [bool; 2] {

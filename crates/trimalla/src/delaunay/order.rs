@@ -29,7 +29,7 @@ const ROUNDS_FROM: usize = 2000;
 
 /// Points sorted along a Hilbert curve.
 pub(super) struct Curve {
-    /// The points in order, and behind them as many entries that the sort worked with.
+    /// The sorted entries, followed by scratch of the same length.
     keyed: Vec<Keyed>,
 }
 
@@ -39,7 +39,7 @@ impl Curve {
         self.keyed[..self.keyed.len() / 2].iter().map(|k| k.position)
     }
 
-    /// The memory, for whoever has a use for it.
+    /// Gives the allocation away for reuse.
     pub(super) fn into_memory(self) -> Vec<Keyed> {
         self.keyed
     }
@@ -48,13 +48,13 @@ impl Curve {
 /// Points in the order of a Hilbert curve, named by their positions.
 ///
 /// # Complexity
-/// Linear, but for crowded cells: those take one more linear pass for each 2¹⁶-fold refinement, and the points outside
-/// of a core, a quarter of all at most, one for each core.
+/// Linear, except for crowded cells: they take another linear pass for each 2¹⁶-fold refinement, and the points outside
+/// of a core, at most a quarter of all, one for each core.
 pub(crate) fn along_curve(points: &[Point]) -> Vec<VertexId> {
     sorted_along_curve(points).positions().map(VertexId).collect()
 }
 
-/// [`along_curve`], with what it was sorted in.
+/// [`along_curve`] with the scratch of the sort, which the caller may reuse.
 pub(super) fn sorted_along_curve(points: &[Point]) -> Curve {
     let mut keyed = Vec::with_capacity(2 * points.len());
     keyed.extend(keys(points));
@@ -94,7 +94,7 @@ fn representative(block: u32, round: u32) -> u32 {
     (1..=round).rev().fold(block, chosen_child)
 }
 
-/// The sixteenth of a block that is inserted with it; a hash draws it.
+/// Which sixteenth of a block is inserted with the block; a hash draws it.
 #[inline]
 fn chosen_child(block: u32, round: u32) -> u32 {
     let mut h = (block ^ round << 28).wrapping_mul(0x9e37_79b1);

@@ -6,11 +6,11 @@
 //! While everything fits the cache, the two digits are the upper 22 bits of a key. Above, one pass by the uppermost 8
 //! comes first; each of its buckets fits the cache, and the digits there have 8 bits as well.
 
-/// Fewer than one for so many values of a digit are sorted by comparisons.
+/// Below `SLOTS / FEW` keys a comparison sort is faster.
 const FEW: usize = 8;
-/// From so many on the passes over all would leave the cache.
+/// From this many keys on, a pass over all of them leaves the cache.
 const BUCKETS_FROM: usize = 1 << 18;
-/// Keys are spread evenly where no value of their upper digit has more than so many times its share.
+/// Keys count as evenly spread if no value of their upper digit has more than this many times its share.
 const EVEN: usize = 4;
 
 /// A position and its place on the curve.
@@ -48,12 +48,12 @@ impl<const SLOTS: usize> Digit<SLOTS> {
         counts
     }
 
-    /// Copies in the order of the digit; equal ones keep their order.
+    /// Copies the keys in the order of the digit; keys with equal digits keep their order.
     fn distribute(self, from: &[Keyed], to: &mut [Keyed]) {
         self.distribute_counted(from, to, self.counts(from));
     }
 
-    /// The same where the [`counts`](Self::counts) are known. Returns where each value ends.
+    /// [`distribute`](Self::distribute) with known [`counts`](Self::counts). Returns where each value ends.
     fn distribute_counted(self, from: &[Keyed], to: &mut [Keyed], counts: [u32; SLOTS]) -> [u32; SLOTS] {
         let mut slots = counts;
         let mut start = 0;
@@ -72,7 +72,7 @@ impl<const SLOTS: usize> Digit<SLOTS> {
 /// Sorts by key. Equal keys keep their order. `spare` is as long, and what it holds is lost.
 ///
 /// # Complexity
-/// Linear, but for what agrees in two digits of evenly spread keys: that takes comparisons.
+/// Linear; evenly spread keys that agree in two digits are sorted by comparisons.
 pub(super) fn sort_by_key(keyed: &mut [Keyed], spare: &mut [Keyed]) {
     if keyed.len() < BUCKETS_FROM {
         sort_by_digits(keyed, spare, Digit::<{ 1 << 11 }> { shift: 10 });
@@ -81,7 +81,7 @@ pub(super) fn sort_by_key(keyed: &mut [Keyed], spare: &mut [Keyed]) {
     }
 }
 
-/// By the uppermost digit into `spare`, and back bucket by bucket.
+/// Sorts by the uppermost digit into `spare`, then back bucket by bucket.
 fn sort_by_buckets(keyed: &mut [Keyed], spare: &mut [Keyed]) {
     let uppermost = Digit::<{ 1 << 8 }> { shift: 24 };
     let ends = uppermost.distribute_counted(keyed, spare, uppermost.counts(keyed));
@@ -95,7 +95,8 @@ fn sort_by_buckets(keyed: &mut [Keyed], spare: &mut [Keyed]) {
     }
 }
 
-/// By a digit and the one above, and by the bits below, no more than a digit has. The bits above are the same in all.
+/// Sorts by a digit, the digit above it, and the bits below it, which are at most one digit. The bits above are equal
+/// in all keys.
 fn sort_by_digits<const SLOTS: usize>(keyed: &mut [Keyed], spare: &mut [Keyed], digit: Digit<SLOTS>) {
     if keyed.len() < SLOTS / FEW {
         keyed.sort_by_key(|k| k.key);

@@ -86,7 +86,7 @@ pub(crate) fn remove_vertex<J: Journal>(
     Ok(())
 }
 
-/// Looks at every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away
+/// Legalises every edge of the hole: those beside its rim, and those that flips made. Both are kept as half-edges away
 /// from the vertex, which flips and unsplits leave where they are.
 #[inline(never)] // Keeps the caller's loops small.
 pub(crate) fn legalise_hole<J: Journal>(t: &mut Triangulation, hole: &Hole, lawson: &mut Lawson, j: &mut J) {
@@ -169,7 +169,7 @@ fn is_ear(t: &Triangulation, h: HalfEdgeId) -> bool {
     finite && a != c && !locked && t.is_ccw(a, b, c) && t.is_ccw(a, c, t.origin(h))
 }
 
-/// What is left when no ear is: step 2 of the prose above.
+/// Step 2: removes the vertex when no ear is left.
 fn take_out<J: Journal>(t: &mut Triangulation, v: VertexId, j: &mut J) {
     let on_hull = t.star(v).any(|h| !t.dest(h).is_finite());
     match (t.star(v).count(), t.outgoing(v)) {

@@ -1,8 +1,8 @@
-//! Attributes of vertices that are not the input's.
+//! Attributes of Steiner vertices.
 //!
 //! On a segment they are interpolated between its ends; free vertices take theirs from the triangle of the input's own
-//! constrained triangulation in which they lie. So a function that is linear over the drawing stays what it was, and no
-//! value leaves the range of those around it.
+//! constrained triangulation in which they lie. So a function that is linear over the drawing is kept, and every value
+//! lies within the range of those around it.
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Provenance};
 use crate::drawing::Pslg;
@@ -10,11 +10,11 @@ use crate::geometry::{Point, Segment, Triangle};
 use crate::half_edge::{FaceId, VertexId};
 use crate::locate::Locus;
 
-/// Where attributes are looked up.
+/// Computes attributes of vertices from those of the input.
 pub(super) struct Attributes<'a> {
     mesh: &'a ConstrainedTriangulation,
     pslg: &'a Pslg,
-    /// The input's own triangulation, where there are free vertices.
+    /// The constrained triangulation of the input alone, if there are free vertices.
     base: Option<ConstrainedDelaunay>,
 }
 
@@ -47,7 +47,7 @@ impl<'a> Attributes<'a> {
         let n = self.pslg.attribute_width();
         let given = |v: VertexId, k: usize| self.pslg.point_attributes.get(v.index() * n + k).copied().unwrap_or(0.0);
         for (k, value) in row.iter_mut().enumerate() {
-            // A single weight keeps the bits.
+            // A single weight copies the bits.
             *value = match weights {
                 [(v, _)] => given(*v, k),
                 _ => {

@@ -15,18 +15,18 @@ use crate::locate::Locus;
 /// What belongs to the domain of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DomainRule {
-    /// Triangle's reading: what the outside or a hole seed reaches without crossing a segment is removed.
+    /// As Triangle reads drawings: removes what the outside or a hole seed reaches without crossing a segment.
     ///
     /// A drawing without segments keeps its convex hull.
     #[default]
     Seeds,
-    /// Even–odd: kept is what lies behind an odd number of segments.
+    /// Even–odd: keeps what lies behind an odd number of segments.
     ///
     /// Segments drawn twice count twice. Where ways from outside cross different numbers, the least counts. A hole seed
     /// in a part behind an odd number removes that part, too; in one behind 2, 4, … it removes nothing more, as that
     /// part is a hole already; outside of all segments it is an error, as under [`Seeds`](Self::Seeds).
     Nesting,
-    /// The convex hull, less what hole seeds reach.
+    /// The convex hull, without what hole seeds reach.
     ///
     /// [`build`] takes vertices within rounding of a side of the hull as on it and leaves flat triangles there out.
     Hull,
@@ -108,7 +108,7 @@ pub fn build_exactly(
 }
 
 /// [`build_exactly`] with a step before the outside is removed: it makes the triangulation of the whole drawing
-/// conforming, and says how many pieces of segments it had to put in whole.
+/// conforming, and returns how many pieces of segments it had to put in whole.
 ///
 /// # Errors
 /// See [`build`].
@@ -129,8 +129,8 @@ pub(crate) fn build_conforming(
     carved(cdt, warnings, pslg, rule, |_, _| {})
 }
 
-/// Removes from a triangulation of a whole drawing what does not belong to the domain; `trim` may add to that where the
-/// domain is the convex hull.
+/// Removes everything outside the domain from the triangulation of a whole drawing; `trim` may add to the outside if
+/// the domain is the convex hull.
 fn carved(
     mut cdt: ConstrainedDelaunay,
     mut warnings: Vec<Warning>,
@@ -165,7 +165,7 @@ struct Outside {
 }
 
 impl Outside {
-    /// Whether a face is in a hole that the rule has found itself, without a seed.
+    /// Whether a face is in a hole that the rule itself has found, without a seed.
     fn is_hole(&self, f: FaceId) -> bool {
         self.is_outside[f.index()] && self.depth.as_ref().is_some_and(|depth| depth[f.index()] > 0)
     }
@@ -195,7 +195,7 @@ fn outside(cdt: &ConstrainedTriangulation, rule: DomainRule) -> Result<Outside, 
     Ok(Outside { is_outside: outside, depth: counted })
 }
 
-/// Adds what hole seeds reach to what is outside.
+/// Marks what hole seeds reach as outside.
 fn remove_holes(
     cdt: &ConstrainedTriangulation,
     holes: &[Point],
@@ -207,7 +207,7 @@ fn remove_holes(
     }
     let mut removed = outside.is_outside.clone();
     for (seed, &at) in holes.iter().enumerate() {
-        // Flat triangles at the hull are outside though no segment parts them from what is inside.
+        // Flat triangles at the hull are outside though no segment separates them from the inside.
         match seed_face(cdt, at, |f| !outside.is_outside[f.index()]) {
             SeedPlace::OnSegment => return Err(DomainError::SeedOnSegment { what: "hole", seed, at }),
             SeedPlace::Outside => warnings.push(Warning::IdleHole { seed, at }),
@@ -243,7 +243,7 @@ fn open_end(cdt: &ConstrainedTriangulation, outside: &[bool]) -> Option<OpenEnd>
 
 /// Where a seed lies.
 pub(super) enum SeedPlace {
-    /// In a face, or on an edge that parts nothing.
+    /// In a face, or on an edge that is not constrained.
     Face(FaceId),
     /// On a constrained edge, or on a vertex at which one ends.
     OnSegment,
@@ -273,7 +273,7 @@ pub(super) fn seed_face(cdt: &ConstrainedTriangulation, at: Point, is_inside: im
     }
 }
 
-/// What is odd about the points and segments.
+/// The warnings about points and segments.
 fn warnings_of(cdt: &ConstrainedTriangulation) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if let Some(&(d, r)) = cdt.duplicates().first() {

@@ -1,4 +1,4 @@
-//! Segments found again as chains of mesh edges.
+//! Finds segments again as chains of mesh edges.
 //!
 //! A file lists subsegments, not the segments they are pieces of. But splits are computed from a segment's original
 //! ends, and the rule for small angles asks which segment a vertex lies on. Two ways lead back:
@@ -30,7 +30,7 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 /// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
 const JOINT_ULPS: f64 = 4.0;
 
-/// An edge, whichever side it is named by.
+/// The half-edge that stands for an edge, given either of its two.
 pub(super) fn edge_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> HalfEdgeId {
     h.min(cdt.twin(h))
 }
@@ -56,7 +56,7 @@ impl Names {
     }
 }
 
-/// Whether a point is on a segment, or off it by no more than that many last places.
+/// Whether a point is off a segment by no more than `ulps` last places.
 fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
     on_segment(segment.start, segment.end, p)
         || segment.distance(p) <= ulps * math::last_place(segment.largest_coordinate())
@@ -101,12 +101,12 @@ struct Partial {
     edges: Vec<HalfEdgeId>,
 }
 
-/// Gives the names of segments that leave the domain to locked edges along them, each edge looked at by itself.
+/// Gives the names of segments that leave the domain to locked edges along them, each edge by itself.
 ///
-/// Where segments are within rounding of each other, edges run along several. A segment gets those that have no name
-/// yet where it has no edge of its own; what is left without a name, all segments along it. A segment may also come
-/// back along the edges of another: of what is inside it gets these, too, where it still has no edge. What is inside
-/// may be let go, and it is told from the names which segments are missing then. What is on the boundary stays.
+/// Where segments are within rounding of each other, an edge runs along several. A segment that has no edge of its own
+/// gets the edges along it that have no name yet; an edge that still has no name then gets all segments along it. A
+/// segment may also come back along the edges of another: if it still has no edge inside, it gets those inside, too.
+/// Edges inside may be released, and the names say which segments are missing then; edges on the boundary stay.
 fn name_between_gaps(
     cdt: &ConstrainedTriangulation,
     courses: &Courses<'_>,
@@ -122,7 +122,7 @@ fn name_between_gaps(
     add_along(cdt, courses, partial, &inner, names, true);
 }
 
-/// Adds those of some edges that run along segments to their edges: all, or those where a segment has none yet.
+/// Names edges by the segments that they run along: by all of them, or only by those that have no edge yet.
 fn add_along(
     cdt: &ConstrainedTriangulation,
     courses: &Courses<'_>,
@@ -219,7 +219,7 @@ impl EdgeList {
     }
 }
 
-/// The locked edges of a mesh, and all, which are listed when they are first asked for.
+/// The locked edges of a mesh, and all edges, which are listed when they are first needed.
 struct EdgeLists<'a> {
     cdt: &'a ConstrainedTriangulation,
     locked: EdgeList,
@@ -276,7 +276,7 @@ impl<'a> EdgeLists<'a> {
         false
     }
 
-    /// Adds the edges of a leg from both ends as far as they lead; says that it is not whole.
+    /// Adds the edges of a leg from both ends as far as they lead; returns false, for it is not whole.
     fn partial_leg(
         &self,
         courses: &Courses<'_>,
@@ -285,7 +285,7 @@ impl<'a> EdgeLists<'a> {
         found: &mut BTreeSet<HalfEdgeId>,
     ) -> bool {
         let mut from = ends;
-        // Only where edges are listed is it known that they were led through vertices beside the segment.
+        // Only listed edges are known to have been led through vertices beside the segment.
         for (edges, beside) in
             [(&self.locked, Beside::Refused), (&self.locked, courses.beside()), (self.all(), Beside::Refused)]
         {
@@ -308,7 +308,7 @@ pub(super) struct Chain {
 
 /// Joins the locked edges that no segment names into chains that are straight, sorted by their vertices.
 ///
-/// `may_join` tells at which vertices chains need not end.
+/// `may_join` says at which vertices chains need not end.
 ///
 /// # Complexity
 /// n log n for straight runs; runs that bend everywhere by rounding only cost more, n² at worst.

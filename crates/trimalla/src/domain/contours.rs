@@ -1,4 +1,4 @@
-//! Contours: an outer ring and holes, told apart by orientation.
+//! Contours: an outer ring and holes, distinguished by orientation.
 
 use super::error::DomainError;
 use super::flood::flood;
@@ -7,12 +7,12 @@ use crate::delaunay::{AlgorithmKey, along_curve};
 use crate::geometry::{Orientation, Point, Ring, lexicographic};
 use crate::half_edge::{FaceId, NoJournal, VertexId};
 
-/// In which order contours, their edges and the other points go in; the triangulation is the same.
+/// The order in which contours, their edges and the other points are inserted; the triangulation does not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ContourOrder {
-    /// As suits the algorithm. With the incremental one the vertices of all contours go in first, then the edges, the
-    /// outer contour's first, and then the other points; with divide and conquer all points, then the edges.
+    /// The order that suits the algorithm. With the incremental one the vertices of all contours go in first, then the
+    /// edges, the outer contour's first, and then the other points; with divide and conquer all points, then the edges.
     #[default]
     ByAlgorithm,
     /// Holes first, then the outer contour, vertex and edge alternating, and then the other points: each edge crosses
@@ -37,7 +37,7 @@ pub struct Contours {
     pub outer: Option<Vec<VertexId>>,
     /// Holes, clockwise.
     pub holes: Vec<Vec<VertexId>>,
-    /// The order in which all goes in.
+    /// The order of insertion.
     pub order: ContourOrder,
 }
 
@@ -45,8 +45,8 @@ impl Contours {
     /// Triangulates the points with the contours as constraints and carves away what lies to their right.
     ///
     /// With the incremental algorithm the contours go in first, and the other points after them: each segment then
-    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] has another order to choose.
-    /// The triangulation is the same; its segments are numbered as [`segments`](Self::segments) lists them.
+    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] offers another order. The
+    /// triangulation does not depend on it; segments are numbered as [`segments`](Self::segments) lists them.
     ///
     /// # Errors
     /// [`DomainError`]: a contour that is flat or runs the wrong way; a hole that removes nothing, since it lies
@@ -165,7 +165,7 @@ impl Contours {
         let mut cdt = ConstrainedDelaunay::from_delaunay_triangulation(t);
         for (_, ring) in self.rings_in_order() {
             let ring: Vec<VertexId> = ring.iter().map(|&v| lowest.name(points[v.index()], v)).collect();
-            // The error names all that cross, as it does where all edges go in together.
+            // The error names all pairs that cross, as when all edges go in together.
             alternate(&mut cdt, &ring).or_else(|one| self.contours_first(points).and(Err(one.into())))?;
         }
         use_vertices(&mut cdt, along_curve(points));

@@ -1,8 +1,7 @@
 //! The courses of a drawing's segments through the edges of a mesh.
 //!
-//! [`Strip`] says which chains of edges count as a segment; here they are looked for, by whoever needs them: the
-//! comparison of a mesh with its drawing and the reading of a mesh that is refined again. So both accept the same
-//! meshes.
+//! [`Strip`] says which chains of edges count as a segment; this file finds them, for the comparison of a mesh with its
+//! drawing and for the reading of a mesh that is refined again. So both accept the same meshes.
 //!
 //! A *course* has stops: the two ends of the segment and the input vertices exactly on it, in order. A *leg* leads from
 //! one stop to another over edges whose vertices lie in the strip and advance strictly, so it has no loops.
@@ -14,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use crate::constrained::Beside;
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, lexicographic, on_segment};
 
-/// Which vertices an edge joins to each vertex.
+/// The neighbours of each vertex.
 #[derive(Clone, Debug)]
 pub(crate) struct Adjacency {
     /// Where the spokes of each vertex begin; one entry more than there are vertices.
@@ -24,7 +23,7 @@ pub(crate) struct Adjacency {
 }
 
 impl Adjacency {
-    /// That of some edges between so many vertices.
+    /// The adjacency of some edges between `vertices` vertices.
     ///
     /// # Complexity
     /// Linear, and n log n in the degree of each vertex.
@@ -182,7 +181,7 @@ impl<'a> Courses<'a> {
         self.search(course, [from, to], edges, beside)
     }
 
-    /// Breadth first, lower vertices first.
+    /// Breadth-first search, lower vertices first.
     fn search(&self, course: &Course, [from, to]: [u32; 2], edges: &Adjacency, beside: Beside) -> Leg {
         let mut leg = Leg { ends: [from, to], came_by: BTreeMap::new(), arcs: Vec::new(), farthest: from };
         let mut next = VecDeque::from([from]);

@@ -1,4 +1,4 @@
-//! Why a drawing has no domain, and what is odd about it.
+//! Why a drawing has no domain, and warnings about it.
 
 use crate::constrained::ConstraintError;
 use crate::drawing::DrawingError;
@@ -12,7 +12,7 @@ pub enum DomainError {
     /// Points or segments are at fault.
     #[error(transparent)]
     Constraint(#[from] ConstraintError),
-    /// Columns or seeds are.
+    /// Columns or seeds are at fault.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
     /// No three points span a triangle.
@@ -21,7 +21,7 @@ pub enum DomainError {
         /// How many points there are.
         points: usize,
     },
-    /// Nothing is left inside: the outside comes in without crossing a segment, and hole seeds take the rest.
+    /// Nothing is left inside: what the outside reaches without crossing a segment, and what hole seeds reach, is all.
     #[error("the domain is empty: the outside comes in without crossing a segment{}; close the outline, or keep the convex hull", at_open_end(*.end))]
     OpenOutline {
         /// A vertex that the outside reaches, at which just one segment ends; the lowest of them.
@@ -108,7 +108,7 @@ pub enum NearFeature {
     Segment(u32),
 }
 
-/// Something odd about a drawing that did not keep it from being meshed.
+/// Something unusual in a drawing that did not keep it from being meshed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
@@ -165,7 +165,7 @@ pub enum Warning {
         /// How many pieces.
         pieces: usize,
     },
-    /// A hole seed outside the convex hull or in what another seed removed; of no effect.
+    /// A hole seed outside the convex hull, or in a part that another seed removed; of no effect.
     IdleHole {
         /// Index of the seed.
         seed: usize,

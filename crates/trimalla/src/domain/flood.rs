@@ -1,4 +1,4 @@
-//! Floods over faces: what can be reached without crossing a segment, and how deep it lies.
+//! Flood fill over faces: those that can be reached without crossing a segment, and the depth of each.
 
 use std::collections::VecDeque;
 
@@ -7,7 +7,7 @@ use crate::triangulation::Triangulation;
 
 /// Marks every face that can be reached from `start` without crossing a constrained edge or a marked face.
 ///
-/// Ghosts are faces like others. Returns how many faces were marked.
+/// Ghosts count as faces. Returns how many faces were marked.
 pub(super) fn flood(t: &Triangulation, start: impl IntoIterator<Item = FaceId>, marked: &mut [bool]) -> usize {
     let mut stack: Vec<FaceId> = Vec::new();
     let mut count = 0;

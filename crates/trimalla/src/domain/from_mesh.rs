@@ -1,4 +1,4 @@
-//! A mesh taken up again: its triangles as they are, its segments found again.
+//! Takes a mesh up again: keeps its triangles as they are and finds its segments again.
 //!
 //! 1. The mesh is checked by [`check_mesh`](crate::triangulation::check_mesh), and against the vertices of its drawing
 //!    where there is one. Its triangles become the faces; nothing is triangulated anew.
@@ -7,7 +7,7 @@
 //! 3. Segments are found again as chains of edges: see `chains.rs`. Locked edges that belong to none become segments of
 //!    their own, named after those of the drawing, so that splits are computed from ends as far apart as can be.
 //! 4. Provenances are found again: see `shells.rs`. With the drawing, vertices after its own are Steiner vertices;
-//!    without, which are is not known, and every vertex counts as input.
+//!    without it, every vertex counts as input.
 //! 5. Attributes make regions, area bounds too: see `given.rs`.
 
 use super::chains::{Chain, Locked, edge_of, follow, rejoin};
@@ -27,9 +27,9 @@ pub struct FromMesh {
     /// Its triangles, closed by their boundary. Constrained Delaunay only if the mesh is:
     /// [`ConstrainedDelaunay`](crate::constrained::ConstrainedDelaunay), made from it, is.
     pub cdt: ConstrainedTriangulation,
-    /// What plain arrays hold and the triangulation does not, to be handed to the result.
+    /// Data of the mesh that the triangulation does not hold, for the result.
     pub given: Given,
-    /// What was odd, and what was assumed.
+    /// Warnings about the mesh, and what was assumed.
     pub warnings: Vec<Warning>,
 }
 
@@ -76,7 +76,7 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     let markers = name_segments(&mut cdt, &locked, input, &mut warnings);
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
     shells::recover(&mut cdt, unknown);
-    cdt.look_outside();
+    cdt.triangulate_outside();
     let given = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
     if input.is_none() {
         warnings.extend(pieces(&cdt));
@@ -199,7 +199,7 @@ fn marker_of(pslg: &Pslg, segment: usize) -> i32 {
     pslg.segment_markers.get(segment).copied().unwrap_or(0)
 }
 
-/// Says what was joined, and what the drawing does not know.
+/// Adds warnings about joined subsegments, and about those on no segment of the drawing.
 fn note_chains(cdt: &ConstrainedTriangulation, chains: &[Chain], has_drawing: bool, warnings: &mut Vec<Warning>) {
     if has_drawing {
         let boundaries = |v: &[VertexId]| {
@@ -219,7 +219,7 @@ fn note_chains(cdt: &ConstrainedTriangulation, chains: &[Chain], has_drawing: bo
     }
 }
 
-/// A word where the triangles hang together in several pieces only.
+/// A warning if the mesh falls into several pieces.
 fn pieces(cdt: &ConstrainedTriangulation) -> Option<Warning> {
     let mut seen = vec![false; cdt.face_slots()];
     let mut pieces = 0;

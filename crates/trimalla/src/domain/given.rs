@@ -1,9 +1,9 @@
-//! What a given mesh hands to the mesh that comes out of it: attributes, markers, area bounds, holes.
+//! Data that a given mesh hands to its result: attributes, markers, area bounds, holes.
 //!
 //! Each combination of triangle attributes, and of the drawing's region seed where there is one, is a region; splits
 //! hand regions down, and no flip crosses the edges between them, which are locked. Where area bounds come triangle by
 //! triangle, each given triangle is a region of its own, and flips may carry a face from one to another: its attributes
-//! are the same, and its bound is looked up by its place (`constrained/area_map.rs`).
+//! are equal, and its bound is looked up by its place (`constrained/regions.rs`).
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::drawing::{IndexedMesh, Pslg};
 use crate::half_edge::{FaceId, NoJournal};
 use crate::triangulation::Triangulation;
 
-/// What plain arrays hold and a triangulation does not, kept for the result.
+/// Data of a given mesh that a triangulation does not hold, kept for the result.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Given {
     /// Points, segments, markers and holes as [`ConstrainedTriangulation::to_indexed`] wants them.
@@ -32,7 +32,7 @@ pub struct Given {
 }
 
 impl Given {
-    /// The mesh as plain arrays, as [`ConstrainedTriangulation::to_indexed`] gives it, with what was given.
+    /// The mesh as [`ConstrainedTriangulation::to_indexed`] gives it, with the data of the given mesh.
     ///
     /// # Guarantees
     /// The vertices of the given mesh come first, in order, bit for bit, with their attributes and markers; a triangle
@@ -57,8 +57,8 @@ impl Given {
         mesh
     }
 
-    /// Puts subsegments into the order and direction of those given; the parts of one that was split in its place, from
-    /// end to end, and those that were not listed last.
+    /// Puts subsegments into the order and direction of the given ones. The parts of a split subsegment take its place,
+    /// from end to end; subsegments that were not listed come last.
     fn put_subsegments_in_order(&self, mesh: &mut IndexedMesh) {
         let mut given: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
         for (index, &[a, b]) in self.subsegments.iter().enumerate() {
@@ -84,7 +84,7 @@ impl Given {
             }
             placed.extend(run.into_iter().map(|(ends, marker)| (index, ends, marker)));
         }
-        // Stable: parts of one stay in order.
+        // Stable: the parts of one subsegment stay in order.
         placed.sort_by_key(|&(index, ..)| index);
         (mesh.segments, mesh.segment_markers) = placed.into_iter().map(|(_, ends, marker)| (ends, marker)).unzip();
     }
@@ -176,7 +176,7 @@ fn number_regions(cdt: &mut ConstrainedTriangulation, faces: Vec<FaceRule>, shar
     cdt.set_regions(rules, &mut NoJournal);
 }
 
-/// The drawing that the result is written by: points that count as input, segments, markers, holes.
+/// The drawing that the result is written with: points that count as input, segments, markers, holes.
 fn drawing(mesh: &IndexedMesh, input: Option<&Pslg>, segment_markers: Vec<i32>) -> Pslg {
     let points = input.map_or(&mesh.points, |pslg| &pslg.points).clone();
     let own = !mesh.point_attributes.is_empty();

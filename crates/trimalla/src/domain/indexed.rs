@@ -27,7 +27,7 @@ impl ConstrainedTriangulation {
         IndexedMesh { points, triangles, ..self.indexed_around(pslg, &kept) }
     }
 
-    /// [`to_indexed`](Self::to_indexed), which takes the memory over where all vertices are kept.
+    /// [`to_indexed`](Self::to_indexed) that reuses the allocations if all vertices are kept.
     #[must_use]
     pub fn into_indexed(self, pslg: &Pslg) -> IndexedMesh {
         let kept = Kept::of(&self);
@@ -39,7 +39,7 @@ impl ConstrainedTriangulation {
         IndexedMesh { points, triangles, ..mesh }
     }
 
-    /// All but points and triangles.
+    /// The mesh without its points and triangles.
     fn indexed_around(&self, pslg: &Pslg, kept: &Kept) -> IndexedMesh {
         let subsegments = self.subsegments(pslg);
         let mut mesh = IndexedMesh {
@@ -89,7 +89,7 @@ impl ConstrainedTriangulation {
         // end.
         let mut places = vec![0_usize; count + 2];
         let mut found = Vec::new();
-        // Not collected: edge by edge the nested iterators would be a machine of states.
+        // A loop instead of `collect`: the nested iterators would compile to a state machine.
         self.marked_edges().for_each(|h| {
             let segment = self.first_segment_of(h).map_or(count, |segment| segment as usize);
             places[segment + 1] += 1;
@@ -107,8 +107,8 @@ impl ConstrainedTriangulation {
         (sorted, places)
     }
 
-    /// What a piece of a segment, or of none, is. Its marker: that of its lowest segment with one; 1 on the boundary, 0
-    /// inside otherwise.
+    /// The subsegment of an edge. Its marker is that of its lowest segment with a marker other than 0; else 1 on the
+    /// boundary, 0 inside.
     fn subsegment(&self, h: HalfEdgeId, segment: Option<u32>, markers: &[i32]) -> Subsegment {
         let on_boundary = self.is_boundary_edge(h);
         let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
@@ -151,7 +151,7 @@ impl ConstrainedTriangulation {
 }
 
 impl ConstrainedDelaunay {
-    /// [`to_indexed`](ConstrainedTriangulation::to_indexed), which takes the memory over where all vertices are kept.
+    /// [`to_indexed`](ConstrainedTriangulation::to_indexed) that reuses the allocations if all vertices are kept.
     #[must_use]
     pub fn into_indexed(self, pslg: &Pslg) -> IndexedMesh {
         ConstrainedTriangulation::from(self).into_indexed(pslg)
@@ -174,7 +174,7 @@ enum Kept {
     All {
         count: usize,
     },
-    /// Those kept, and the output id of each slot.
+    /// The kept vertices, and the output id of each slot.
     Some {
         vertices: Vec<VertexId>,
         ids: Vec<u32>,

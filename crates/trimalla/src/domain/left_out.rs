@@ -1,11 +1,11 @@
-//! What a drawing has and its mesh has not, told as warnings.
+//! Warnings about what a drawing has and its mesh does not.
 
 use super::error::Warning;
 use crate::constrained::ConstrainedTriangulation;
 use crate::drawing::Pslg;
 use crate::half_edge::VertexId;
 
-/// What of a drawing is not in its carved triangulation: vertices and segments outside, markers under others.
+/// Warnings about vertices and segments outside a carved triangulation, and about markers hidden by others.
 ///
 /// # Complexity
 /// Linear in vertices and edges, a sort of the spans where segments overlap, and the segments of each.
@@ -41,7 +41,7 @@ fn counted(all: impl Iterator<Item = u32>) -> Option<(usize, Vec<u32>)> {
     (count > 0).then_some((count, first))
 }
 
-/// What of the segments of a drawing is found in a mesh.
+/// Which segments of a drawing, and whose markers, a mesh has.
 struct Found {
     /// Whether an edge is part of each segment.
     is_there: Vec<bool>,
@@ -55,7 +55,7 @@ impl Found {
     fn of(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Self {
         let n = pslg.segments.len();
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
-        // Edges of one span are parts of the same segments, which are computed: each span is looked at once.
+        // Edges of one span are parts of the same segments, which are computed: so once for each span.
         let mut spans = Vec::new();
         cdt.marked_edges().for_each(|h| match cdt.listed_segments(cdt.mark(h)) {
             Some(list) => found.look_at_class(list, pslg),

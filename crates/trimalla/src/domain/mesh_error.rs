@@ -8,7 +8,7 @@ use crate::triangulation::MeshFault;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// It is no mesh: every fault, with triangles, vertices and coordinates.
+    /// It is not a sound mesh: every fault, with triangles, vertices and coordinates.
     #[error("{}", first_few(.0))]
     Faults(Vec<MeshFault>),
     /// There is nothing to refine.
@@ -36,7 +36,7 @@ pub enum MeshError {
         /// Its bound.
         bound: f64,
     },
-    /// The drawing has vertices that the mesh has not.
+    /// The drawing has vertices that the mesh lacks.
     #[error("the mesh has {found} vertices, fewer than the {expected} of the drawing")]
     FewerVertices {
         /// Vertices of the mesh.

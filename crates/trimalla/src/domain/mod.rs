@@ -1,13 +1,13 @@
 //! Domains: planar straight-line graphs, contours, holes, and what is kept of a triangulation.
 //!
-//! A [`Pslg`](crate::drawing::Pslg) is what a caller or a file says. [`build()`] triangulates it and carves away what
+//! A [`Pslg`](crate::drawing::Pslg) is an unchecked drawing. [`build()`] triangulates it and carves away what
 //! the [`DomainRule`] puts outside:
 //!
 //! | rule | kept |
 //! |---|---|
 //! | `seeds` | what cannot be reached from outside the hull or from a hole seed without crossing a segment |
-//! | `nesting` | what lies behind an odd number of segments, counted from outside, but what hole seeds reach |
-//! | `hull` | the convex hull, but what hole seeds reach |
+//! | `nesting` | what lies behind an odd number of segments, counted from outside, without what hole seeds reach |
+//! | `hull` | the convex hull, without what hole seeds reach |
 //!
 //! [`from_mesh()`] takes up a mesh that exists, triangle by triangle, and finds its segments again.
 //!

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!        inside  ║ outside ║  inside         Two parts were meant to share a side. The mesh keeps both sides as they are,
-//!                ║ <─────> ║                 and nothing refines what is outside, so that nobody would learn of the gap.
+//!                ║ <─────> ║                 and nothing refines the outside, so that the gap would not be seen.
 //! ```
 //!
 //! Gaps inside the domain show in its mesh, and the forecast names those.

@@ -16,7 +16,7 @@ impl ConstrainedTriangulation {
     /// Linear in the faces, times the greatest number of segments that share an edge.
     ///
     /// # Source
-    /// The end of `CDTFace` in `[Vigo97]`, section 5. [`build`](super::build()) does the same to a drawing under
+    /// The end of `CDTFace` in `[Vigo97]`, section 5. [`build`](super::build()) applies it to a drawing under
     /// [`DomainRule::Nesting`](super::DomainRule::Nesting).
     ///
     /// # Examples

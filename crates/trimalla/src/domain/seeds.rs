@@ -1,7 +1,7 @@
-//! On which side of a segment a seed lies that is within rounding of it.
+//! The side of a segment on which a seed within rounding of it lies.
 //!
 //! Splits and crossings bend a segment by some last places. A seed that the drawing has beside the segment may then lie
-//! exactly on an edge of it, or across. So the side is told by the segment of the drawing, not by the edge:
+//! exactly on an edge of it, or across. So the side is decided by the segment of the drawing, not by the edge:
 //!
 //! ```text
 //!             v                     the seed s lies left of the segment a–b, and right of its edges, which were
@@ -14,13 +14,13 @@ use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Orientation, Point, Segment, Strip, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
-/// A seed may lie across two edges of a triangle, and those of the next.
+/// A seed may lie across two edges of a triangle, and across those of the next triangle.
 const MOST_STEPS: usize = 8;
 
 /// On which side of the segment of a constrained edge a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
-    /// On that of the face of the half-edge.
+    /// On the side of the half-edge's face.
     Inside,
     On,
     Outside,

@@ -1,4 +1,4 @@
-//! Where the vertices of a mesh come from, as far as it shows.
+//! Provenances of the vertices of a mesh, found by their places.
 //!
 //! A file keeps places, not provenances. A vertex inside one segment was put on it by a split; one inside two that run
 //! different ways is their crossing; any other is free. A split was made on a shell, a circle around an end where

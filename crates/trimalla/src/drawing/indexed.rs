@@ -34,7 +34,7 @@ pub struct IndexedMesh {
     pub input_points: usize,
 }
 
-/// What triangles share.
+/// Edges and neighbours.
 ///
 /// Triangles with an index out of range, or one twice, are passed over.
 impl IndexedMesh {

@@ -1,4 +1,4 @@
-//! Drawings and meshes as plain arrays: what callers and files say, and what they get.
+//! Drawings and meshes as plain arrays: the input and output of callers and files.
 //!
 //! A [`Pslg`] is a drawing: points, segments between them, hole and region seeds. An [`IndexedMesh`] is a mesh. Neither
 //! is checked before it is used, and neither needs a triangulation.

@@ -18,7 +18,7 @@ pub struct Region {
 ///
 /// # Shape
 /// Marker and attribute columns are empty or have one entry (`attributes_per_point` entries) an element.
-/// Nothing is checked here: `Pslg` is what a caller or a file says.
+/// A `Pslg` holds what a caller or a file says, unchecked; [`validate`](Self::validate) and triangulation check it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pslg {
     /// Input vertices; a vertex is named by its index here, always.
@@ -41,7 +41,7 @@ pub struct Pslg {
 }
 
 impl Pslg {
-    /// How many attributes a vertex has: none where the column is empty, whatever it is said to hold.
+    /// The attributes of a vertex: 0 if the column is empty, whatever `attributes_per_point` says.
     pub(crate) fn attribute_width(&self) -> usize {
         if self.point_attributes.is_empty() { 0 } else { self.attributes_per_point }
     }

@@ -1,8 +1,8 @@
-//! Boxes in a balanced tree, and which of them a segment comes near.
+//! A balanced tree of boxes, which finds the boxes near a segment.
 //!
-//! The boxes are halved at the median of their middles, along the longer side of what holds them, until few are left. A
-//! segment is compared with a node by exact signs: the node is passed over where its box is apart from that of the
-//! segment, or where all four corners lie strictly on one side of the line.
+//! The boxes are halved at the median of their middles, along the longer side of the box around them, until few are
+//! left. A segment is compared with a node by exact signs: the node is skipped if its box and that of the segment have
+//! no point in common, or if all four corners lie strictly on one side of the line.
 
 use super::{BoundingBox, Orientation, Point, Segment, orient2d};
 
@@ -88,7 +88,7 @@ impl BoxTree {
                 continue;
             }
             if upper == 0 {
-                // Few are left: whoever asks looks closer.
+                // Few are left: the caller tests them.
                 let meets = |i: &&u32| grown(self.boxes[**i as usize]).meets(segment_bounds);
                 found.extend(self.order[first..end].iter().filter(meets));
             } else {

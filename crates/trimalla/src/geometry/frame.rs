@@ -15,7 +15,7 @@ const SHRINK: f64 = 0.125;
 const ORDINARY: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
-/// The largest of a number and the magnitudes of two others; what is no number does not count.
+/// The largest of a number and the magnitudes of two others; NaN is ignored.
 #[inline(always)]
 fn larger(most: f64, x: f64, y: f64) -> f64 {
     let greater = |a: f64, b: f64| if b > a { b } else { a };

@@ -26,7 +26,7 @@ pub fn hilbert_key_16(x: u16, y: u16) -> u32 {
     key
 }
 
-/// The key of a cell of the grid of 2^32 by 2^32 cells; as [`hilbert_key_16`] otherwise.
+/// The key of a cell of the 2^32 by 2^32 grid; a bijection, in which cells of successive keys share a side.
 #[must_use]
 #[inline]
 pub fn hilbert_key_32(x: u32, y: u32) -> u64 {

@@ -1,4 +1,4 @@
-//! Arithmetic for one number, or for two side by side, as processors do it at the price of one.
+//! Arithmetic on one number, or on two at once in a vector register.
 
 use core::ops::{Add, Mul, Sub};
 

@@ -89,8 +89,7 @@ impl Segment {
     /// The parameter that stands for `p`, a rounded point of the segment: that of the nearest point, or the one with
     /// the fewest bits among those that rounding cannot tell from it, if [`at`](Self::at) gives back `p` for that.
     ///
-    /// So the parameter is told by the point alone, and is still a half or a quarter where the point was computed from
-    /// one.
+    /// So the parameter depends on the point only, and is still a half or a quarter if the point was computed from one.
     #[must_use]
     pub fn parameter_of(self, p: Point) -> f64 {
         let nearest = self.nearest_parameter(p);

@@ -22,8 +22,8 @@
 //! 2. the chain is monotone: the feet of its vertices on the line strictly advance, see [`Strip::order`];
 //! 3. input vertices exactly on the segment are vertices of the chain;
 //! 4. other input vertices are not, and the chain has each on the side where the segment has it. But in a drawing whose
-//!    segments cross and are split, an input vertex within [`Strip::PARTING_PLACES`] may be where an edge is parted, as
-//!    the hot-pixel rule of snap rounding has it, and an input vertex in the strip may be on either side.
+//!    segments cross and are split, an edge may be split at an input vertex within [`Strip::PARTING_PLACES`], as the
+//!    hot-pixel rule of snap rounding has it, and an input vertex in the strip may be on either side.
 //!
 //! # Why constructed vertices keep the rule
 //! Write `u = 2^-53` for the relative error of one rounding, so that a last place of `M` is `2 u M`.
@@ -46,13 +46,12 @@
 //! and a vertex inserted exactly on it.
 //!
 //! *Everything else* is proved where it is made, by [`Strip::contains`] itself: a vertex through which a segment is
-//! led, a crossing of pieces that were bent before, a split point of a bent piece or of overlapping segments. None is
-//! taken that fails. So errors never add up, however often pieces are parted.
+//! led, a crossing of pieces that were bent before, a split point of a bent piece or of overlapping segments. A point
+//! that fails is never taken. So errors never add up, however often pieces are split.
 //!
 //! *An input vertex keeps its side* where an edge is split: the triangles that the split makes are proved
-//! counter-clockwise. Where a segment that was let go is brought back, a place for a split is taken only if no input
-//! vertex lies in the triangle between the piece and its two parts, and pieces that rounding made cross meet at no
-//! input vertex.
+//! counter-clockwise. Where a released segment is recovered, a place for a split is taken only if no input vertex lies
+//! in the triangle between the piece and its two parts, and pieces that rounding made cross meet at no input vertex.
 //!
 //! *At both ends of the range* nothing changes: the last place is at least the smallest number, which is what an
 //! underflow costs, and the strip is compared in sums of exact products, which do not overflow.
@@ -84,7 +83,7 @@ impl Strip {
     /// How far a vertex of a segment's chain may be off the segment, in last places of each coordinate.
     pub const LAST_PLACES: f64 = 16.0;
 
-    /// How far from its segments a vertex may be at which an edge is parted, in last places: what is left to
+    /// How far from its segments a vertex may be at which an edge is split, in last places: what is left to
     /// [`LAST_PLACES`](Self::LAST_PLACES) is for later splits.
     pub const PARTING_PLACES: f64 = 12.0;
 

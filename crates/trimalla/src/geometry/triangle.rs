@@ -208,8 +208,8 @@ impl Triangle {
         [Vector::new(c.x - b.x, c.y - b.y), c, b].map(Vector::length_sq)
     }
 
-    /// The same where the plain differences are good enough, as nearly always: then no other frame than a plain one is
-    /// needed at any corner.
+    /// The squared edge lengths from plain differences, where these are good enough, as nearly always: then no other
+    /// frame than a plain one is needed at any corner.
     #[inline]
     fn plain_lengths_sq(&self) -> Option<[f64; 3]> {
         let [a, b, c] = self.corners;
@@ -250,7 +250,7 @@ fn opposite_longest(lengths: [f64; 3], corners: [Point; 3]) -> usize {
     if (p == q) | (q == r) | (r == p) {
         return opposite_longest_of_equals(lengths, corners);
     }
-    // Chosen, not branched on: which one it is nobody can guess.
+    // A selection instead of a branch, which would be unpredictable.
     let (longer, of_two) = if q > p { (q, 1) } else { (p, 0) };
     if r > longer { 2 } else { of_two }
 }

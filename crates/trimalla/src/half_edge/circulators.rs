@@ -19,7 +19,7 @@ impl Iterator for Star<'_> {
     fn next(&mut self) -> Option<HalfEdgeId> {
         let h = self.current?;
         let n = self.mesh.ccw(h);
-        // A star longer than the mesh means broken twins; ending is kinder than looping.
+        // A star longer than the mesh means broken twins: ends instead of looping for ever.
         self.left = self.left.saturating_sub(1);
         self.current = (n != self.first && self.left > 0).then_some(n);
         Some(h)
@@ -92,7 +92,8 @@ impl HalfEdgeMesh {
         self.edges_around(v).count()
     }
 
-    /// Whether a ghost lies at `v`: on the hull, or on the boundary of a domain. Not so for a vertex without edges.
+    /// Whether `v` lies on the hull or on the boundary of a domain: then it has a ghost. `false` for a vertex without
+    /// edges.
     ///
     /// # Complexity
     /// The degree of `v`.
@@ -107,9 +108,8 @@ impl HalfEdgeMesh {
     /// Where the boundary passes through `v` several times, it is the first one counter-clockwise from
     /// [`outgoing`](Self::outgoing).
     ///
-    /// The source keeps this half-edge as that of every vertex on the hull, "whenever possible". Here the vertex keeps
-    /// any of its half-edges, since flips and insertions are faster so, and the boundary one is found when it is asked
-    /// for.
+    /// The source keeps this half-edge at every vertex on the hull, "whenever possible". Here a vertex keeps any of its
+    /// half-edges, which makes flips and insertions faster, and this method looks for the boundary one.
     ///
     /// # Complexity
     /// The degree of `v`.

@@ -16,7 +16,7 @@ impl HalfEdgeMesh {
         (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(move |&h| is_finite(h))
     }
 
-    /// The edge that a half-edge is a side of: the same one for its twin. `None` for the half-edges of no finite edge.
+    /// The edge of a half-edge and of its twin; `None` where the half-edge belongs to no finite edge.
     #[must_use]
     pub fn edge_of(&self, h: HalfEdgeId) -> Option<EdgeId> {
         if !self.is_alive(h.face()) {
@@ -25,12 +25,12 @@ impl HalfEdgeMesh {
         [h, self.twin(h)].into_iter().find(|&h| self.stands_for_edge(h)).map(|h| EdgeId(h.0))
     }
 
-    /// One half-edge of every finite edge: the one of a real face, the lower one where both are.
+    /// One half-edge of every finite edge: the one in a real face; where both are, the lower one.
     pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
     }
 
-    /// Of the [`edges`](Self::edges) those that carry a constraint mark.
+    /// Those [`edges`](Self::edges) that carry a constraint mark.
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         // Most faces have no mark at all.
         let faces = self.mark.iter().enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
@@ -50,15 +50,16 @@ impl HalfEdgeMesh {
         self.is_named_by([stored(h), stored(h.next()), stored(h.prev())], h)
     }
 
-    /// [`stands_for_edge`](Self::stands_for_edge), where what is stored of the half-edge, the next one and the last one
-    /// is known.
+    /// [`stands_for_edge`](Self::stands_for_edge) for a caller that has the records of the half-edge, the next one and
+    /// the last one.
     #[inline(always)] // In loops over all edges.
     fn is_named_by(&self, corners: [HalfEdge; 3], h: HalfEdgeId) -> bool {
         let ([a, b, apex], t) = (corners.map(|corner| corner.origin), corners[0].twin);
         if a == VertexId::DEAD || !a.is_finite() || !b.is_finite() {
             return false;
         }
-        // Between two finite ends a face is a ghost by its apex. The face across is looked at only where it matters.
+        // A face with two finite ends is a ghost if its apex is infinite. The face across is read only where it
+        // matters.
         match (apex.is_finite(), h < t) {
             (true, true) => true,
             (true, false) => !self.apex(t).is_finite(),

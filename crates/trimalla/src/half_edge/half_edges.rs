@@ -1,13 +1,13 @@
-//! The flat half-edge arrays and the only functions that write them, but for slots that come and go ([`super::slots`]).
+//! The flat half-edge arrays and the functions that write them; [`super::slots`] appends and frees slots.
 
 use super::circulators::Star;
 use super::ids::{FaceId, HalfEdgeId, VertexId};
 use super::journal::{Entry, Journal, columns};
 
-/// Spokes of one vertex that are looked at before those of the other are looked at too.
+/// How many spokes of one vertex are searched before the search goes on at both vertices in turn.
 const FIRST_SPOKES: usize = 16;
 
-/// What is stored of a half-edge; side by side, as whoever reads or writes one needs the other.
+/// The record of a half-edge: both fields are nearly always read and written together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct HalfEdge {
     pub(super) origin: VertexId,
@@ -15,7 +15,7 @@ pub(super) struct HalfEdge {
 }
 
 impl HalfEdge {
-    /// In a dead slot.
+    /// The record in a dead slot.
     pub(super) const DEAD: Self = Self { origin: VertexId::DEAD, twin: HalfEdgeId::NONE };
 }
 
@@ -43,7 +43,7 @@ pub struct HalfEdgeMesh {
 /// Whether none of a slot's vertices is dead or at infinity: those two ids are above all others.
 #[inline]
 fn are_ordinary(slot: &[HalfEdge]) -> bool {
-    // The greatest is asked: nearly all slots hold a face, so that three questions are more than one.
+    // One comparison of the maximum replaces three.
     slot.iter().fold(VertexId(0), |greatest, h| greatest.max(h.origin)) < VertexId::DEAD
 }
 
@@ -133,14 +133,14 @@ impl HalfEdgeMesh {
         self.face(f).map(|h| h.origin)
     }
 
-    /// What is stored of the vertices of a slot, if there is such a slot.
+    /// The vertices in the record of a slot; `None` where there is no such slot.
     #[inline]
     pub(crate) fn vertices_in_slot(&self, f: FaceId) -> Option<[VertexId; 3]> {
         let k = f.index() * 3;
         self.half_edges.get(k..k + 3).map(|stored| [stored[0].origin, stored[1].origin, stored[2].origin])
     }
 
-    /// What is stored of a face's half-edges.
+    /// The records of a face's half-edges.
     #[inline(always)]
     pub(super) fn face(&self, f: FaceId) -> [HalfEdge; 3] {
         let k = f.index() * 3;
@@ -210,13 +210,13 @@ impl HalfEdgeMesh {
         self.face_slots() - self.free_faces.len()
     }
 
-    /// Slots freed and not yet used again, the next one to be used last.
+    /// Face slots that are free, the next one to be used last.
     #[must_use]
     pub fn free_faces(&self) -> &[FaceId] {
         &self.free_faces
     }
 
-    /// Vertex slots freed and not yet used again.
+    /// Vertex slots that are free.
     #[must_use]
     pub fn free_vertices(&self) -> &[VertexId] {
         &self.free_vertices
@@ -241,8 +241,8 @@ impl HalfEdgeMesh {
         real.map(|(f, stored)| (FaceId::from_index(f), [stored[0].origin, stored[1].origin, stored[2].origin]))
     }
 
-    /// The corners of the [`real_faces`](Self::real_faces) alone, where the marks were: as many words, and pages that
-    /// have been touched need not be fetched from the system again.
+    /// The corners of the [`real_faces`](Self::real_faces), written into the allocation of the marks: it has the right
+    /// size, and its pages are mapped already.
     pub(crate) fn into_triangles(mut self) -> Vec<[u32; 3]> {
         let mut triangles = std::mem::take(&mut self.mark);
         triangles.clear();
@@ -272,8 +272,8 @@ impl HalfEdgeMesh {
         self.half_edge_at_hub(around_a, a, self.star(b))
     }
 
-    /// The half-edge to the centre of the second star, looked for among the other spokes of `a` and, in turn, in that
-    /// star. The search ends with the shorter one of the two.
+    /// The half-edge to the centre of the second star. The search takes the other spokes of `a` and those of the second
+    /// star in turn, and ends with the shorter star.
     #[cold]
     #[inline(never)]
     fn half_edge_at_hub(&self, around_a: Star<'_>, a: VertexId, around_b: Star<'_>) -> Option<HalfEdgeId> {
@@ -289,7 +289,7 @@ impl HalfEdgeMesh {
         None
     }
 
-    /// The half-edge from `a` to `b`, which was `known` once and mostly is still.
+    /// The half-edge from `a` to `b`; `known` was it at some time and mostly still is, which saves the search.
     pub(crate) fn half_edge_between_known(&self, a: VertexId, b: VertexId, known: HalfEdgeId) -> Option<HalfEdgeId> {
         let is_there = self.half_edges.get(known.index()).is_some_and(|h| h.origin == a) && self.dest(known) == b;
         if is_there { Some(known) } else { self.half_edge_between(a, b) }
@@ -315,7 +315,7 @@ impl HalfEdgeMesh {
         mesh
     }
 
-    /// Gives every vertex with edges a half-edge of its own, in one pass; what bulk builders end with.
+    /// Gives every vertex with edges one of its half-edges, in one pass; the last step of bulk builders.
     pub(crate) fn keep_half_edges(&mut self, vertices: usize) {
         self.outgoing.clear();
         self.outgoing.resize(vertices, HalfEdgeId::NONE);
@@ -439,7 +439,7 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Room for the regions of all faces, none of which lies in one so far.
+    /// Begins to keep regions: makes room for those of all faces, none of which lies in one yet.
     #[cold]
     #[inline(never)]
     fn begin_regions<J: Journal>(&mut self, j: &mut J) {
@@ -511,7 +511,8 @@ impl HalfEdgeMesh {
         true
     }
 
-    /// Ends a bulk build: gives vertices the names that they have outside, and a half-edge of their own.
+    /// Ends a bulk build: renames the vertices from storage order to the caller's ids, and gives each one of its
+    /// half-edges.
     ///
     /// # Complexity
     /// Linear; one look-up a half-edge.

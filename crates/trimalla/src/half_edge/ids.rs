@@ -59,8 +59,7 @@ id_type! {
 }
 
 id_type! {
-    /// An edge, whatever its direction: the index of that one of its two half-edges by which
-    /// [`edges`](super::HalfEdgeMesh::edges) names it.
+    /// An undirected edge: the index of the half-edge that [`edges`](super::HalfEdgeMesh::edges) gives for it.
     EdgeId, "e"
 }
 
@@ -102,7 +101,7 @@ impl HalfEdgeId {
     #[must_use]
     #[inline]
     pub const fn next(self) -> Self {
-        // Asked like this, `next` and `prev` of one half-edge need no remainder: a product tells multiples of three.
+        // `% 3 == 0` compiles to one multiplication; a full remainder would be slower.
         let after = self.0 + 1;
         if after % 3 == 0 { Self(after - 3) } else { Self(after) }
     }
@@ -118,13 +117,13 @@ impl HalfEdgeId {
     #[must_use]
     #[inline]
     pub const fn next_and_prev(self) -> (Self, Self) {
-        // Added, not chosen: which of the three it is nobody can guess.
+        // Arithmetic instead of a branch: `h % 3` is unpredictable.
         let (after, before) = (self.0 + 1, self.0 + 2);
         let rest = self.0 % 3;
         (Self(after - 3 * (rest == 2) as u32), Self(before - 3 * (rest != 0) as u32))
     }
 
-    /// `Some` of a real half-edge, `None` of the sentinel.
+    /// `None` for [`NONE`](Self::NONE), else this half-edge.
     #[must_use]
     #[inline]
     pub(crate) fn some(self) -> Option<Self> {

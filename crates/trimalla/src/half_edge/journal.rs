@@ -1,4 +1,4 @@
-//! The journal: what was overwritten, so that it can be put back.
+//! The journal: overwritten entries, so that a rollback can put them back.
 //!
 //! Every array of a triangulation is written through a setter that first shows the journal the old
 //! entry. Taking a change back replays those entries in reverse order, so the arrays, their lengths
@@ -11,7 +11,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column(u8);
 
-/// The rooms that note what they overwrite, the lowest first.
+/// The rooms whose data the journal records, the lowest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Room {
     Mesh,
@@ -23,7 +23,7 @@ impl Column {
     /// No room has more columns than this.
     const MOST: u8 = 64;
 
-    /// The column of that number in a room.
+    /// A column of a room, by its number there.
     pub(crate) const fn of(room: Room, number: u8) -> Self {
         assert!(number < Self::MOST, "each room has a range of its own");
         Self(room as u8 * Self::MOST + number)
@@ -79,14 +79,14 @@ pub struct Entry {
 
 /// Receives overwritten entries from the setters.
 pub trait Journal {
-    /// Whether anything is noted; setters skip the call where not.
+    /// Whether the journal records anything; if not, setters skip the call.
     const ACTIVE: bool;
 
     /// Notes that `old` stood at `index` of `column`.
     fn note(&mut self, column: Column, index: u32, old: u64);
 }
 
-/// Notes nothing.
+/// A journal that records nothing, for changes that are never taken back.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoJournal;
 
@@ -101,7 +101,7 @@ impl Journal for NoJournal {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Checkpoint(pub(crate) usize);
 
-/// A journal that remembers.
+/// A journal that records every overwritten entry.
 #[derive(Clone, Debug, Default)]
 pub struct UndoLog {
     entries: Vec<Entry>,
@@ -114,7 +114,7 @@ impl UndoLog {
         Self { entries: Vec::new() }
     }
 
-    /// The present, as a place to come back to.
+    /// The present place in the log, for a later rollback.
     #[must_use]
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint(self.entries.len())
@@ -126,13 +126,13 @@ impl UndoLog {
         self.entries.len()
     }
 
-    /// Whether nothing was noted.
+    /// Whether nothing is recorded.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// What was noted, oldest first.
+    /// The recorded entries, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &Entry> {
         self.entries.iter()
     }
@@ -142,7 +142,7 @@ impl UndoLog {
         self.entries.iter().skip(here.0)
     }
 
-    /// Forgets everything: what was noted can no longer be taken back.
+    /// Drops all entries: changes until now can no longer be taken back.
     pub fn clear(&mut self) {
         self.entries.clear();
     }

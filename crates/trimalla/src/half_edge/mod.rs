@@ -1,4 +1,4 @@
-//! Half-edges without coordinates: who is next to whom.
+//! Half-edges without coordinates: the topology of a mesh.
 //!
 //! The mesh closes every triangulation to a sphere. A *ghost face* joins each boundary edge to one
 //! vertex at infinity, [`VertexId::INFINITE`], so every half-edge has a twin and no operator asks

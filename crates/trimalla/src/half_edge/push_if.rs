@@ -1,7 +1,7 @@
-//! A list filled without branches.
+//! A branch-free conditional push.
 
-/// Adds a value to a list if it is to stay: it is written down in any case, and taken back if not. Where nobody can
-/// guess the answer, a branch would cost more.
+/// Pushes a value if `stays`, without a branch: always stores it, then shortens the list if it does not stay. For
+/// unpredictable conditions, where a branch would cost more.
 #[inline(always)] // In loops that it is for.
 pub(crate) fn push_if<T: Copy>(list: &mut Vec<T>, value: T, stays: bool) {
     list.push(value);

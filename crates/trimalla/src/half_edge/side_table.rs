@@ -1,4 +1,4 @@
-//! User data beside elements.
+//! User data for the elements of a mesh.
 
 use std::marker::PhantomData;
 

@@ -1,4 +1,4 @@
-//! Slots: faces and vertices come and go.
+//! Slots of faces and vertices: taken, appended, freed.
 
 use super::half_edges::{HalfEdge, HalfEdgeMesh};
 use super::ids::{FaceId, HalfEdgeId, VertexId};
@@ -53,9 +53,9 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Kills a face: its slot holds the fixed dead value and goes onto the free list.
+    /// Frees a face: its slot gets the fixed dead value and goes onto the free list.
     ///
-    /// Twins and vertices that pointed into it are the caller's to mend.
+    /// The caller mends twins and vertices that pointed into it.
     pub(crate) fn free_face<J: Journal>(&mut self, f: FaceId, j: &mut J) {
         for h in f.half_edges() {
             self.set_origin(h, VertexId::DEAD, j);
@@ -95,8 +95,8 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Makes room for that many faces in a mesh without any, beginning with memory that has served elsewhere: pages
-    /// that have been touched need not be fetched from the system again.
+    /// Makes room for that many faces in a mesh without any. It reuses the allocation of `spare`, whose pages are
+    /// mapped already.
     pub(crate) fn reserve_faces<T>(&mut self, faces: usize, mut spare: Vec<T>) {
         spare.clear();
         // Collecting in place keeps the allocation of an empty vector whose elements have the same layout.

@@ -1,4 +1,4 @@
-//! The mesh room by itself: every operator, its inverse, and rollback, without a coordinate.
+//! Every operator, its inverse, and rollback, without a coordinate.
 
 use super::*;
 

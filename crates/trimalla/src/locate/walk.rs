@@ -1,4 +1,4 @@
-//! The walk, and what it finds.
+//! The exact walk, and its results.
 
 use crate::geometry::{Orientation, Point, Triangle, lexicographic, orient2d, strictly_between};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
@@ -57,7 +57,7 @@ impl Triangulation {
         if self.dimension < 2 {
             return self.locate_low(p);
         }
-        match self.walk_by_sight(start, p).or_else(|near| self.walk(near, p).ok_or(near)).ok() {
+        match self.float_walk(start, p).or_else(|near| self.walk(near, p).ok_or(near)).ok() {
             Some(Locus::Outside(h)) if self.closure == Closure::Domain => self.scan(p).unwrap_or(Locus::Outside(h)),
             Some(locus) => locus,
             None => self.scan_or_outside(p),
@@ -65,7 +65,7 @@ impl Triangulation {
     }
 
     /// Walks towards `p` without crossing constrained edges, along the straight line from the middle of `start` as far
-    /// as triangles allow.
+    /// as the triangles allow.
     ///
     /// A walk that leaves the domain is blocked by the boundary edge it meets, constrained or not. Which way it
     /// takes does not depend on slots.
@@ -136,7 +136,7 @@ impl Triangulation {
         if passes_left { second } else { first }
     }
 
-    /// The visibility walk, exact. `None` when the bound on steps was met.
+    /// The exact visibility walk; `None` when it met the bound on steps.
     ///
     /// ```text
     ///          c           p lies left of e, or on its line: where it lies
@@ -211,7 +211,7 @@ impl Triangulation {
         })
     }
 
-    /// Looks at every real face.
+    /// Tests every real face.
     fn scan(&self, p: Point) -> Option<Locus> {
         let f = self.real_faces().find(|&f| self.face_contains(f, p))?;
         Some(self.locus_at(f, p))
@@ -262,7 +262,7 @@ impl Triangulation {
     }
 }
 
-/// A fixed sequence of choices without pattern.
+/// A fixed pseudo-random sequence of choices.
 fn vary(step: usize) -> bool {
     (step as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1
 }

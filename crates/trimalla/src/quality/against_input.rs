@@ -1,4 +1,4 @@
-//! Is this the mesh of that drawing?
+//! Compares a mesh with the drawing that it was made from.
 //!
 //! 1. Input vertices come first, bit for bit. Unused ones may be duplicates or lie outside the domain.
 //! 2. Every input segment is a chain of mesh edges from end to end, by the rule of [`Strip`](crate::geometry::Strip),
@@ -145,7 +145,7 @@ fn vertex_faults(mesh: &IndexedMesh, input: &Pslg) -> Vec<InputFault> {
     changed.map(|(vertex, (&was, &is))| InputFault::VertexChanged { vertex, was, is }).collect()
 }
 
-/// For each input vertex the first used one on the same place, or else the first one there.
+/// For each input vertex the first used vertex at its place, or else the first vertex there.
 fn stand_ins(input: &Pslg, sides: &Sides) -> Vec<u32> {
     let place = |v: u32| input.points[v as usize];
     let mut order: Vec<u32> = (0..).take(input.points.len()).collect();

@@ -12,7 +12,7 @@
 //!       60           60        30       60
 //! ```
 //!
-//! The bound is necessary, not sufficient: that a mesh reaches it is not said.
+//! The bound is necessary, not sufficient: it does not say that any mesh reaches it.
 
 use super::sectors::for_each_sector;
 use crate::constrained::ConstrainedTriangulation;
@@ -21,7 +21,7 @@ use crate::half_edge::VertexId;
 
 /// In a full turn the sixth triangle is the last that helps: beyond, `w / k` falls below 60 degrees for every sector.
 const MOST_TRIANGLES: u32 = 6;
-/// How far a bound may pass the ceiling, in degrees, before it is said to: sectors are rounded.
+/// How far a bound may be above the ceiling and still count as within it, in degrees: sectors are rounded.
 const ROUNDING_DEG: f64 = 1e-9;
 
 /// An upper bound on the smallest angle of every mesh of a domain, and the corner that sets it.

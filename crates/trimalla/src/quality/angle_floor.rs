@@ -1,8 +1,8 @@
 //! Input angles, and the angle that refinement keeps in spite of them.
 //!
-//! Where two segments meet at less than the angle bound θ, no mesh does without a small angle. How small it need be is
-//! known for Ruppert's refinement with shells: the worst triangle has two corners on one shell, at distance 1 from
-//! where the segments meet, and the third on one of them at the next cut, at distance ρ:
+//! Where two segments meet at less than the angle bound θ, every mesh has a small angle. How small it need be is known
+//! for Ruppert's refinement with shells: the worst triangle has two corners on one shell, at distance 1 from where the
+//! segments meet, and the third on one of them at the next split, at distance ρ:
 //!
 //! ```text
 //!               q                        tan φ = sin θ / (ρ − cos θ)
@@ -47,8 +47,8 @@ pub fn smallest_input_angle(cdt: &ConstrainedTriangulation) -> Option<InputAngle
     smallest
 }
 
-/// The angle below which refinement need not go where the smallest input angle is this one, if segments that meet at
-/// small angles have been cut to lengths that are powers of two beforehand.
+/// The angle below which refinement need not go if the smallest input angle is `smallest_input`, and segments that meet
+/// at small angles have been split at lengths that are powers of two beforehand.
 ///
 /// # Guarantees
 /// Proved for Ruppert's refinement with shells at bounds of up to 26.45 degrees. No larger than the input angle.
@@ -70,7 +70,7 @@ pub fn shell_floor(smallest_input: Angle) -> Angle {
     floor_at(smallest_input, 3.0)
 }
 
-/// The angle of the worst triangle where the next cut is this many times as far away as the shell.
+/// The angle of the worst triangle if the next split is `next` times as far away as the shell.
 fn floor_at(smallest_input: Angle, next: f64) -> Angle {
     // Wider angles than this have no shells between their sides.
     let angle = smallest_input.radians().min(Angle::from_degrees(60.0).radians());

@@ -6,10 +6,10 @@ use crate::geometry::{Angle, Point, triangle_angles_at_least};
 /// The triangles with an angle below `min_angle`, by index.
 ///
 /// # Guarantees
-/// Every triangle that is not listed passes the exact certificate
-/// [`triangle_angles_at_least`]: what is met exactly, as 45 degrees by half a square, counts as met. Listed is
-/// what cannot be certified: triangles with wrong indices or coordinates, flat ones, and all where the bound
-/// is above 60 degrees or not a number. A bound of zero or less lists only what has no angles.
+/// Every triangle that is not listed passes the exact certificate [`triangle_angles_at_least`]: a bound that is met
+/// exactly, as 45 degrees by half a square, counts as met. Listed are the triangles that cannot be certified: those
+/// with wrong indices or coordinates, flat ones, and all if the bound is above 60 degrees or not a number. A bound of
+/// zero or less lists only triangles without angles.
 #[must_use]
 pub fn below_bound(mesh: &IndexedMesh, min_angle: Angle) -> Vec<usize> {
     let bound = Certificate::of(min_angle);

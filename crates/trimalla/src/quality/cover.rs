@@ -1,4 +1,4 @@
-//! How the edges of a mesh cover an input segment, or where they do not.
+//! Which edges of a mesh cover an input segment, and where none do.
 //!
 //! A segment is followed from stop to stop: from its start over the input vertices exactly on it to its end. A leg that
 //! no chain of edges covers from stop to stop, by the rule of [`Strip`](crate::geometry::Strip), is a fault unless the
@@ -42,7 +42,7 @@ use crate::geometry::{
 };
 use crate::triangulation::mesh_vertex;
 
-/// The edges that cover the segments looked at so far, and what it takes to look at more.
+/// The edges that cover the segments tested so far, and the data to test more.
 pub(super) struct Cover<'a> {
     mesh: &'a IndexedMesh,
     sides: &'a Sides,
@@ -55,13 +55,13 @@ pub(super) struct Cover<'a> {
     covered: Vec<bool>,
 }
 
-/// The boundary edges of a mesh, where they lie.
+/// The boundary edges of a mesh, found by place.
 struct Boundary {
     edges: Vec<[u32; 2]>,
     places: BoxTree,
 }
 
-/// What is wrong with a leg.
+/// The fault of a leg.
 enum Breach {
     /// It stops at that vertex.
     StopsAt(u32),
@@ -96,7 +96,7 @@ impl<'a> Cover<'a> {
         edges
     }
 
-    /// What is wrong with a segment; its edges are added to those that are covered.
+    /// The fault of a segment, if it has one; its edges are added to those that cover segments.
     pub(super) fn fault(&mut self, segment: usize, ends: [u32; 2]) -> Option<InputFault> {
         let is_lost = |v: u32| !self.mesh.points[v as usize].is_finite();
         if ends[0] == ends[1] || ends.into_iter().any(is_lost) {
@@ -115,7 +115,7 @@ impl<'a> Cover<'a> {
         })
     }
 
-    /// What is wrong with the leg to a stop of a course from the one before.
+    /// The fault of the leg to a stop of a course from the one before.
     fn breach(&mut self, course: &Course, to: usize) -> Option<Breach> {
         let ends = [course.stops[to - 1], course.stops[to]];
         if self.cover(ends) {
@@ -148,7 +148,7 @@ impl<'a> Cover<'a> {
         }
     }
 
-    /// Notes the edge between two vertices, if there is one; says whether there is.
+    /// Notes the edge between two vertices, if there is one; returns whether there is.
     fn cover(&mut self, [a, b]: [u32; 2]) -> bool {
         let edge = self.edges.edge_between(a, b);
         if let Some(edge) = edge {
@@ -178,7 +178,7 @@ impl<'a> Cover<'a> {
         edge.into_iter().find(|&v| self.courses.is_known(v) && course.is_in_strip(self.place(v)))
     }
 
-    /// What is wrong where no edges cover a segment between two stops; nothing if it may be outside the mesh.
+    /// The fault where no edges cover a segment between two stops; none if it may be outside the mesh.
     fn uncovered(&mut self, course: &Course, ends: [u32; 2]) -> Option<Breach> {
         let near = self.boundary_near(course);
         let starts = self.starts(course, ends, &near);
@@ -280,7 +280,7 @@ impl<'a> Cover<'a> {
         (side != Orientation::Collinear && (keeps_side || !course.is_in_strip(p))).then_some(side)
     }
 
-    /// Whether any edges at all lead from stop to stop over vertices in the strip between the two.
+    /// Whether edges lead from stop to stop over vertices in the strip between the two, in any order.
     fn are_joined(&self, course: &Course, [from, to]: [u32; 2]) -> bool {
         let mut open = vec![from];
         let mut seen = BTreeSet::from([from]);
@@ -297,8 +297,8 @@ impl<'a> Cover<'a> {
         false
     }
 
-    /// Whether an edge of the boundary comes into the strip between two vertices, or as near to them as makes no
-    /// difference.
+    /// Whether an edge of the boundary comes into the strip between two vertices, or so near to them that rounding
+    /// hides the difference.
     fn comes_between(&self, course: &Course, [from, to]: [u32; 2], near: &[[u32; 2]]) -> bool {
         let [from, to] =
             if self.courses.order(course, from, to) == Ordering::Greater { [to, from] } else { [from, to] };

@@ -4,12 +4,11 @@
 //! * [`below_bound()`] lists the triangles with an angle below a bound, by the exact certificate;
 //! * [`against_input()`] compares a mesh with the drawing it was made from;
 //! * [`aspect_ratio`] measures one triangle;
-//! * [`angle_ceiling()`] says of a domain what smallest angle no mesh of it can pass, [`angle_floor()`] and
-//!   [`shell_floor`] what refinement keeps in spite of its [`smallest_input_angle`].
+//! * [`angle_ceiling()`] bounds the smallest angle of every mesh of a domain from above; [`angle_floor()`] and
+//!   [`shell_floor`] give the angle that refinement keeps in spite of the [`smallest_input_angle`].
 //!
-//! What takes an [`IndexedMesh`](crate::drawing::IndexedMesh) may be given a broken one, and
-//! answers the same on every platform. What a sound mesh is, says
-//! [`check_mesh`](crate::triangulation::check_mesh).
+//! Functions that take an [`IndexedMesh`](crate::drawing::IndexedMesh) accept a broken one, and give the same answer on
+//! every platform. [`check_mesh`](crate::triangulation::check_mesh) says whether a mesh is sound.
 
 mod against_input;
 mod angle_ceiling;

@@ -1,4 +1,4 @@
-//! Which input segments an end lies along that the mesh does not use.
+//! Input segments along which an unused end of another segment lies.
 //!
 //! An end outside the domain, within rounding of a segment of the boundary, lies on one exact side of that segment. The
 //! chain of that segment bends to either side of it by the rule of [`Strip`], so the end may lie on either side of the
@@ -20,7 +20,7 @@ pub(super) struct NearEnds {
 }
 
 impl NearEnds {
-    /// Segments between points; those between points out of range or not finite are left out.
+    /// The segments between points; those with an end that is out of range or not finite are left out.
     ///
     /// # Complexity
     /// n log n in the segments.

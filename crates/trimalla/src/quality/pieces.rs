@@ -1,8 +1,8 @@
-//! What hangs together: components and boundary loops.
+//! Connected components and boundary loops.
 
 use crate::drawing::{Side, Sides};
 
-/// Number of pieces that hang together through vertices.
+/// Number of components that are connected through vertices.
 pub(super) fn component_count(sides: &Sides, vertices: usize) -> usize {
     let mut up: Vec<u32> = (0..).take(vertices).collect();
     for s in sides.iter() {

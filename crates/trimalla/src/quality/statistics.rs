@@ -15,7 +15,7 @@ pub struct AngleAt {
     pub triangle: usize,
 }
 
-/// Into how many bins angles are counted.
+/// The numbers of bins for angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bins {
     /// For the smallest angle of each triangle, from 0 to 60 degrees.
@@ -73,7 +73,7 @@ pub struct Statistics {
     pub subsegments: usize,
     /// Closed loops of boundary edges; a loop never crosses another where they touch.
     pub boundary_loops: usize,
-    /// Pieces that hang together, if only through a vertex.
+    /// Connected components; a common vertex connects.
     pub components: usize,
     /// Holes by Euler's formula, components − vertices + edges − triangles: bounded regions that the mesh
     /// leaves out. 0 where the mesh is not planar and the formula says less.
@@ -90,7 +90,7 @@ pub struct Statistics {
     pub all_angles: Histogram,
     /// Circumradius over twice the inradius: 1 is best.
     pub aspect_ratio: Option<Spread>,
-    /// The same, counted.
+    /// Circumradius over twice the inradius of each triangle, counted.
     pub aspect_ratios: Classes,
     /// Lengths of the edges, each once.
     pub edge_length: Option<Spread>,
@@ -110,7 +110,7 @@ impl Statistics {
         Self::with_bins(mesh, Bins::default())
     }
 
-    /// [`of`](Self::of), with a choice of bins.
+    /// Counts and measures a mesh, with a choice of bins.
     #[must_use]
     pub fn with_bins(mesh: &IndexedMesh, bins: Bins) -> Self {
         let measured = measurable(mesh);

@@ -90,7 +90,7 @@ fn write_bars(f: &mut fmt::Formatter<'_>, title: &str, labels: &[String], counts
     Ok(())
 }
 
-/// In proportion, rounded up: what is there can be seen.
+/// The length of a bar in proportion to its count, rounded up, so that no bin with a count looks empty.
 fn bar_length(count: usize, most: usize) -> usize {
     let (count, most) = (count as u128, most as u128);
     usize::try_from((count * BAR as u128).div_ceil(most)).unwrap_or(BAR)

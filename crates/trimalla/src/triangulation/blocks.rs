@@ -1,8 +1,8 @@
 //! All triangles with their corners, read block by block.
 //!
-//! Vertices keep the caller's order, so that the corners of a triangle may lie anywhere in memory. Whoever tests one
-//! triangle after the other waits for the corners of nearly each; those of a block, read before any of them is tested,
-//! arrive side by side.
+//! Vertices keep the caller's order, so that the corners of a triangle lie anywhere in memory. A loop that tests one
+//! triangle at a time waits for a cache miss at nearly each. Loading the corners of a block of triangles before testing
+//! any of them lets the misses overlap.
 
 use super::triangulation::Triangulation;
 use crate::geometry::Point;
@@ -15,7 +15,7 @@ const BLOCK: usize = 64;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TriangleInBlock {
     pub(crate) face: FaceId,
-    /// Where its vertices lie.
+    /// The coordinates of its vertices.
     pub(crate) corners: [Point; 3],
 }
 
@@ -30,8 +30,8 @@ pub(crate) fn corners_of_two([s, t]: &[TriangleInBlock; 2]) -> [[Point; 2]; 3] {
 }
 
 impl Triangulation {
-    /// Calls `look` with every two triangles, in the order of slots, which can be measured side by side; and with how
-    /// many there are, for the last one may be alone, something else in the second's place.
+    /// Calls `look` with the triangles two at a time, in the order of slots, so that it can measure both at once, and
+    /// with how many there are: the last call may have one only, and anything in the place of the second.
     ///
     /// # Complexity
     /// Linear.

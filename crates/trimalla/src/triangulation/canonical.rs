@@ -1,4 +1,4 @@
-//! The canonical form: what two algorithms must share.
+//! The canonical form, which is equal for equal triangulations.
 
 use super::triangulation::Triangulation;
 use crate::half_edge::VertexId;

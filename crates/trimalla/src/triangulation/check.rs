@@ -8,7 +8,7 @@ use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// A broken invariant of a triangulation, with the elements concerned.
 ///
-/// The letters name the invariants of the reliability catalogue: I01 half-edge symmetry, I02 links,
+/// The numbers name the invariants of the tests' catalogue: I01 half-edge symmetry, I02 links,
 /// I03 Euler, I04 orientation, I06 hull, I07 vertices, I09 and I10 the (constrained) circle test.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -40,7 +40,7 @@ pub enum Fault {
     HullNotConvex(HalfEdgeId),
     /// I06: consecutive chain vertices are not in order along one line.
     ChainOrder(VertexId),
-    /// I07: a duplicate is used, or does not lie on its representative.
+    /// I07: a duplicate is used, or lies elsewhere than its representative.
     Duplicate(VertexId),
     /// I08: a used vertex is not finite.
     NotFinite(VertexId),
@@ -109,7 +109,7 @@ impl Triangulation {
         let mut faults = Vec::new();
         self.check_half_edges(&mut faults);
         if !faults.is_empty() {
-            return faults; // What follows walks along twins.
+            return faults; // The checks that follow walk along twins.
         }
         self.check_stars(&mut faults);
         self.check_vertices(&mut faults);

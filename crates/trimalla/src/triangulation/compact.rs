@@ -1,4 +1,4 @@
-//! Compaction: dead slots out, order kept.
+//! Compaction: removes dead slots and keeps the order.
 
 use super::triangulation::Triangulation;
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, NoJournal, VertexId};

@@ -1,4 +1,4 @@
-//! Operators that prove before they rewire: for those who work on a bare triangulation.
+//! Operators on a bare triangulation: each proves its new faces before it rewires.
 
 use super::triangulation::{Closure, Triangulation};
 use crate::geometry::{Orientation, Point, orient2d};

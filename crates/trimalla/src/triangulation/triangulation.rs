@@ -43,19 +43,19 @@ impl Deref for Triangulation {
     }
 }
 
-/// What belongs to the three vertices of a face, that of the lowest first.
+/// Rotates the values of a face's vertices so that the value of the lowest vertex leads.
 #[inline]
 fn from_lowest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
     turned_to(if c < a.min(b) { 2 } else { usize::from(b < a) }, of)
 }
 
-/// What belongs to the three vertices of a face, that of the highest first.
+/// Rotates the values of a face's vertices so that the value of the highest vertex leads.
 #[inline]
 fn from_newest<T: Copy>([a, b, c]: [VertexId; 3], of: [T; 3]) -> [T; 3] {
     turned_to(if c > a.max(b) { 2 } else { usize::from(b > a) }, of)
 }
 
-/// Three in their cyclic order, from that number on. Looked up, not branched on: which one it is nobody can guess.
+/// Rotates a triple so that entry `first` leads. A table look-up instead of an unpredictable branch.
 #[inline]
 fn turned_to<T: Copy>(first: usize, [a, b, c]: [T; 3]) -> [T; 3] {
     let around = [a, b, c, a, b];
@@ -63,13 +63,13 @@ fn turned_to<T: Copy>(first: usize, [a, b, c]: [T; 3]) -> [T; 3] {
 }
 
 impl Triangulation {
-    /// A triangulation of nothing, its points waiting to be used.
+    /// A triangulation without faces, all of whose vertices are unused.
     #[must_use]
     pub(crate) fn of_unused(points: Vec<Point>) -> Self {
         Self { mesh: HalfEdgeMesh::with_vertices(points.len()), points, dimension: -1, ..Self::default() }
     }
 
-    /// The same for a bulk build: vertices keep no half-edges until it ends.
+    /// A triangulation without faces for a bulk build: vertices keep no half-edges until it ends.
     #[must_use]
     pub(crate) fn in_bulk(points: Vec<Point>) -> Self {
         Self { points, dimension: -1, ..Self::default() }
@@ -110,7 +110,7 @@ impl Triangulation {
         from_lowest(v, v).map(|v| self.point(v))
     }
 
-    /// Coordinates of the three vertices of a real face, the highest vertex first: depends on no slot either.
+    /// Coordinates of the three vertices of a real face, the highest vertex first, so that they depend on no slot.
     #[inline]
     pub(crate) fn corners_from_newest(&self, f: FaceId) -> [Point; 3] {
         let v = self.face_vertices(f);
@@ -202,7 +202,7 @@ impl Triangulation {
         self.is_real(f) && f.half_edges().into_iter().all(|h| self.side_of(h, p) != Orientation::Clockwise)
     }
 
-    /// Forgets which vertices lie on `v`, which goes away: they lie on no used vertex then.
+    /// Drops the duplicates of `v`, which is about to go: they lie on no used vertex then.
     pub(crate) fn forget_duplicates_of<J: Journal>(&mut self, v: VertexId, j: &mut J) {
         if self.duplicates.is_empty() {
             return;
@@ -232,12 +232,13 @@ impl Triangulation {
         self.mesh.free_vertex(v, j);
     }
 
-    /// Coordinates of all vertices and the corners of the real faces, the memory taken over.
+    /// Coordinates of all vertices and the corners of the real faces; reuses the allocations.
     pub(crate) fn into_points_and_triangles(self) -> (Vec<Point>, Vec<[u32; 3]>) {
         (self.points, self.mesh.into_triangles())
     }
 
-    /// Notes that an unused vertex lies on a used one; [`sort_duplicates`](Self::sort_duplicates) is to follow.
+    /// Notes that an unused vertex lies on a used one; the caller then calls
+    /// [`sort_duplicates`](Self::sort_duplicates).
     pub(crate) fn note_duplicate<J: Journal>(&mut self, duplicate: VertexId, representative: VertexId, j: &mut J) {
         if J::ACTIVE {
             j.note(columns::DUPLICATE_NOTED, duplicate.0, 0);
@@ -245,7 +246,7 @@ impl Triangulation {
         self.duplicates.push((duplicate, representative));
     }
 
-    /// Puts the duplicates that were noted in order.
+    /// Sorts the duplicates that were noted.
     pub(crate) fn sort_duplicates(&mut self) {
         self.duplicates.sort_unstable();
     }

@@ -45,14 +45,14 @@ impl Triangulation {
     /// Every array, its length, dead slots and free lists are what they were at the checkpoint.
     ///
     /// # Complexity
-    /// Linear in the entries noted since.
+    /// Linear in the entries recorded since.
     pub fn rollback(&mut self, log: &mut UndoLog, to: Checkpoint) {
         while let Some(entry) = log.pop_since(to) {
             self.undo(entry);
         }
     }
 
-    /// Puts back one entry; says whether the column is known here.
+    /// Puts back one entry; returns whether this room has the column.
     pub(crate) fn undo(&mut self, entry: Entry) -> bool {
         let i = entry.index as usize;
         match entry.column {

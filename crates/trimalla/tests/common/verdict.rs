@@ -6,19 +6,19 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use trimalla::geometry::Point;
 
-/// What a judge says of points: nothing, or what is wrong.
+/// The result of a check: nothing, or what is wrong.
 pub(crate) type Verdict = Result<(), String>;
 
-/// How often a judge is asked while points are taken away.
+/// How often the check is run while points are removed.
 const QUESTIONS: usize = 4000;
 
-/// Panics where `judge` finds fault with `points` or panics itself, with the points reduced.
-pub(crate) fn demand(name: &str, points: &[Point], judge: impl Fn(&[Point]) -> Verdict) {
-    let Err(why) = guarded(points, &judge) else {
+/// Panics if `check` fails on `points` or panics itself, with the points reduced.
+pub(crate) fn demand(name: &str, points: &[Point], check: impl Fn(&[Point]) -> Verdict) {
+    let Err(why) = guarded(points, &check) else {
         return;
     };
-    let few = reduced(points, &judge);
-    let still = guarded(&few, &judge).err().unwrap_or_default();
+    let few = reduced(points, &check);
+    let still = guarded(&few, &check).err().unwrap_or_default();
     panic!("{name}: {why}\nreduced to:\n{}\n// {still}", snippet(&few));
 }
 
@@ -38,8 +38,8 @@ fn snippet(points: &[Point]) -> String {
 }
 
 /// The verdict, a panic being one.
-fn guarded(points: &[Point], judge: &impl Fn(&[Point]) -> Verdict) -> Verdict {
-    let said = catch_unwind(AssertUnwindSafe(|| judge(points)));
+fn guarded(points: &[Point], check: &impl Fn(&[Point]) -> Verdict) -> Verdict {
+    let said = catch_unwind(AssertUnwindSafe(|| check(points)));
     said.unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|&s| s.to_owned()));
@@ -47,8 +47,8 @@ fn guarded(points: &[Point], judge: &impl Fn(&[Point]) -> Verdict) -> Verdict {
     })
 }
 
-/// Takes runs of points away, halving the length of the runs, while the judge still objects.
-fn reduced(points: &[Point], judge: &impl Fn(&[Point]) -> Verdict) -> Vec<Point> {
+/// Removes runs of points, halving their length, while the check still fails.
+fn reduced(points: &[Point], check: &impl Fn(&[Point]) -> Verdict) -> Vec<Point> {
     let mut points = points.to_vec();
     let mut questions = 0;
     let mut run = points.len().div_ceil(2);
@@ -58,7 +58,7 @@ fn reduced(points: &[Point], judge: &impl Fn(&[Point]) -> Verdict) -> Vec<Point>
             let end = (at + run).min(points.len());
             let fewer = [&points[..at], &points[end..]].concat();
             questions += 1;
-            if guarded(&fewer, judge).is_err() {
+            if guarded(&fewer, check).is_err() {
                 points = fewer;
             } else {
                 at = end;

@@ -17,7 +17,7 @@
 
 use std::cell::Cell;
 
-use crate::common::court::{Court, Verdict, equal, none};
+use crate::common::failures::{Failures, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
@@ -137,19 +137,19 @@ fn area_doubled(cdt: &ConstrainedDelaunay, f: FaceId) -> f64 {
 
 #[test]
 fn every_kind_of_drawing() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     let (with, without) = (Cell::new(0), Cell::new(0));
     for kind in PslgKind::ALL {
         for seed in 0..4u64 {
             let drawing = pslg(kind, [5, 12, 30][seed as usize % 3], seed + 1);
             for (degrees, parts) in [(0.0, 150.0), (25.0, 40.0), (30.0, 600.0)] {
-                court.hear(&format!("{kind:?} seed {seed} at {degrees}, {parts}"), &drawing, |d| {
+                failures.check(&format!("{kind:?} seed {seed} at {degrees}, {parts}"), &drawing, |d| {
                     judge(d, degrees, parts, [&with, &without])
                 });
             }
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// Claim 3: the triangles over those that the area asks for.

@@ -10,6 +10,7 @@ mod constrained_edits;
 mod edits;
 mod fill;
 mod forecast;
+mod glossary;
 mod history;
 mod layers;
 mod library_errors;

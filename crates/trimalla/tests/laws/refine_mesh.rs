@@ -14,7 +14,7 @@
 //! 4. A start that is not Delaunay is flipped first, unless the recipe flips nothing: then its edges stay.
 //! 5. Attributes come from the triangle that holds the new one; area bounds hold by place.
 
-use crate::common::court::{Court, Verdict, equal, none};
+use crate::common::failures::{Failures, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, Crossings, Provenance};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainError, DomainRule, MeshError, Warning, build, from_mesh};
@@ -125,31 +125,31 @@ fn drawings() -> impl Iterator<Item = (String, f64, Pslg)> {
 
 #[test]
 fn with_its_drawing_a_mesh_comes_back() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (name, degrees, drawing) in drawings() {
-        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), true, false));
+        failures.check(&name, &drawing, |d| comes_back(d, options(degrees), true, false));
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn without_its_drawing_a_mesh_comes_back() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (name, degrees, drawing) in drawings() {
         // In float soups 1 and 1 + ulp are coordinates: crossings bend segments by more than joints may.
         let bent = name.starts_with("FloatSoup");
-        court.hear(&name, &drawing, |d| comes_back(d, options(degrees), false, bent));
+        failures.check(&name, &drawing, |d| comes_back(d, options(degrees), false, bent));
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn tighter_bounds_only_add() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (i, (name, degrees, drawing)) in drawings().enumerate() {
-        court.hear(&name, &drawing, |d| only_adds(d, degrees, i % 2 == 0));
+        failures.check(&name, &drawing, |d| only_adds(d, degrees, i % 2 == 0));
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// A unit square of two triangles.

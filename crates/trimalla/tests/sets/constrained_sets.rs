@@ -17,7 +17,7 @@
 //!
 //! A failing drawing is reduced and printed as Rust.
 
-use crate::common::court::{Court, Verdict, equal, none};
+use crate::common::failures::{Failures, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings, Filling, Provenance};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::drawing::Pslg;
@@ -34,31 +34,31 @@ const SMALL: usize = 24;
 
 #[test]
 fn drawings_without_crossings_have_one_triangulation() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, name, drawing) in drawings() {
         if true_pairs(&drawing).is_empty() {
-            court.hear(&name, &drawing, judge_uncrossed);
+            failures.check(&name, &drawing, judge_uncrossed);
         } else {
             assert!(!kind.is_clean(), "{name} claims to be clean");
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn crossings_are_refused_by_name_then_split() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (_, name, drawing) in drawings() {
-        court.hear(&name, &drawing, judge_refusal);
-        court.hear(&name, &drawing, judge_split);
+        failures.check(&name, &drawing, judge_refusal);
+        failures.check(&name, &drawing, judge_split);
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// Long segments by the hundred: thousands of crossings, none of them representable.
 #[test]
 fn thousands_of_crossings_are_split() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     let many = [
         (PslgKind::LongSegments, 100),
         (PslgKind::LongSegments, 300),
@@ -66,9 +66,9 @@ fn thousands_of_crossings_are_split() {
         (PslgKind::GridSoup, 300),
     ];
     for (kind, n) in many {
-        court.hear(kind.key(), &pslg(kind, n, 5), judge_split);
+        failures.check(kind.key(), &pslg(kind, n, 5), judge_split);
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// Every drawing, with its name.

@@ -20,7 +20,7 @@
 
 use std::cell::RefCell;
 
-use crate::common::court::{Court, Verdict, equal, none};
+use crate::common::failures::{Failures, Verdict, equal, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainError, DomainRule, build};
@@ -141,22 +141,23 @@ fn is_promised(options: RefineOptions) -> bool {
 
 #[test]
 fn every_kind_at_every_angle_by_every_preset() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
         for &preset in Preset::ALL {
             for degrees in ANGLES_DEG {
-                court.hear(&format!("{kind:?} {preset} {degrees}"), &drawing, |d| judge(d, options(preset, degrees)));
+                failures
+                    .check(&format!("{kind:?} {preset} {degrees}"), &drawing, |d| judge(d, options(preset, degrees)));
             }
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn area_bounds_are_met_or_explained() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(16) {
-        court.hear(&format!("{kind:?}"), &drawing, |d| {
+        failures.check(&format!("{kind:?}"), &drawing, |d| {
             let Some((cdt, _)) = domain_of(d)? else { return Ok(()) };
             let Some(b) = cdt.bounding_box() else { return Ok(()) };
             let area = (b.max.x - b.min.x) * (b.max.y - b.min.y) / 300.0;
@@ -176,16 +177,16 @@ fn area_bounds_are_met_or_explained() {
             equal("triangles left over", &out.report.leftovers.iter().map(|l| l.triangle).collect(), &bad)
         });
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn protected_segments_stay_one_edge() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
         for protect in [Protect::Boundary, Protect::All] {
             for degrees in [20.0, 33.0] {
-                court.hear(&format!("{kind:?} {protect:?} {degrees}"), &drawing, |d| {
+                failures.check(&format!("{kind:?} {protect:?} {degrees}"), &drawing, |d| {
                     let options = options(Preset::OffCenter, degrees).with_protect(protect);
                     let (Some((before, _)), Some(after)) = (domain_of(d)?, refined(d, options)?) else { return Ok(()) };
                     kept_whole(&before, &after.cdt, protect)?;
@@ -194,7 +195,7 @@ fn protected_segments_stay_one_edge() {
             }
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// Every constrained edge that is protected is still there.
@@ -212,9 +213,9 @@ fn kept_whole(before: &ConstrainedTriangulation, after: &ConstrainedTriangulatio
 /// Named: a length floor is kept, and named where it is the reason.
 #[test]
 fn length_floors_are_kept() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
-        court.hear(&format!("{kind:?}"), &drawing, |d| {
+        failures.check(&format!("{kind:?}"), &drawing, |d| {
             let mut options = options(Preset::OffCenter, 30.0);
             options.limits.length_floor = Some(0.05);
             let (Some((before, _)), Some(after)) = (domain_of(d)?, refined(d, options)?) else { return Ok(()) };
@@ -231,15 +232,15 @@ fn length_floors_are_kept() {
             Ok(())
         });
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn scales_by_powers_of_two_change_nothing() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
         for preset in PROMISED {
-            court.hear(&format!("{kind:?} {preset}"), &drawing, |d| {
+            failures.check(&format!("{kind:?} {preset}"), &drawing, |d| {
                 let Some(plain) = refined(d, options(preset, 30.0))? else { return Ok(()) };
                 for k in [-400, -100, 100, 400] {
                     let factor = libm::ldexp(1.0, k);
@@ -261,39 +262,40 @@ fn scales_by_powers_of_two_change_nothing() {
             });
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn far_away_it_ends_too() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
-        court
-            .hear(&format!("{kind:?} at UTM"), &moved_to_utm(&drawing), |d| judge(d, options(Preset::OffCenter, 30.0)));
+        failures.check(&format!("{kind:?} at UTM"), &moved_to_utm(&drawing), |d| {
+            judge(d, options(Preset::OffCenter, 30.0))
+        });
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// Input vertices are bound to be met at every stop: budgets from none to more than enough.
 #[test]
 fn any_budget_leaves_a_sound_mesh() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for kind in [PslgKind::Gear, PslgKind::StarPolygon, PslgKind::NestedSquares, PslgKind::LongSegments] {
         let drawing = pslg(kind, 24, 3);
         for budget in [0, 1, 24, 25, 26, 27, 30, 40, 55, 80, 111, 160] {
-            court.hear(&format!("{kind:?}, {budget} vertices"), &drawing, |d| {
+            failures.check(&format!("{kind:?}, {budget} vertices"), &drawing, |d| {
                 judge(d, RefineOptions::default().with_min_angle_deg(33.0).with_max_vertices(budget))
             });
         }
     }
-    court.close();
+    failures.expect_none();
 }
 
 #[test]
 fn refining_the_result_again_adds_nothing() {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
-        court.hear(&format!("{kind:?}"), &drawing, |d| {
+        failures.check(&format!("{kind:?}"), &drawing, |d| {
             let options = options(Preset::OffCenter, 25.0);
             let Some(first) = refined(d, options)? else { return Ok(()) };
             if !first.report.leftovers.is_empty() || first.report.stop != StopReason::Finished {
@@ -310,7 +312,7 @@ fn refining_the_result_again_adds_nothing() {
             equal("leftovers", &second.report.leftovers, &Vec::new())
         });
     }
-    court.close();
+    failures.expect_none();
 }
 
 /// A box of side 2 around the origin with loose segments in it.
@@ -323,7 +325,7 @@ fn boxed(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
 
 /// Runs a named case at several angles by every preset, with a larger budget; returns what it met.
 fn named(name: &str, drawing: &Pslg, budget: usize) -> Vec<(RefineOptions, Report)> {
-    let mut court = Court::default();
+    let mut failures = Failures::default();
     let mut reports = Vec::new();
     for &preset in Preset::ALL {
         for degrees in [20.0, 25.0, 30.0, 36.0, 45.0, 60.0] {
@@ -332,7 +334,7 @@ fn named(name: &str, drawing: &Pslg, budget: usize) -> Vec<(RefineOptions, Repor
                 options.limits.max_vertices = budget.min(SMALL_BUDGET);
             }
             let report = RefCell::new(None);
-            court.hear(&format!("{name} {preset} {degrees}"), drawing, |d| {
+            failures.check(&format!("{name} {preset} {degrees}"), drawing, |d| {
                 report.replace(judged(d, options)?);
                 Ok(())
             });
@@ -342,7 +344,7 @@ fn named(name: &str, drawing: &Pslg, budget: usize) -> Vec<(RefineOptions, Repor
             }
         }
     }
-    court.close();
+    failures.expect_none();
     reports
 }
 

@@ -21,7 +21,7 @@
 
 use std::time::Instant;
 
-use crate::common::court::{Verdict, equal, guarded, none};
+use crate::common::failures::{Verdict, equal, guarded, none};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{self, DomainError, DomainRule};

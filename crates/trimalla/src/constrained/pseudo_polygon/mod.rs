@@ -14,8 +14,8 @@
 //!
 //! Two ways to fill it, with one result:
 //! * [`randomised`]: expected linear time, the default for all but short boundaries;
-//! * [`recursive`]: Vigo's, quadratic; quick where the boundary is short, the step view's, the oracle's, and what is
-//!   fallen back on where the former meets a region too twisted for it.
+//! * [`recursive`]: Vigo's, quadratic; fast where the boundary is short. The step view and the oracle use it, and it
+//!   takes over where the former meets a region too twisted for it.
 //!
 //! # Guarantees
 //! Every vertex of the boundary sees the base: edges lead from it across the base, which no other part of the boundary
@@ -43,16 +43,16 @@ pub enum Filling {
     Recursive,
 }
 
-/// What is known of the inner edges of a filling.
+/// Whether the inner edges of a filling pass the circle test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Edges {
-    /// They pass the circle test.
+    /// All pass the circle test.
     Legal,
     /// Some may not.
     Unproved,
 }
 
-/// Fills pseudo-polygons, one after the other, in room that is kept.
+/// Fills pseudo-polygons, one after the other, and keeps its scratch.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Filler {
     /// The boundary of the next one.

@@ -29,7 +29,7 @@ use crate::half_edge::{Patch, Side, Triangle};
 /// Draws before the farthest vertex is taken instead.
 const DRAWS: u32 = 16;
 
-/// What the work takes room for.
+/// Scratch.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room {
     shrinking: Shrinking,

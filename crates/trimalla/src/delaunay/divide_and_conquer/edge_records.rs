@@ -27,7 +27,7 @@ use std::iter::successors;
 pub(crate) struct Edge(u32);
 
 impl Edge {
-    /// The same edge in the other direction.
+    /// The edge in the other direction.
     #[inline]
     pub(crate) const fn twin(self) -> Self {
         Self(self.0 ^ 1)
@@ -158,7 +158,7 @@ impl EdgeRecords {
         Self { records: Vec::with_capacity(6 * vertices), free: Vec::new(), outer: None }
     }
 
-    /// Makes known an edge that has the outer face on its left.
+    /// Stores an edge that has the outer face on its left.
     pub(super) fn set_outer(&mut self, e: Edge) {
         self.outer = Some(e);
     }

@@ -1,8 +1,7 @@
 //! The final proof that an angle is not below a bound.
 //!
 //! With `u`, `v` the edges at the apex and `c = cos²(alpha)`, `alpha` in (0°, 90°]: the angle is below `alpha` exactly
-//! if
-//! `u.v > 0` and `(u.v)² > c |u|² |v|²`. All of it is a polynomial of degree five in the input, whose sign is exact.
+//! if `u.v > 0` and `(u.v)² > c |u|² |v|²`. All of it is a polynomial of degree five in the input, whose sign is exact.
 
 use super::super::lanes::{Number, Two};
 use super::super::{Point, Vector};
@@ -52,7 +51,7 @@ pub fn angle_at_least(apex: Point, u: Point, v: Point, cos_sq: f64) -> bool {
 /// Tells whether all angles of the triangle `abc` are at least the one whose squared cosine is `cos_sq`.
 ///
 /// # Guarantees
-/// As for [`angle_at_least`]; the order of the points does not matter.
+/// Exact for every finite input; the order of the points does not matter.
 #[must_use]
 #[inline]
 pub fn triangle_angles_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> bool {
@@ -74,19 +73,17 @@ fn smallest_angle_at_least(a: Point, b: Point, c: Point, cos_sq: f64) -> Option<
     (excess != 0.0).then_some(excess > 0.0)
 }
 
-/// [`triangle_angles_at_least`] by the rounded squares of a triangle's sides, and twice its area as the rounded cross
-/// product of any two of them: positive where it holds, negative where it does not, zero where rounding leaves that
-/// open. `sine_sq` is
-/// `1 - cos_sq`, rounded.
+/// The filter of [`triangle_angles_at_least`]. It takes the rounded squares of a triangle's sides and twice its area,
+/// the rounded cross product of any two of them: positive where the bound is met, negative where it is not, zero where
+/// rounding leaves that open. `sine_sq` is `1 - cos_sq`, rounded.
 ///
 /// The smallest angle lies between the two longest edges and is at most 60 degrees, where the sine rises with the
-/// angle: with
-/// `d` twice the area and `P` the product of the two longest squared lengths, it is below the bound exactly if
-/// `d² < (1 - c) P`. In roundings, against `P`: each product of two squared lengths carries 9, and the largest of the
-/// three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`, hence
-/// its square by 9. The subtraction adds 1. That is 21, as above. Of the two longest edges neither is more than twice
-/// as long as the other, so that the range of `P` is theirs, and what the shortest one loses to underflow does not
-/// matter.
+/// angle: with `d` twice the area and `P` the product of the two longest squared lengths, it is below the bound exactly
+/// if `d² < (1 - c) P`. In roundings, against `P`: each product of two squared lengths carries 9, and the largest of
+/// the three computed ones no more; `1 - c` and its product make 11. The cross product is off by at most 4 `|u| |v|`,
+/// hence its square by 9. The subtraction adds 1. That is 21, as for [`ANGLE_BOUND`]. Of the two longest edges neither
+/// is more than twice as long as the other, so that the range of `P` is theirs, and what the shortest one loses to
+/// underflow does not matter.
 #[inline(always)]
 pub(crate) fn sides_angle_excess<N: Number>(doubled_area: N, [u_sq, v_sq, w_sq]: [N; 3], sine_sq: f64) -> N {
     let longest = (u_sq * v_sq).greater(v_sq * w_sq).greater(w_sq * u_sq);
@@ -94,7 +91,7 @@ pub(crate) fn sides_angle_excess<N: Number>(doubled_area: N, [u_sq, v_sq, w_sq]:
     excess.if_above(N::of(ANGLE_BOUND) * longest).if_within(longest, [*SQUARES.start(), *SQUARES.end()])
 }
 
-/// The same of the triangles `a[i] b[i] c[i]`, computed side by side.
+/// The filter of [`triangle_angles_at_least`] for two triangles `a[i] b[i] c[i]` at once.
 #[inline(always)] // In the loop over all triangles.
 pub(crate) fn angles_of_two(a: [Point; 2], b: [Point; 2], c: [Point; 2], sine_sq: f64) -> [f64; 2] {
     let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(Two::coordinates);

@@ -118,7 +118,7 @@ fn filtered_sign(a: Point, b: Point, c: Point, d: Point) -> Option<CircleSide> {
     let [a, b, c, d] = [a, b, c, d].map(|p| [p.x, p.y]);
     let (sine, bound) = sine_and_bound(a, b, c, d);
     let is_proved = sine.abs() > bound;
-    // What is proved is not zero: the sign bit says it all, and sooner than a comparison.
+    // A proved value is not zero, so that the sign bit is its sign; reading it is faster than a comparison.
     #[allow(clippy::cast_possible_wrap, reason = "the sign bit is asked for")]
     let is_negative = (sine.to_bits() as i64) < 0;
     is_proved.then_some(if is_negative { CircleSide::Inside } else { CircleSide::Outside })
@@ -183,7 +183,7 @@ fn tie_side(a: Point, b: Point, c: Point, d: Point) -> CircleSide {
     CircleSide::from_orientation(cofactor)
 }
 
-/// The sign in plain arithmetic, where differences are so small integers that nothing is rounded.
+/// The sign in plain arithmetic, where the differences are integers so small that nothing is rounded.
 #[inline]
 fn small_sign(a: Point, b: Point, c: Point, d: Point) -> Option<Ordering> {
     let pairs = [a, b, c].map(|p| [(p.x, d.x), (p.y, d.y)]);
@@ -292,7 +292,7 @@ mod tests {
         }
     }
 
-    /// Numbers without pattern: of any exponent, or near one another.
+    /// Random numbers: of any exponent, or near one another.
     fn wild_numbers() -> impl FnMut(bool) -> f64 {
         let mut state = 1_u64;
         move |tame| {

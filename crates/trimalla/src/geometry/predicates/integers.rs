@@ -38,8 +38,8 @@ const SCALABLE: core::ops::RangeInclusive<u64> = 1023 - 900..=1023 + 900;
 /// The differences `a - b` as integers below 2^12 in magnitude, up to a common power of two.
 ///
 /// Polynomials of degree four with up to sixteen terms have no rounding errors in them: sixteen products of 48 bits
-/// make
-/// 52. This is how neighbours of a grid look, and it costs less than [`common_integers`].
+/// make 52. Points of a grid that are near each other have such differences, and this test costs less than
+/// [`common_integers`].
 ///
 /// # Guarantees
 /// `None` where a difference is rounded or has too many digits, or where all are zero or any is not finite.

@@ -66,7 +66,7 @@ pub fn orient2d(a: Point, b: Point, c: Point) -> Orientation {
     }
 }
 
-/// The two products that [`orient2d`] compares, rounded: a look at them costs less than a proof.
+/// The two products that [`orient2d`] compares, rounded: comparing them costs less than a proof.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn {
     left: f64,
@@ -74,25 +74,25 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    /// The turn that three points make.
+    /// The products for three points.
     #[inline(always)]
     pub(crate) fn of(a: Point, b: Point, c: Point) -> Self {
         Self { left: (a.x - c.x) * (b.y - c.y), right: (a.y - c.y) * (b.x - c.x) }
     }
 
-    /// That of `b`, `a`, `c`: of the same products.
+    /// The products for `b`, `a`, `c`, which are those of `a`, `b`, `c` exchanged.
     #[inline(always)]
     pub(crate) const fn reversed(self) -> Self {
         Self { left: self.right, right: self.left }
     }
 
-    /// Whether it is a right turn, but for rounding.
+    /// Whether the rounded products say that the points make a right turn.
     #[inline(always)]
     pub(crate) fn seems_clockwise(self) -> bool {
         self.left < self.right
     }
 
-    /// Which turn it is, if that is beyond rounding.
+    /// The turn, where rounding cannot change it.
     #[inline(always)]
     fn proved(self) -> Option<Orientation> {
         let determinant = self.left - self.right;
@@ -100,13 +100,13 @@ impl Turn {
         (determinant.abs() > self.bound()).then_some(turn)
     }
 
-    /// Whether it is a left turn beyond rounding.
+    /// Whether the points make a left turn that rounding cannot change.
     #[inline(always)]
     pub(crate) fn is_surely_counter_clockwise(self) -> bool {
         self.left - self.right > self.bound()
     }
 
-    /// What rounding may do to the difference of the products.
+    /// The bound of the rounding error in the difference of the products.
     #[inline(always)]
     fn bound(self) -> f64 {
         TWO_PRODUCTS_BOUND * (self.left.abs() + self.right.abs()) + UNDERFLOW_GUARD

@@ -1,8 +1,8 @@
 //! Where the adaptive stages of the `robust` crate are exact.
 //!
 //! Those stages multiply differences of coordinates and rounding errors of such differences, and compare with an error
-//! bound that is about 2^-103 times a sum of magnitudes. They lie as soon as one of these numbers underflows or
-//! overflows.
+//! bound that is about 2^-103 times a sum of magnitudes. Their answers may be wrong as soon as one of these numbers
+//! underflows or overflows.
 //!
 //! Let every coordinate be zero or at least 2^-L. It is then a multiple of 2^(-L-52); so is every difference, rounded
 //! or exact, and every rounding error. A term of degree k is a multiple of 2^(-k(L+52)), and so is the sum of

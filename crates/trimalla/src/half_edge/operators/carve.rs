@@ -1,8 +1,8 @@
-//! Carve: everything outside the domain away, ghosts along its boundary.
+//! Carve: removes every face outside the domain and puts ghosts along its boundary.
 
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
-/// The boundary between the faces of a domain and what is outside.
+/// The boundary between the faces of a domain and the outside.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Boundary {
     /// The half-edges a→b of faces inside with none across.
@@ -45,7 +45,7 @@ impl HalfEdgeMesh {
     /// The boundary of kept faces, in the order of their slots.
     ///
     /// # Complexity
-    /// Linear in the faces that are not kept, and a glance at each face slot.
+    /// Linear in the face slots, most of which are only counted.
     pub(crate) fn boundary_of(&self, kept: &[bool]) -> Boundary {
         let others = (0..self.face_slots()).map(FaceId::from_index).filter(|f| !kept[f.index()] && self.is_alive(*f));
         let across = others.flat_map(FaceId::half_edges).map(|h| self.twin(h));
@@ -55,7 +55,7 @@ impl HalfEdgeMesh {
         Boundary { edges, before }
     }
 
-    /// Hangs a ghost on each half-edge of a boundary, with its mark, and joins it to the ghost of the one before;
+    /// Adds a ghost at each half-edge of a boundary, with its mark, and joins it to the ghost of the one before;
     /// returns the ghosts.
     pub(crate) fn close_boundary<J: Journal>(&mut self, boundary: &Boundary, marks: &[u32], j: &mut J) -> Vec<FaceId> {
         let ghosts: Vec<FaceId> = boundary.edges.iter().zip(marks).map(|(&h, &m)| self.hang_ghost(h, m, j)).collect();
@@ -82,7 +82,7 @@ impl HalfEdgeMesh {
         ghost
     }
 
-    /// From boundary half-edge `h` = a→b, turns clockwise around `a` through faces that are not kept; returns the
+    /// From boundary half-edge `h` = a→b turns clockwise around `a` through faces that are not kept; returns the
     /// half-edge c→a at which a kept face begins again.
     fn turn_through(&self, h: HalfEdgeId, kept: &[bool]) -> HalfEdgeId {
         let mut incoming = self.twin(h);

@@ -132,7 +132,7 @@ impl HalfEdgeMesh {
         Ok(face)
     }
 
-    /// Removes a real face; its sides bound the mesh then, or are gone where nothing lies beyond.
+    /// Removes a real face; each side becomes a boundary edge, or goes too where no face lies beyond.
     ///
     /// ```text
     ///        c                     c
@@ -283,7 +283,7 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Takes that slot, which was free or is the next one at the end.
+    /// Takes a given slot, which is free or the next one at the end.
     fn take_known_face(&mut self, face: FaceId) {
         match self.free_faces.iter().rposition(|&f| f == face) {
             Some(i) => drop(self.free_faces.remove(i)),

@@ -18,7 +18,7 @@ impl HalfEdgeMesh {
     /// ```
     ///
     /// Half-edges `e` and `o` change places so that the two outer edges opposite `q`
-    /// are `e` and `next(o)` afterwards: what a Lawson loop looks at next.
+    /// are `e` and `next(o)` afterwards: the edges that a Lawson loop tests next.
     /// Returns the new diagonal from `q` to `d`.
     ///
     /// # Guarantees

@@ -2,11 +2,10 @@
 
 use crate::half_edge::{FaceId, HalfEdgeId};
 
-/// Triangles that fill a region beside an edge, the *base*; they know nothing of the mesh that they are meant for.
+/// Triangles that fill a region beside an edge, the *base*, named without the ids of any mesh.
 ///
 /// Boundary vertices are numbered along the boundary from one end of the base to the other, the region on the left;
-/// *rim*
-/// `i` is the edge of the boundary between vertices `i` and `i + 1`.
+/// *rim* `i` is the edge of the boundary between vertices `i` and `i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Patch {
     pub(crate) triangles: Vec<Triangle>,
@@ -63,7 +62,7 @@ impl Side {
         if self.0 & 3 == 0 { Self(self.0 + 2) } else { Self(self.0 - 1) }
     }
 
-    /// The half-edge that it becomes in these faces; none for [`BOUNDARY`](Self::BOUNDARY).
+    /// The half-edge that the side becomes in these faces; none for [`BOUNDARY`](Self::BOUNDARY).
     #[inline]
     pub(super) fn half_edge(self, faces: &[FaceId]) -> HalfEdgeId {
         faces.get(self.triangle() as usize).map_or(HalfEdgeId::NONE, |f| f.half_edge(self.0 & 3))

@@ -1,9 +1,9 @@
-//! Refill: other faces in the same cavity.
+//! Refill: replaces the faces of a cavity by others.
 
 use super::patch::Patch;
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 
-/// One half of a cavity that an edge parts.
+/// One half of a cavity that an edge divides.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Half {
     /// The vertices of its boundary.
@@ -71,8 +71,8 @@ impl HalfEdgeMesh {
                 self.set_twin(rim.outer, side.half_edge(faces), j);
             }
         }
-        // The inner half-edge of an edge that dangles was told, as the other rim's outside, what comes in that one's
-        // place.
+        // A dangling edge has two rims, each the outside of the other. The loop above gave each inner half-edge its new
+        // twin: that is the new outside.
         for (_, half) in &mut halves {
             for rim in &mut half.rims {
                 rim.outer = self.twin(rim.inner);

@@ -1,4 +1,4 @@
-//! Star: the faces of a cavity away, a fan around a new vertex in their place.
+//! Star: replaces the faces of a cavity by a fan around a new vertex.
 
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal, VertexId};
 

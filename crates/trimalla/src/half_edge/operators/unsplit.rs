@@ -1,4 +1,4 @@
-//! Unsplits: a vertex of degree three or four taken out again.
+//! Unsplits: take a vertex of degree three or four out again.
 
 use crate::half_edge::{FaceId, HalfEdgeId, HalfEdgeMesh, Journal};
 

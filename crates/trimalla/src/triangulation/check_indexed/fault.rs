@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh from anywhere, in words.
+//! Faults of a mesh from any source, in words.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! The checker of meshes that come from anywhere: every fault, by name and place.
+//! The checker of meshes from any source: names every fault with its place.
 //!
 //! An [`IndexedMesh`] read from a file may be broken in any way. Nothing here panics on it; each part
 //! looks only at what the parts before it have found sound.
@@ -202,7 +202,7 @@ fn segment_fault(mesh: &IndexedMesh, sides: &Sides, segment: usize) -> Option<Me
     (!sides.joins(a, b)).then_some(MeshFault::SegmentNotAnEdge { segment, ends })
 }
 
-/// The circle test across the edge of a side.
+/// The circle test across the edge of a side: the fault, if the test fails.
 fn circle_fault(mesh: &IndexedMesh, sides: &Sides, side: &Side) -> Option<MeshFault> {
     let other = sides.find(side.dest, side.origin)?;
     let [a, b, c, d] = [side.origin, side.dest, side.apex, other.apex].map(|v| mesh.points[v as usize]);

@@ -1,4 +1,4 @@
-//! Do triangles lie on one another? A sweep over the boundary tells.
+//! Finds triangles that lie on one another by a sweep over the boundary.
 //!
 //! Let every triangle be counter-clockwise, and add up their boundaries. Sides of neighbours cancel, what is
 //! left is the boundary of the mesh; and how often the boundary winds around a place is how many

@@ -17,19 +17,19 @@ use crate::records::{Record, Records};
 /// No more crossings than this are named one by one.
 const MOST_CROSSINGS: usize = 1000;
 
-/// The names that a file gives to what is in it.
+/// The numbers and lines that a file gives to vertices, segments and seeds.
 #[derive(Debug)]
-pub(crate) struct Names<'a> {
+pub(crate) struct FileNumbers<'a> {
     drawing: &'a Input<Pslg>,
     records: OnceCell<Records>,
 }
 
-impl<'a> Names<'a> {
+impl<'a> FileNumbers<'a> {
     pub(crate) fn of(drawing: &'a Input<Pslg>) -> Self {
         Self { drawing, records: OnceCell::new() }
     }
 
-    /// An error of the library as the user shall read it.
+    /// An error of the library in the numbers of the file.
     pub(crate) fn failure(&self, error: &DomainError) -> Failure {
         if let DomainError::Constraint(ConstraintError::Crossing(pairs)) = error {
             return self.crossings(pairs);
@@ -123,7 +123,7 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// A warning of the library as the user shall read it.
+    /// A warning of the library in the numbers of the file.
     pub(crate) fn warning(&self, warning: &Warning) -> String {
         match warning {
             Warning::Duplicates { count: n, first } => {

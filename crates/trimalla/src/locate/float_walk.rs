@@ -1,21 +1,21 @@
-//! Walks by sight: where to cross, rounded products tell, and only the face at which a walk ends is proved.
+//! Floating-point walks: rounded products say which edge to cross, and only the last face is proved.
 //!
-//! Most of a walk needs no proof: a step aside costs another step. What rounding leaves open, on an edge or too near to
-//! one, is the business of the exact walks.
+//! The steps need no proof: a wrong one only makes the walk longer. Where rounding leaves the last face open, since the
+//! point lies on an edge or too near to one, the exact walk goes on.
 
 use super::walk::Locus;
 use crate::geometry::{Point, Turn};
 use crate::half_edge::FaceId;
 use crate::triangulation::Triangulation;
 
-/// A walk by sight goes no farther than this: rounding might lead it in circles.
-const SIGHT_STEPS: usize = 64;
+/// A floating-point walk makes no more steps than this: rounding might lead it in circles.
+const FLOAT_STEPS: usize = 64;
 
 impl Triangulation {
-    /// The visibility walk by sight, its end proved. The error is the face where rounding leaves something open, or
-    /// where it was after [`SIGHT_STEPS`].
+    /// The floating-point visibility walk; the face at its end is proved. The error is the face at which rounding
+    /// leaves the answer open, or the face after [`FLOAT_STEPS`] steps.
     #[inline(always)] // Before each insertion.
-    pub(super) fn walk_by_sight(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
+    pub(super) fn float_walk(&self, start: FaceId, p: Point) -> Result<Locus, FaceId> {
         let [a, b, _] = self.vertices_in_slot(start).ok_or(start)?.map(|v| self.points.get(v.index()));
         let (Some(&(mut a)), Some(&(mut b))) = (a, b) else { return Err(start) };
         let mut e = start.half_edge(0);
@@ -24,7 +24,7 @@ impl Triangulation {
             (e, side) = (self.twin(e), side.reversed());
             (a, b) = (b, a);
         }
-        for _ in 0..SIGHT_STEPS {
+        for _ in 0..FLOAT_STEPS {
             let (bc, ca) = (e.next(), e.prev());
             let Some(&c) = self.points.get(self.origin(ca).index()) else {
                 // The face is a ghost.
@@ -43,14 +43,14 @@ impl Triangulation {
         Err(e.face())
     }
 
-    /// [`walk_within`](Self::walk_within) by sight: the face at which it ends, proved. `None` where rounding leaves
-    /// something open, or a constrained edge or the end of the domain is in the way.
+    /// The floating-point [`walk_within`](Self::walk_within): the face at which it ends, proved. `None` where rounding
+    /// leaves the answer open, or where a constrained edge or the end of the domain is in the way.
     pub(crate) fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
         let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
         let (mut a, mut b) = (*a?, *b?);
         let mut e = start.half_edge(0);
         let mut side = Turn::of(a, b, p);
-        for _ in 0..SIGHT_STEPS {
+        for _ in 0..FLOAT_STEPS {
             let (next, prev) = e.next_and_prev();
             let c = *self.points.get(self.origin(prev).index())?;
             let sides = [side, Turn::of(b, c, p), Turn::of(c, a, p)];
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_walk_by_sight_says_is_exactly_so() {
+    fn floating_point_walks_end_where_exact_ones_do() {
         let points = near_lines();
         let t = Delaunay::new(&points).expect("finite");
         let middles = points.windows(2).map(|p| Point::midpoint(p[0], p[1]));
@@ -96,7 +96,7 @@ mod tests {
                 let holds = |f: FaceId| {
                     t.is_real(f) && f.half_edges().into_iter().all(|h| t.side_of(h, p) == Orientation::CounterClockwise)
                 };
-                match t.walk_by_sight(start, p) {
+                match t.float_walk(start, p) {
                     Ok(Locus::Face(f)) => assert!(holds(f), "{p} from {start}"),
                     Ok(Locus::Outside(h)) => {
                         let [a, b] = t.edge_points(h);
@@ -121,7 +121,7 @@ mod tests {
     fn a_slot_that_is_none_is_left_to_the_exact_walk() {
         let t = Delaunay::new(&near_lines()).expect("finite");
         let beyond = FaceId::from_index(t.face_slots() + 7);
-        assert_eq!(t.walk_by_sight(beyond, Point::new(1.0, 1.0)), Err(beyond));
+        assert_eq!(t.float_walk(beyond, Point::new(1.0, 1.0)), Err(beyond));
         assert_eq!(t.walk_within_by_sight(beyond, Point::new(1.0, 1.0)), None);
         assert_eq!(t.locate_from(beyond, Point::new(1e3, 1e3)), t.locate(Point::new(1e3, 1e3)));
     }

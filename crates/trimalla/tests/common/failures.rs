@@ -1,6 +1,6 @@
-//! From a failure on a drawing to the fewest segments and points that still show it, as Rust to paste into a test.
+//! Checks drawings and reduces those that fail to the fewest segments and points, as Rust to paste into a test.
 //!
-//! A [`Court`] hears many drawings before it closes, so that one run names everything that is wrong.
+//! [`Failures`] collects the failures of many drawings, so that one run names all of them.
 #![allow(dead_code, reason = "every test uses a part of it")]
 
 use std::fmt::{Debug, Write};
@@ -9,45 +9,45 @@ use std::time::{Duration, Instant};
 
 use trimalla::drawing::Pslg;
 
-/// What a judge says of a drawing: nothing, or what is wrong.
+/// The result of a check: nothing, or what is wrong.
 pub(crate) type Verdict = Result<(), String>;
 
-/// How often a judge is asked while a drawing is reduced.
-const QUESTIONS: usize = 3000;
-/// How long one drawing is reduced for.
-const PATIENCE: Duration = Duration::from_secs(4);
+/// How often the check is run while a drawing is reduced.
+const MOST_CHECKS: usize = 3000;
+/// How long one drawing is reduced.
+const TIMEOUT: Duration = Duration::from_secs(4);
 /// How many failures are reduced and printed; further ones are named only.
 const PRINTED: usize = 12;
 
-/// Hears drawings and remembers what is wrong with them.
+/// The failures of the drawings checked so far.
 #[derive(Default)]
-pub(crate) struct Court {
-    heard: usize,
+pub(crate) struct Failures {
+    checked: usize,
     failures: Vec<String>,
 }
 
-impl Court {
-    /// Asks the judge about a drawing; a failure is reduced and kept.
-    pub(crate) fn hear(&mut self, name: &str, pslg: &Pslg, judge: impl Fn(&Pslg) -> Verdict) {
-        self.heard += 1;
-        let Err(why) = guarded(pslg, &judge) else { return };
+impl Failures {
+    /// Checks a drawing; one that fails is reduced and kept.
+    pub(crate) fn check(&mut self, name: &str, pslg: &Pslg, check: impl Fn(&Pslg) -> Verdict) {
+        self.checked += 1;
+        let Err(why) = guarded(pslg, &check) else { return };
         if self.failures.len() >= PRINTED {
             return self.failures.push(format!("{name}: {why}"));
         }
-        let few = reduced(pslg, &judge);
-        let still = guarded(&few, &judge).err().unwrap_or_default();
+        let few = reduced(pslg, &check);
+        let still = guarded(&few, &check).err().unwrap_or_default();
         self.failures.push(format!("{name}: {why}\n{}// {still}", snippet(&few)));
     }
 
-    /// Panics with everything that was wrong.
-    pub(crate) fn close(self) {
-        let Self { heard, failures } = self;
-        assert!(heard > 0, "nothing was heard");
-        assert!(failures.is_empty(), "{} of {heard} failed:\n\n{}", failures.len(), failures.join("\n\n"));
+    /// Panics if any drawing failed, with all failures.
+    pub(crate) fn expect_none(self) {
+        let Self { checked, failures } = self;
+        assert!(checked > 0, "nothing was checked");
+        assert!(failures.is_empty(), "{} of {checked} failed:\n\n{}", failures.len(), failures.join("\n\n"));
     }
 }
 
-/// Says that a list of faults is not empty.
+/// Fails if a list of faults is not empty.
 pub(crate) fn none<T: Debug>(what: &str, faults: &[T]) -> Verdict {
     match faults {
         [] => Ok(()),
@@ -55,7 +55,7 @@ pub(crate) fn none<T: Debug>(what: &str, faults: &[T]) -> Verdict {
     }
 }
 
-/// Says that two values differ.
+/// Fails if two values differ.
 pub(crate) fn equal<T: PartialEq + Debug>(what: &str, left: &T, right: &T) -> Verdict {
     if left == right {
         return Ok(());
@@ -83,9 +83,9 @@ pub(crate) fn snippet(pslg: &Pslg) -> String {
     rust
 }
 
-/// The verdict, a panic being one.
-pub(crate) fn guarded(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Verdict {
-    let said = catch_unwind(AssertUnwindSafe(|| judge(pslg)));
+/// Runs a check; a panic is a failure.
+pub(crate) fn guarded(pslg: &Pslg, check: &impl Fn(&Pslg) -> Verdict) -> Verdict {
+    let said = catch_unwind(AssertUnwindSafe(|| check(pslg)));
     said.unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|&s| s.to_owned()));
@@ -93,13 +93,13 @@ pub(crate) fn guarded(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Verdict
     })
 }
 
-/// Takes segments, then points, then holes away while the judge still objects.
-fn reduced(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Pslg {
-    let mut questions = 0;
-    let until = Instant::now() + PATIENCE;
-    let mut objects = |fewer: &Pslg| {
-        questions += 1;
-        questions < QUESTIONS && Instant::now() < until && guarded(fewer, judge).is_err()
+/// Removes holes, then segments, then points while the check still fails.
+fn reduced(pslg: &Pslg, check: &impl Fn(&Pslg) -> Verdict) -> Pslg {
+    let mut checks = 0;
+    let until = Instant::now() + TIMEOUT;
+    let mut fails = |fewer: &Pslg| {
+        checks += 1;
+        checks < MOST_CHECKS && Instant::now() < until && guarded(fewer, check).is_err()
     };
     let mut few = Pslg {
         points: pslg.points.clone(),
@@ -107,7 +107,7 @@ fn reduced(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Pslg {
         holes: pslg.holes.clone(),
         ..Pslg::default()
     };
-    if !objects(&few) {
+    if !fails(&few) {
         return pslg.clone();
     }
     for _ in 0..2 {
@@ -115,32 +115,32 @@ fn reduced(pslg: &Pslg, judge: &impl Fn(&Pslg) -> Verdict) -> Pslg {
             few,
             |p| p.holes.len(),
             |p, gone| Pslg { holes: kept(&p.holes, gone), ..p.clone() },
-            &mut objects,
+            &mut fails,
         );
         few = without_runs(
             few,
             |p| p.segments.len(),
             |p, gone| Pslg { segments: kept(&p.segments, gone), ..p.clone() },
-            &mut objects,
+            &mut fails,
         );
-        few = without_runs(few, |p| p.points.len(), without_points, &mut objects);
+        few = without_runs(few, |p| p.points.len(), without_points, &mut fails);
     }
     few
 }
 
-/// Takes runs of something away, halving their length, while there are objections.
+/// Removes runs of something, halving their length, while the check still fails.
 fn without_runs(
     mut pslg: Pslg,
     count: impl Fn(&Pslg) -> usize,
     without: impl Fn(&Pslg, [usize; 2]) -> Pslg,
-    objects: &mut impl FnMut(&Pslg) -> bool,
+    fails: &mut impl FnMut(&Pslg) -> bool,
 ) -> Pslg {
     let mut run = count(&pslg).div_ceil(2);
     while run > 0 {
         let mut at = 0;
         while at < count(&pslg) {
             let fewer = without(&pslg, [at, (at + run).min(count(&pslg))]);
-            if objects(&fewer) {
+            if fails(&fewer) {
                 pslg = fewer;
             } else {
                 at += run;
