@@ -200,13 +200,10 @@ impl ConstrainedTriangulation {
 /// Regions.
 impl ConstrainedTriangulation {
     /// What holds in the region of a face; `None` where no region seed reached it.
-    ///
-    /// Where a mesh gave area bounds triangle by triangle, the bound is that of the triangle in which the middle of the
-    /// face lies.
     #[must_use]
     #[inline]
     pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
-        self.t.region(f).checked_sub(1).and_then(|region| self.regions.rule(region, || self.t.corners(f)))
+        self.t.region(f).checked_sub(1).and_then(|region| self.regions.rules().get(region as usize).copied())
     }
 
     /// What holds in each region; faces name them from 1 on.
@@ -214,20 +211,9 @@ impl ConstrainedTriangulation {
         &self.regions
     }
 
-    /// The area bound of the region of a face, where there is one for the whole region.
-    #[inline]
-    pub(crate) fn fixed_area_bound(&self, f: FaceId) -> Option<f64> {
-        self.t.region(f).checked_sub(1).and_then(|region| self.regions.fixed_area_bound(region))
-    }
-
     /// Says which regions there are; faces name them from 1 on ([`set_region`](Self::set_region)).
     pub(crate) fn set_regions<J: Journal>(&mut self, rules: Vec<RegionRule>, j: &mut J) {
         self.regions.set(rules, j);
-    }
-
-    /// Bounds the areas of triangles by those of the triangles of `given` in which they lie, one bound a region.
-    pub(crate) fn bound_areas_as_given(&mut self, given: Triangulation) {
-        self.regions.bound_as_given(given);
     }
 
     /// Puts a face into a region, counted from 1; 0 for none.

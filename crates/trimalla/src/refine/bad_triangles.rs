@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::options::Criteria;
-use crate::constrained::{ConstrainedTriangulation, RegionRule};
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
-use crate::half_edge::VertexId;
+use crate::half_edge::{FaceId, VertexId};
 use crate::quality::aspect_ratio;
+use crate::size::{AreaBound, SizeBounds, SizeField, TriangleInRegion};
 
 /// What is wrong with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,40 +90,26 @@ impl Everywhere {
     }
 }
 
-/// What a test of the caller's own is asked about.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Asked {
-    /// The triangle, counter-clockwise.
-    pub triangle: Triangle,
-    /// The attribute of its region; 0 where it lies in none. The area is [`Triangle::area`].
-    pub region_attribute: f64,
-}
-
 /// A test of the caller's own: whether a triangle must be refined.
-pub type UserTest = dyn Fn(Asked) -> bool + Send + Sync;
+pub type UserTest = dyn Fn(TriangleInRegion) -> bool + Send + Sync;
 
 /// The criteria, ready to be tested.
 #[derive(Clone)]
 pub(super) struct Test {
     /// Squared cosine of the angle bound; `None` where no bound is asked for.
     cos_sq: Option<f64>,
-    /// Twice the area bound, infinite where there is none.
-    doubled_area: f64,
+    size: SizeBounds,
     max_aspect_ratio: f64,
-    /// Whether regions, or triangles one by one, have area bounds of their own.
-    has_local_bounds: bool,
     asked: Option<Arc<UserTest>>,
 }
 
 impl Test {
-    pub(super) fn new(criteria: &Criteria, cdt: &ConstrainedTriangulation) -> Self {
+    pub(super) fn new(criteria: &Criteria, size: SizeBounds) -> Self {
         let bounded = criteria.min_angle.radians() > 0.0;
         Self {
             cos_sq: bounded.then(|| criteria.min_angle.cos_sq()),
-            doubled_area: criteria.max_area.map_or(f64::INFINITY, |a| 2.0 * a),
+            size,
             max_aspect_ratio: criteria.max_aspect_ratio.unwrap_or(f64::INFINITY),
-            has_local_bounds: cdt.regions().have_area_bounds(),
             asked: None,
         }
     }
@@ -130,6 +117,11 @@ impl Test {
     /// Whether a triangle can be bad for its shape.
     pub(super) fn minds_shape(&self) -> bool {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
+    }
+
+    /// How large a triangle may be where.
+    pub(super) fn size(&self) -> &SizeBounds {
+        &self.size
     }
 
     /// The caller's own test, if there is one.
@@ -142,13 +134,13 @@ impl Test {
         Self { asked: Some(asked), ..self }
     }
 
-    /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
+    /// What is wrong with a face that has these corners; the size first. Angles are certified exactly.
     #[inline(never)]
-    pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
+    pub(super) fn badness(&self, cdt: &ConstrainedTriangulation, f: FaceId, corners: [Point; 3]) -> Option<Badness> {
         let [a, b, c] = corners;
-        if (b - a).cross(c - a) > self.doubled_area_bound(region) {
+        if self.size.refuse((b - a).cross(c - a), cdt, f, corners) {
             Some(Badness::Area)
-        } else if self.asked.is_some() && self.is_refused(corners, region) {
+        } else if self.asked.is_some() && self.is_refused(cdt, f, corners) {
             Some(Badness::Asked)
         } else if self.cos_sq.is_some_and(|cos_sq| !triangle_angles_at_least(a, b, c, cos_sq)) {
             Some(Badness::Angle)
@@ -172,35 +164,32 @@ impl Test {
         let asks_more = self.asked.is_some() || self.max_aspect_ratio < f64::INFINITY;
         // Without a bound on angles a triangle need only be more than flat.
         let sine_sq = 1.0 - self.cos_sq.unwrap_or(1.0);
-        Everywhere { sine_sq, doubled_area: self.doubled_area, is_all: !asks_more && !self.has_local_bounds }
+        let is_all = !asks_more && self.size.are_uniform();
+        Everywhere { sine_sq, doubled_area: self.size.everywhere().doubled(), is_all }
     }
 
-    /// Bounds that imply the test, where there are such regions.
-    pub(super) fn sure_bounds(&self, regions: &[RegionRule]) -> SureBounds {
+    /// Bounds that imply the test.
+    pub(super) fn sure_bounds(&self) -> SureBounds {
         let is_sure = self.asked.is_none() && self.max_aspect_ratio == f64::INFINITY;
-        let areas = regions.iter().map(|&region| self.doubled_area_bound(Some(region)));
         SureBounds {
             sine_sq: self.cos_sq.map_or(0.0, |cos_sq| 1.0 - cos_sq),
-            doubled_area: if is_sure { areas.fold(self.doubled_area, f64::min) } else { f64::NEG_INFINITY },
+            doubled_area: if is_sure { self.size.sure_bound().doubled() } else { f64::NEG_INFINITY },
         }
     }
 
-    /// Twice the area bound of triangles of a region, infinite where there is none.
-    #[inline(always)]
-    pub(super) fn doubled_area_bound(&self, region: Option<RegionRule>) -> f64 {
-        region.map_or(self.doubled_area, |region| self.doubled_area_in(region))
+    /// The area bound by which a face is filled and its share of the mesh estimated.
+    pub(super) fn expected_bound(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> AreaBound {
+        if self.size.are_uniform() {
+            self.size.everywhere()
+        } else {
+            self.size.expected_within(&TriangleInRegion::of(cdt, f))
+        }
     }
 
+    /// Whether the caller's own test refuses a face with these corners.
     #[inline(never)]
-    fn doubled_area_in(&self, region: RegionRule) -> f64 {
-        region.max_area.map_or(self.doubled_area, |area| self.doubled_area.min(2.0 * area))
-    }
-
-    /// Whether the caller's own test refuses a triangle of a region.
-    #[inline(never)]
-    fn is_refused(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> bool {
-        let (triangle, region_attribute) = (Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute));
-        self.asked.as_ref().is_some_and(|test| test(Asked { triangle, region_attribute }))
+    fn is_refused(&self, cdt: &ConstrainedTriangulation, f: FaceId, corners: [Point; 3]) -> bool {
+        self.asked.as_ref().is_some_and(|test| test(TriangleInRegion::of_face(cdt, f, corners)))
     }
 
     #[inline(never)]

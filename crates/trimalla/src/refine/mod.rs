@@ -58,7 +58,7 @@ mod stopwatch;
 #[cfg(test)]
 mod tests;
 
-pub use bad_triangles::{Asked, UserTest};
+pub use bad_triangles::UserTest;
 pub use engine::Refinement;
 pub use engine::overview::Overview;
 pub(crate) use engine::recovery::make_conforming;

@@ -14,6 +14,7 @@ use crate::constrained::{ConstrainedTriangulation, Edit, Provenance, SplitError}
 use crate::geometry::{Orientation, Point, on_segment};
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::locate::{Locus, Walk};
+use crate::size::SizeBounds;
 
 /// The five steps of a refinement.
 ///
@@ -106,6 +107,8 @@ pub struct View<'a> {
     pub cdt: &'a ConstrainedTriangulation,
     /// What makes a triangle bad.
     pub criteria: &'a Criteria,
+    /// How large a triangle may be where.
+    pub size: &'a SizeBounds,
     /// How lengths are measured.
     pub ruler: Ruler,
     /// A walk to a place for a new vertex crosses no more triangles than this.

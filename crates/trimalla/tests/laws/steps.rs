@@ -11,9 +11,10 @@ use trimalla::geometry::{Orientation, Point, Triangle};
 use trimalla::half_edge::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
-    Asked, Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
+    Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
     RefineOptions, Refinement, Report, Select, StepOutcome,
 };
+use trimalla::size::TriangleInRegion;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
@@ -145,7 +146,7 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
         assert!(worst <= ratio && worst > 0.6 * ratio, "{worst} where {ratio} is allowed");
     }
     let fine = |t: &Triangle| t.centroid().y > 0.0 && t.area() > 1.0;
-    let test = move |asked: Asked| fine(&asked.triangle);
+    let test = move |at: TriangleInRegion| fine(&at.triangle);
     let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(test);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
@@ -162,7 +163,7 @@ fn a_test_of_the_caller_gets_triangles_of_the_domain() {
     let mut drawing = shape("key");
     drawing.points.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
     drawing.holes.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
-    let asked = |Asked { triangle: t, .. }: Asked| {
+    let asked = |TriangleInRegion { triangle: t, .. }: TriangleInRegion| {
         assert!(t.orientation() == Orientation::CounterClockwise && t.centroid().x > 5e3, "{t:?}");
         t.area() > 0.5
     };
@@ -367,7 +368,7 @@ fn interfered(mut refinement: Refinement, options: RefineOptions, random: &mut S
         }
         9 => {
             let most = 0.05 + 0.1 * random.below(4) as f64;
-            refinement.with_test(move |asked: Asked| asked.triangle.area() > most)
+            refinement.with_test(move |at: TriangleInRegion| at.triangle.area() > most)
         }
         _ => refinement,
     }

@@ -68,7 +68,7 @@ impl Refinement {
 
     /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
-        let extremes = Extremes::new(self.problem.ruler, self.problem.test.sure_bounds(self.cdt.regions().rules()));
+        let extremes = Extremes::new(self.problem.ruler, self.problem.test.sure_bounds());
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
         self.cdt.for_each_two_triangles(|two, count| {
             let are_plain = survey.extremes.are_plain(corners_of_two(two));

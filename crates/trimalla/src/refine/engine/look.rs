@@ -56,7 +56,7 @@ impl Looker<'_> {
     /// Whether a face with these corners is to be queued.
     #[inline(never)]
     fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
-        !self.is_manual && self.test.badness(corners, self.view.cdt.region_rule(f)).is_some()
+        !self.is_manual && self.test.badness(self.view.cdt, f, corners).is_some()
     }
 
     /// What tells without more ado whether most faces are.
@@ -137,6 +137,7 @@ impl Refinement {
             view: View {
                 cdt: &self.cdt,
                 criteria: &self.problem.options.criteria,
+                size: self.problem.test.size(),
                 ruler: self.problem.ruler,
                 longest_walk: self.strategy.longest_walk,
             },
@@ -238,7 +239,7 @@ impl Refinement {
 
     /// What is wrong with a face.
     pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
-        self.problem.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
+        self.problem.test.badness(&self.cdt, f, self.cdt.corners_from_newest(f))
     }
 
     /// Queues a face if it is bad.

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
+use std::sync::Arc;
 
 use super::history::Picked;
 use super::improvement::Improvement;
@@ -24,6 +25,7 @@ use crate::refine::report::{Reason, Report};
 use crate::refine::ruler::Ruler;
 use crate::refine::steps::{InsertStep, Proposal, StepFacts, Steps, View};
 use crate::refine::stopwatch::Stopwatch;
+use crate::size::{SizeBounds, SizeField};
 
 /// What is asked, and what of the input answers depend on. It stays as it is while points go in.
 #[derive(Clone)]
@@ -46,12 +48,14 @@ pub(super) struct Problem {
 impl Problem {
     pub(super) fn new(
         (cdt, is_delaunay): (&ConstrainedTriangulation, bool),
+        fields: Vec<Arc<dyn SizeField>>,
         options: RefineOptions,
         insert: &dyn InsertStep,
     ) -> Self {
         let ruler = Ruler::for_box(cdt.bounding_box());
+        let size = SizeBounds::new(options.criteria.max_area, cdt, fields);
         Self {
-            test: Test::new(&options.criteria, cdt),
+            test: Test::new(&options.criteria, size),
             region: Region::new(options.recipe.encroachment, &options.criteria),
             floors: Floors::of(cdt, &options, ruler, insert),
             joints: Joints::of(cdt),
