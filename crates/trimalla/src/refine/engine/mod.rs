@@ -161,7 +161,7 @@ impl Refinement {
     /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's
     /// own.
     pub(super) fn has_area_bound(&self) -> bool {
-        self.problem.test.sure_bounds().doubled_area < f64::INFINITY
+        self.problem.test.sufficient_bounds().doubled_area < f64::INFINITY
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
@@ -244,7 +244,7 @@ impl Refinement {
     }
 
     pub(super) fn with_user_test(mut self, test: Arc<UserTest>) -> Self {
-        self.problem.test = self.problem.test.clone().with_asked(test);
+        self.problem.test = self.problem.test.clone().with_user_test(test);
         self.ledger.improvement = Improvement::UNWATCHED;
         if self.is_open() && !self.is_filling() {
             self.look_at_everything();

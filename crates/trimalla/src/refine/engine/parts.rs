@@ -13,7 +13,7 @@ use super::split_segments::Encroached;
 use crate::constrained::{ConstrainedTriangulation, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
 use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
-use crate::refine::bad_triangles::Test;
+use crate::refine::bad_triangles::Criterion;
 use crate::refine::encroachment::Region;
 use crate::refine::event::Event;
 use crate::refine::floors::Floors;
@@ -32,7 +32,7 @@ use crate::size::{SizeBounds, SizeField};
 pub(super) struct Problem {
     pub(super) options: RefineOptions,
     /// What makes a triangle bad.
-    pub(super) test: Test,
+    pub(super) test: Criterion,
     /// What encroaches upon a subsegment.
     pub(super) region: Region,
     pub(super) ruler: Ruler,
@@ -55,7 +55,7 @@ impl Problem {
         let ruler = Ruler::for_box(cdt.bounding_box());
         let size = SizeBounds::new(options.criteria.max_area, cdt, fields);
         Self {
-            test: Test::new(&options.criteria, size),
+            test: Criterion::new(&options.criteria, size),
             region: Region::new(options.recipe.encroachment, &options.criteria),
             floors: Floors::of(cdt, &options, ruler, insert),
             joints: Joints::of(cdt),

@@ -107,8 +107,8 @@ impl Refinement {
         changed.ledger.insertions = self.ledger.insertions;
         changed.ledger.steps_told = self.ledger.steps_told;
         changed.history = self.history.take();
-        *self = match self.problem.test.asked() {
-            Some(asked) => changed.with_user_test(asked),
+        *self = match self.problem.test.user_test() {
+            Some(test) => changed.with_user_test(test),
             None => changed,
         };
         Ok(())
