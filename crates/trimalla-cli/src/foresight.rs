@@ -103,7 +103,7 @@ pub(crate) fn describe_within_rounding(names: &Names<'_>, gap: &Gap) -> String {
 fn describe_feature(names: &Names<'_>, feature: Feature) -> String {
     match feature {
         Feature::Vertex(v) => names.vertex(v),
-        Feature::Segment(s) => names.segment(s as usize),
+        Feature::Segment(s) => names.segment(s.index()),
         _ => "the convex hull".to_owned(),
     }
 }

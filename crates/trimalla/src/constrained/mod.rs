@@ -42,8 +42,9 @@ mod split_subsegment;
 mod tests;
 mod workspace;
 
+pub use crate::drawing::SegmentId;
 pub use constrained_delaunay::ConstrainedDelaunay;
-pub use constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+pub use constrained_triangulation::ConstrainedTriangulation;
 pub use crossing_pairs::crossing_pairs;
 pub use edit::Edit;
 pub use error::{ConstraintError, CrossingPair};

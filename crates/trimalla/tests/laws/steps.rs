@@ -6,7 +6,7 @@ use std::path::Path;
 use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::{IndexedMesh, Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region, SegmentId};
 use trimalla::geometry::{Orientation, Point, Triangle};
 use trimalla::half_edge::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
@@ -79,11 +79,11 @@ fn each_way_to_recover_does_what_it_says() {
     let [whole, split, none] = [Recover::WholeEdge, Recover::BySplitting, Recover::None]
         .map(|recover| recovered(&drawing, recover, Preset::OffCenter));
     for (mesh, report) in [&whole, &split] {
-        assert_eq!(report.lost_segments, [0; 0]);
+        assert_eq!(report.lost_segments, []);
         assert_eq!(against_input(mesh, &drawing).faults, []);
         assert!(report.complete(), "{:?}", report.reasons());
     }
-    assert_eq!(none.1.lost_segments, [4], "the long segment is in the way of better edges");
+    assert_eq!(none.1.lost_segments, [SegmentId(4)], "the long segment is in the way of better edges");
     assert!(!none.1.complete());
     assert!(!against_input(&none.0, &drawing).faults.is_empty());
     assert!(whole.0.triangles != split.0.triangles && split.0.triangles != none.0.triangles);
@@ -123,7 +123,7 @@ fn regions_keep_their_segments() {
     drawing.regions = vec![Region { seed: Point::new(4.0, 7.0), attribute: 7.0, max_area: Some(0.25) }];
     for recover in [Recover::None, Recover::BySplitting] {
         let (mesh, report) = recovered(&drawing, recover, Preset::LeppCentroid);
-        assert!(!report.lost_segments.contains(&7), "{recover}");
+        assert!(!report.lost_segments.contains(&SegmentId(7)), "{recover}");
         for (t, attribute) in mesh.triangles.iter().zip(&mesh.triangle_attributes) {
             let above = t.iter().all(|&v| mesh.points[v as usize].y >= 6.0);
             assert_eq!(*attribute, if above { 7.0 } else { 0.0 }, "{recover}");

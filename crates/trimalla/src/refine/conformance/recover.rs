@@ -33,7 +33,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
         })
     })?;
     let (cdt, report) = refinement.finish();
-    let told: BTreeSet<u32> = report.lost_segments.iter().copied().collect();
+    let told: BTreeSet<u32> = report.lost_segments.iter().map(|s| s.0).collect();
     let missing = missing(&cdt, pslg);
     ensure(missing == told, || format!("segments {missing:?} are missing in the end, and {told:?} are told of"))?;
     let must_be_whole = step.locks_segments() || step.splits_back() && is_finished;

@@ -165,7 +165,7 @@ struct Thief(Arc<dyn InsertStep + Send + Sync>);
 
 impl InsertStep for Thief {
     fn insert(&self, edit: &mut Edit<'_, UndoLog>, p: Point, locus: Locus) -> Option<VertexId> {
-        let inner = (0..edit.segments().len() as u32).rev().find(|&s| {
+        let inner = edit.segment_ids().rev().find(|&s| {
             let chain = edit.chain(s);
             !chain.is_empty() && chain.iter().all(|&h| edit.is_real(h.face()) && edit.is_real(edit.twin(h).face()))
         });
