@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use trimalla::constrained::crossing_pairs;
-use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::drawing::{IndexedMesh, Pslg, SegmentId};
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::RefineOptions;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
@@ -81,10 +81,16 @@ fn peer(input: &Pslg, mesh: &IndexedMesh, is_delaunay: bool) -> Verdict {
 ///
 /// # Errors
 /// The first fault.
-pub fn mesh_of(drawing: &Pslg, mesh: &IndexedMesh, is_delaunay: bool, lost: &[u32], tally: &mut Tally) -> Verdict {
+pub fn mesh_of(
+    drawing: &Pslg,
+    mesh: &IndexedMesh,
+    is_delaunay: bool,
+    lost: &[SegmentId],
+    tally: &mut Tally,
+) -> Verdict {
     tally.meshes += 1;
     sound(mesh, is_delaunay)?;
-    let is_kept = |s: &usize| !lost.contains(&(*s as u32));
+    let is_kept = |s: &usize| !lost.contains(&SegmentId::from_index(*s));
     let segments = (0..drawing.segments.len()).filter(is_kept).map(|s| drawing.segments[s]).collect();
     let input = Pslg { segments, segment_markers: Vec::new(), regions: Vec::new(), ..drawing.clone() };
     if let Some(flaw) = first_flaw(mesh, Some(&input), is_delaunay) {

@@ -103,7 +103,7 @@ pub(crate) fn describe_within_rounding(names: &FileNumbers<'_>, gap: &Gap) -> St
 fn describe_feature(names: &FileNumbers<'_>, feature: Feature) -> String {
     match feature {
         Feature::Vertex(v) => names.vertex(v),
-        Feature::Segment(s) => names.segment(s as usize),
+        Feature::Segment(s) => names.segment(s.index()),
         _ => "the convex hull".to_owned(),
     }
 }

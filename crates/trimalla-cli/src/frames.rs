@@ -51,10 +51,10 @@ impl<'a> Frame<'a> {
     }
 
     fn title(&self) -> String {
-        let Event { number, outcome, selected, inserted, given_up, .. } = self.event;
+        let Event { number, outcome, inserted, given_up, .. } = self.event;
         let mut text = format!("step {number}: {}", outcome_key(*outcome));
-        if let Some((_, why)) = selected {
-            let _ = write!(text, ", selected for its {}", why.key());
+        if let Some(why) = self.event.why() {
+            let _ = write!(text, ", selected for its {why}");
         }
         if let Some(inserted) = inserted {
             let _ = write!(text, ", vertex {} ({})", inserted.vertex, inserted.kind.key());

@@ -31,7 +31,7 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
         "seconds": seconds,
         "complete": report.complete(),
         "stop": stop_key(report.stop),
-        "lost_segments": report.lost_segments,
+        "lost_segments": report.lost_segments.iter().map(|s| s.0).collect::<Vec<u32>>(),
         "lepp_lengths": report.lepp_lengths,
         "insertions": {
             "free": report.points_inserted,

@@ -138,7 +138,7 @@ fn line(event: &Event) -> String {
         "outcome": outcome_key(event.outcome),
         "subsegment": event.subsegment.as_ref().map(edge),
         "selected": event.selected.as_ref().map(|s| name(&s.0)),
-        "why": event.selected.map(|s| s.1.key()),
+        "why": event.why(),
         "lepp": names(&event.lepp),
         "terminal_edge": event.terminal_edge.as_ref().map(edge),
         "candidates": event.candidates.iter().map(candidate).collect::<Value>(),

@@ -2,7 +2,7 @@
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::{self, DomainError, DomainRule, FromMesh, MeshError, Warning};
+use crate::domain::{self, DomainError, DomainRule, MeshError, Warning};
 use crate::drawing::{IndexedMesh, Pslg};
 use crate::quality::{InputFault, against_input};
 use crate::refine::{
@@ -113,7 +113,7 @@ fn refined(
     observer: &mut dyn Observer,
 ) -> Result<(ConstrainedTriangulation, Report, Option<Outlook>), OptionError> {
     let start = start.into();
-    let outlook = observer.wants_outlook().then(|| Outlook::of(start.triangulation(), options));
+    let outlook = observer.wants_outlook().then(|| start.outlook(options));
     if let Some(outlook) = &outlook {
         observer.outlook(outlook);
     }
@@ -175,14 +175,15 @@ pub fn refine_mesh_with(
     observer: &mut dyn Observer,
 ) -> Result<Meshed, Error> {
     options.validate()?;
-    let FromMesh { cdt, given, mut warnings } = domain::from_mesh(mesh, areas, input)?;
+    let mut taken = domain::from_mesh(mesh, areas, input)?;
+    let (given, mut warnings) = (std::mem::take(&mut taken.given), std::mem::take(&mut taken.warnings));
     if let Some(pslg) = input {
         let faults = against_input(mesh, pslg).faults;
         if !faults.is_empty() {
             return Err(Error::NotOfDrawing(faults));
         }
     }
-    let (cdt, report, outlook) = refined(cdt, options, observer)?;
+    let (cdt, report, outlook) = refined(taken, options, observer)?;
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }

@@ -26,6 +26,7 @@
 //! | triangulate points and segments, and change both | [`ConstrainedDelaunay`] |
 //! | find the triangle or vertex at a place | [`Triangulation::locate`](triangulation::Triangulation::locate) |
 //! | choose the angle, the area, the strategy | [`RefineOptions`], [`Preset`](refine::Preset), [`Recipe`](refine::Recipe) |
+//! | bound sizes by place, small near some points and segments | [`size`], [`Start::with_size`](refine::Start::with_size) |
 //! | refine step by step, and back | [`Refinement`] |
 //! | write a strategy of my own | [`refine::steps`] |
 //! | know whether a mesh is sound, Delaunay, one of its drawing | [`check_mesh`](triangulation::check_mesh), [`check_mesh_delaunay`](triangulation::check_mesh_delaunay), [`against_input`](quality::against_input) |
@@ -42,7 +43,7 @@
 //! * [`locate`]: where a point lies
 //! * [`delaunay`]: incremental, divide and conquer, insertion, removal
 //! * [`constrained`]: segments that must be edges, crossings, subsegments
-//! * [`domain`]: outlines, holes, what is kept of a drawing
+//! * [`domain`]: outlines, holes, what is kept of a drawing; [`size`]: how large a triangle may be where
 //! * [`quality`]: statistics, meshes compared with their input
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
@@ -63,6 +64,7 @@ pub mod half_edge;
 pub mod locate;
 pub mod quality;
 pub mod refine;
+pub mod size;
 pub mod triangulation;
 
 pub use constrained::{ConstrainedDelaunay, Crossings};

@@ -2,6 +2,7 @@
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::{AlgorithmKey, Delaunay};
+use trimalla::drawing::SegmentId;
 use trimalla::geometry::Point;
 use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
 
@@ -128,7 +129,9 @@ impl Subject for ConstrainedDelaunay {
                     self.rollback(log, here);
                 }
             }
-            Edit::RemoveSegment(s) if (s as usize) < self.segments().len() => drop(self.remove_segment_with(s, log)),
+            Edit::RemoveSegment(s) if (s as usize) < self.segments().len() => {
+                self.remove_segment_with(SegmentId(s), log);
+            }
             Edit::Merge(v) => drop(self.merge_subsegments(VertexId(v), log)),
             _ => {}
         }

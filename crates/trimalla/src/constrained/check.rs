@@ -1,6 +1,7 @@
 //! The checker of the constrained layer.
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
+use crate::drawing::SegmentId;
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, on_segment};
 use crate::half_edge::VertexId;
 use crate::triangulation::{Closure, Fault, Triangulation};
@@ -28,7 +29,7 @@ impl ConstrainedTriangulation {
     fn with_segment_faults(&self, mut faults: Vec<Fault>) -> Vec<Fault> {
         if faults.is_empty() {
             let places = InputPlaces::of(self);
-            for segment in 0..self.segments().len() as SegmentId {
+            for segment in self.segment_ids() {
                 faults.extend(self.segment_fault(segment, &places));
             }
         }
@@ -38,7 +39,7 @@ impl ConstrainedTriangulation {
     /// I13: a segment is a chain of edges from its start to its end, by the rule of [`Strip`]. In a carved domain parts
     /// may be missing.
     fn segment_fault(&self, segment: SegmentId, places: &InputPlaces) -> Option<Fault> {
-        let [a, b] = self.segments()[segment as usize];
+        let [a, b] = self.segments()[segment.index()];
         let chain = self.chain(segment);
         let mut vertices = vec![a];
         vertices.extend(chain.iter().map(|&h| self.dest(h)));

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 use super::columns;
 use super::lines::{Lines, Span};
+use crate::drawing::SegmentId;
 use crate::half_edge::{Entry, Journal, VertexId};
 
 /// The bit that is set in the mark of a span; the other bits are its number.
@@ -21,13 +22,13 @@ const SPAN: u32 = 1 << 31;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Classes {
     /// The members of all lists, one list behind the other.
-    members: Vec<u32>,
+    members: Vec<SegmentId>,
     /// Where each list ends.
     ends: Vec<u32>,
     /// The mark of the list of just this segment; 0 where there is none.
     alone: Vec<u32>,
     /// The mark of each list of none or several, so that equal lists share one.
-    class_of: BTreeMap<Vec<u32>, u32>,
+    class_of: BTreeMap<Vec<SegmentId>, u32>,
     /// The lines on which segments overlap.
     pub(super) lines: Lines,
 }
@@ -43,7 +44,7 @@ struct ClassCount {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Class<'a> {
     /// A list of segments, sorted.
-    List(&'a [u32]),
+    List(&'a [SegmentId]),
     /// The segments of a line that cover a span.
     Span(Span),
 }
@@ -52,7 +53,7 @@ impl Classes {
     /// The mark of an edge that belongs to exactly these segments, sorted; a new class where needed.
     ///
     /// The empty list marks edges that bound the domain without being part of any segment.
-    pub(super) fn mark_of<J: Journal>(&mut self, segments: &[u32], j: &mut J) -> u32 {
+    pub(super) fn mark_of<J: Journal>(&mut self, segments: &[SegmentId], j: &mut J) -> u32 {
         let known = self.existing_mark_of(segments);
         if known != 0 {
             return known;
@@ -63,7 +64,7 @@ impl Classes {
         let mark = self.ends.len() as u32;
         match segments {
             [segment] => {
-                let at = *segment as usize;
+                let at = segment.index();
                 if self.alone.len() <= at {
                     self.alone.resize(at + 1, 0);
                 }
@@ -83,9 +84,9 @@ impl Classes {
     }
 
     /// The mark of exactly these segments, 0 where they have no class.
-    fn existing_mark_of(&self, segments: &[u32]) -> u32 {
+    fn existing_mark_of(&self, segments: &[SegmentId]) -> u32 {
         let mark = match segments {
-            [segment] => self.alone.get(*segment as usize),
+            [segment] => self.alone.get(segment.index()),
             _ => self.class_of.get(segments),
         };
         mark.copied().unwrap_or(0)
@@ -93,7 +94,7 @@ impl Classes {
 
     /// The mark of a new span of a line, between two vertices on it, the lexicographically lower one first; `first` is
     /// the lowest segment that covers it, and a member of the line.
-    pub(super) fn mark_of_span<J: Journal>(&mut self, ends: [VertexId; 2], first: u32, j: &mut J) -> u32 {
+    pub(super) fn mark_of_span<J: Journal>(&mut self, ends: [VertexId; 2], first: SegmentId, j: &mut J) -> u32 {
         self.note_count(j);
         SPAN | self.lines.add_span(ends, first) as u32
     }
@@ -106,7 +107,7 @@ impl Classes {
     }
 
     /// The segments of a mark that names a list, sorted; none for any other.
-    fn list(&self, mark: u32) -> &[u32] {
+    fn list(&self, mark: u32) -> &[SegmentId] {
         let Some(class) = mark.checked_sub(1).map(|class| class as usize) else { return &[] };
         let Some(&end) = self.ends.get(class) else { return &[] };
         let start = class.checked_sub(1).map_or(0, |before| self.ends[before]);
@@ -147,7 +148,7 @@ impl Classes {
         while self.ends.len() > count.lists as usize {
             let list = self.list(self.ends.len() as u32).to_vec();
             match list[..] {
-                [segment] => self.alone[segment as usize] = 0,
+                [segment] => self.alone[segment.index()] = 0,
                 _ => drop(self.class_of.remove(&list)),
             }
             self.ends.pop();

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
@@ -10,6 +10,7 @@ use super::move_vertex::MoveError;
 use super::pseudo_polygon::Filling;
 use super::workspace::Workspace;
 use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, RemoveError};
+use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{Checkpoint, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::triangulation::{Fault, Triangulation};

@@ -10,12 +10,10 @@ use super::provenance::{Origins, Provenance};
 use super::regions::{RegionRule, Regions};
 use super::workspace::Workspace;
 use crate::delaunay::along_curve;
+use crate::drawing::SegmentId;
 use crate::geometry::{Point, Segment};
 use crate::half_edge::{Checkpoint, Entry, FaceId, HalfEdgeId, Journal, UndoLog, VertexId, columns as mesh_columns};
 use crate::triangulation::Triangulation;
-
-/// An input segment: its index in the list that the triangulation was built with, or in the order of later insertion.
-pub type SegmentId = u32;
 
 /// A triangulation in which edges may be pieces of input segments, vertices may have been inserted, and faces may lie
 /// in regions.
@@ -104,6 +102,11 @@ impl ConstrainedTriangulation {
         &self.segments
     }
 
+    /// The input segments, removed ones included, in the order of [`segments`](Self::segments).
+    pub fn segment_ids(&self) -> impl ExactSizeIterator<Item = SegmentId> + DoubleEndedIterator + use<> {
+        (0..self.segments.len()).map(SegmentId::from_index)
+    }
+
     /// The input segments that an edge is part of, sorted; empty for unconstrained edges and those that only bound the
     /// domain.
     ///
@@ -126,8 +129,8 @@ impl ConstrainedTriangulation {
     }
 
     /// The place of an input segment.
-    pub(super) fn segment_points(&self, segment: u32) -> Segment {
-        let [a, b] = self.segments[segment as usize].map(|v| self.t.point(v));
+    pub(super) fn segment_points(&self, segment: SegmentId) -> Segment {
+        let [a, b] = self.segments[segment.index()].map(|v| self.t.point(v));
         Segment::new(a, b)
     }
 }
@@ -163,7 +166,7 @@ impl ConstrainedTriangulation {
 
     /// The parameter of a vertex on a segment, if its provenance says that it lies there.
     #[inline]
-    pub(super) fn parameter_on(&self, segment: u32, v: VertexId) -> Option<f64> {
+    pub(super) fn parameter_on(&self, segment: SegmentId, v: VertexId) -> Option<f64> {
         self.origins.parameter_on(segment, v)
     }
 
@@ -200,13 +203,10 @@ impl ConstrainedTriangulation {
 /// Regions.
 impl ConstrainedTriangulation {
     /// What holds in the region of a face; `None` where no region seed reached it.
-    ///
-    /// Where a mesh gave area bounds triangle by triangle, the bound is that of the triangle in which the middle of the
-    /// face lies.
     #[must_use]
     #[inline]
     pub fn region_rule(&self, f: FaceId) -> Option<RegionRule> {
-        self.t.region(f).checked_sub(1).and_then(|region| self.regions.rule(region, || self.t.corners(f)))
+        self.t.region(f).checked_sub(1).and_then(|region| self.regions.rules().get(region as usize).copied())
     }
 
     /// The rules of all regions; faces name regions from 1 on.
@@ -214,20 +214,9 @@ impl ConstrainedTriangulation {
         &self.regions
     }
 
-    /// The area bound of the region of a face, where there is one for the whole region.
-    #[inline]
-    pub(crate) fn fixed_area_bound(&self, f: FaceId) -> Option<f64> {
-        self.t.region(f).checked_sub(1).and_then(|region| self.regions.fixed_area_bound(region))
-    }
-
     /// Sets the rules of all regions; faces name regions from 1 on ([`set_region`](Self::set_region)).
     pub(crate) fn set_regions<J: Journal>(&mut self, rules: Vec<RegionRule>, j: &mut J) {
         self.regions.set(rules, j);
-    }
-
-    /// Bounds the areas of triangles by those of the triangles of `given` in which they lie, one bound a region.
-    pub(crate) fn bound_areas_as_given(&mut self, given: Triangulation) {
-        self.regions.bound_as_given(given);
     }
 
     /// Puts a face into a region, counted from 1; 0 for none.
@@ -246,9 +235,9 @@ impl ConstrainedTriangulation {
 
     /// Gives a segment an id, without a class yet.
     pub(super) fn name_segment<J: Journal>(&mut self, ends: [VertexId; 2], j: &mut J) -> SegmentId {
-        let segment = self.segments.len() as SegmentId;
+        let segment = SegmentId::from_index(self.segments.len());
         if J::ACTIVE {
-            j.note(columns::SEGMENT, segment, 0);
+            j.note(columns::SEGMENT, segment.0, 0);
         }
         self.segments.push(ends);
         segment

@@ -17,6 +17,7 @@ use std::collections::BTreeSet;
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::crossing_pairs::crossing_pairs;
 use super::plan::SegmentPlan;
+use crate::drawing::SegmentId;
 use crate::geometry::{Orientation, Point, Strip, orient2d};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
@@ -65,11 +66,11 @@ impl ConstrainedTriangulation {
             return true;
         }
         let p = self.point(v);
-        let is_on = |s: u32| {
+        let is_on = |s: SegmentId| {
             let segment = self.segment_points(s);
             orient2d(segment.start, segment.end, p) == Orientation::Collinear
         };
-        let is_in_reach = |s: u32| Strip::new(self.segment_points(s), Strip::PARTING_PLACES).contains(p);
+        let is_in_reach = |s: SegmentId| Strip::new(self.segment_points(s), Strip::PARTING_PLACES).contains(p);
         let class = self.segments_of_class(mark);
         class.iter().all(|&s| is_on(s)) || beside() == Beside::Allowed && class.iter().all(|&s| is_in_reach(s))
     }

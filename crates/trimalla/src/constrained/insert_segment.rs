@@ -4,7 +4,7 @@
 //! 2. A free way is one plan, which is carried out. Otherwise pieces go in one after the other (`split_crossings.rs`),
 //!    and only where no segment on the same line is there already (`overlaps.rs`).
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::crossing_pairs::crossing_pairs;
 use super::edit::Edit;
 use super::error::{ConstraintError, CrossingPair};
@@ -12,6 +12,7 @@ use super::input_sides::Beside;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::delaunay::BuildError;
+use crate::drawing::SegmentId;
 use crate::geometry::{Point, Segment};
 use crate::half_edge::{Journal, VertexId};
 
@@ -91,7 +92,7 @@ impl<J: Journal> Edit<'_, J> {
         let is_unused = |v: &VertexId| v.index() >= self.points().len() || !self.is_used(*v);
         match ends.into_iter().find(is_unused) {
             Some(vertex) => Err(ConstraintError::UnusedVertex { segment: count, vertex }),
-            None => Ok(count as SegmentId),
+            None => Ok(SegmentId::from_index(count)),
         }
     }
 
@@ -183,7 +184,7 @@ impl ConstrainedTriangulation {
         let mut pairs: Vec<CrossingPair> = Vec::new();
         while from != b {
             self.plan_into(plan, from, b).map_err(|_| ConstraintError::LeavesDomain {
-                segment: segment as usize,
+                segment: segment.index(),
                 from: self.point(a),
                 to: self.point(b),
             })?;
@@ -219,7 +220,7 @@ impl ConstrainedTriangulation {
         for &h in &plan.constrained {
             let at = crossing_of(ends.map(|v| self.point(v)), self.edge_points(h));
             let others = self.segments_of_class(self.mark(h));
-            pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o as usize, segment as usize], at }));
+            pairs.extend(others.iter().map(|&o| CrossingPair { segments: [o.index(), segment.index()], at }));
         }
     }
 }

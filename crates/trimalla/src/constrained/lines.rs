@@ -26,6 +26,7 @@
 use std::collections::BTreeSet;
 
 use super::columns;
+use crate::drawing::SegmentId;
 use crate::half_edge::{Entry, Journal, VertexId};
 
 /// The segments of one line that overlap.
@@ -36,7 +37,7 @@ struct Line {
     /// The lines connected to it.
     children: Vec<u32>,
     /// Its own segments, in the order of their numbers.
-    members: Vec<u32>,
+    members: Vec<SegmentId>,
     /// Segments of it and of all lines below it.
     size: u32,
     /// The stretch that the members cover, lexicographically lower end first.
@@ -51,7 +52,7 @@ pub(super) struct Span {
     /// The vertices between which the edge lies, lexicographically lower first.
     pub(super) ends: [VertexId; 2],
     /// The lowest segment that covers it, as long as that is not removed: a member of its line in any case.
-    pub(super) first: u32,
+    pub(super) first: SegmentId,
 }
 
 /// A list that grows by blocks: one that doubles takes, while it moves, three times the room of what is in it.
@@ -111,7 +112,7 @@ pub(super) struct Lines {
     lines: Vec<Line>,
     spans: Blocks<Span>,
     /// Members that were removed.
-    removed: BTreeSet<u32>,
+    removed: BTreeSet<SegmentId>,
 }
 
 impl Lines {
@@ -126,7 +127,7 @@ impl Lines {
     }
 
     /// Adds a span that a member of its line covers; returns its number.
-    pub(super) fn add_span(&mut self, ends: [VertexId; 2], first: u32) -> usize {
+    pub(super) fn add_span(&mut self, ends: [VertexId; 2], first: SegmentId) -> usize {
         self.spans.push(Span { ends, first });
         self.spans.len() - 1
     }
@@ -149,12 +150,12 @@ impl Lines {
 
     /// The line of a span.
     pub(super) fn line_of_span(&self, span: Span) -> u32 {
-        self.root(self.line_of[span.first as usize] - 1)
+        self.root(self.line_of[span.first.index()] - 1)
     }
 
     /// The line of a segment, if it overlaps others.
-    pub(super) fn line_of_segment(&self, segment: u32) -> Option<u32> {
-        let line = self.line_of.get(segment as usize)?.checked_sub(1)?;
+    pub(super) fn line_of_segment(&self, segment: SegmentId) -> Option<u32> {
+        let line = self.line_of.get(segment.index())?.checked_sub(1)?;
         Some(self.root(line))
     }
 
@@ -174,7 +175,7 @@ impl Lines {
     }
 
     /// The segments of a line and of all connected to it, removed ones left out, in no order.
-    pub(super) fn members(&self, line: u32) -> impl Iterator<Item = u32> + '_ {
+    pub(super) fn members(&self, line: u32) -> impl Iterator<Item = SegmentId> + '_ {
         let mut open = vec![line];
         let lines = std::iter::from_fn(move || {
             let line = &self.lines[open.pop()? as usize];
@@ -185,7 +186,7 @@ impl Lines {
     }
 
     /// Whether a member was removed.
-    pub(super) fn is_removed(&self, segment: u32) -> bool {
+    pub(super) fn is_removed(&self, segment: SegmentId) -> bool {
         self.removed.contains(&segment)
     }
 
@@ -208,14 +209,14 @@ impl Lines {
     }
 
     /// Adds a segment, which is a member of no line so far, to a line.
-    pub(super) fn enroll<J: Journal>(&mut self, line: u32, segment: u32, j: &mut J) {
+    pub(super) fn enroll<J: Journal>(&mut self, line: u32, segment: SegmentId, j: &mut J) {
         if J::ACTIVE {
-            j.note(columns::LINE_MEMBER, segment, 0);
+            j.note(columns::LINE_MEMBER, segment.0, 0);
         }
-        if self.line_of.len() <= segment as usize {
-            self.line_of.resize(segment as usize + 1, 0);
+        if self.line_of.len() <= segment.index() {
+            self.line_of.resize(segment.index() + 1, 0);
         }
-        self.line_of[segment as usize] = line + 1;
+        self.line_of[segment.index()] = line + 1;
         self.lines[line as usize].members.push(segment);
         self.lines[line as usize].size += 1;
     }
@@ -244,11 +245,11 @@ impl Lines {
     }
 
     /// Removes a member of a line, which closes it.
-    pub(super) fn remove<J: Journal>(&mut self, segment: u32, j: &mut J) {
+    pub(super) fn remove<J: Journal>(&mut self, segment: SegmentId, j: &mut J) {
         let Some(line) = self.line_of_segment(segment) else { return };
         self.close(line, j);
         if self.removed.insert(segment) && J::ACTIVE {
-            j.note(columns::LINE_MEMBER_REMOVED, segment, 0);
+            j.note(columns::LINE_MEMBER_REMOVED, segment.0, 0);
         }
     }
 
@@ -276,7 +277,7 @@ impl Lines {
                 self.lines[upper].size -= self.lines[i].size;
             }
             columns::LINE_CLOSED => self.lines[i].is_open = true,
-            columns::LINE_MEMBER_REMOVED => drop(self.removed.remove(&entry.index)),
+            columns::LINE_MEMBER_REMOVED => drop(self.removed.remove(&SegmentId(entry.index))),
             _ => {}
         }
     }

@@ -42,9 +42,10 @@ mod split_subsegment;
 mod tests;
 mod workspace;
 
+pub use crate::drawing::SegmentId;
 pub(crate) use by_cavity::SplitCavity;
 pub use constrained_delaunay::ConstrainedDelaunay;
-pub use constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+pub use constrained_triangulation::ConstrainedTriangulation;
 pub use crossing_pairs::crossing_pairs;
 pub use edit::Edit;
 pub use error::{ConstraintError, CrossingPair};

@@ -5,13 +5,14 @@
 //! 3. The segments go back in between their ends, straight, under the same ids. One that would cross another refuses
 //!    the whole.
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
 use super::provenance::Provenance;
 use super::split_crossings::Piece;
 use crate::delaunay::{Inserted, RemoveError, insert_at, remove_vertex};
+use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{Journal, UndoLog, VertexId};
 use crate::locate::Locus;
@@ -97,7 +98,7 @@ impl Edit<'_, UndoLog> {
         self.is_movable(v)?;
         let segments = self.segments_at(v);
         let kept: Vec<SegmentId> =
-            segments.iter().copied().filter(|&s| !self.segments()[s as usize].contains(&v)).collect();
+            segments.iter().copied().filter(|&s| !self.segments()[s.index()].contains(&v)).collect();
         self.atomically(|edit| {
             edit.remove_segments(&segments);
             edit.remove(v).map_err(|_| MoveError::Unused(v))?;
@@ -121,9 +122,9 @@ impl Edit<'_, UndoLog> {
     /// See [`ConstrainedDelaunay::insert_segment`](super::ConstrainedDelaunay::insert_segment); nothing has changed
     /// then.
     pub fn restore_segment(&mut self, segment: SegmentId, crossings: Crossings) -> Result<(), ConstraintError> {
-        let Some(&ends @ [a, b]) = self.segments().get(segment as usize) else { return Ok(()) };
+        let Some(&ends @ [a, b]) = self.segments().get(segment.index()) else { return Ok(()) };
         if let Some(vertex) = ends.into_iter().find(|&v| !self.is_used(v)) {
-            return Err(ConstraintError::UnusedVertex { segment: segment as usize, vertex });
+            return Err(ConstraintError::UnusedVertex { segment: segment.index(), vertex });
         }
         if a == b || !self.chain(segment).is_empty() {
             return Ok(());

@@ -15,13 +15,14 @@
 use std::borrow::Cow;
 
 use super::classes::Class;
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::error::ConstraintError;
 use super::input_sides::Beside;
 use super::lines::Span;
 use super::plan::{FirstStep, SegmentPlan};
 use super::split_crossings::Piece;
+use crate::drawing::SegmentId;
 use crate::geometry::{Orientation, lexicographically_less, orient2d};
 use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
@@ -87,7 +88,7 @@ impl ConstrainedTriangulation {
 
     /// Whether a segment of a line reaches from one end of a span to the other.
     fn covers(&self, segment: SegmentId, span: Span) -> bool {
-        let [low, high] = self.in_order(self.segments()[segment as usize]);
+        let [low, high] = self.in_order(self.segments()[segment.index()]);
         !self.is_before(span.ends[0], low) && !self.is_before(high, span.ends[1])
     }
 
@@ -128,7 +129,7 @@ impl ConstrainedTriangulation {
         match self.class(self.mark(h)) {
             Class::List(&[other]) if self.classes().lines.line_of_segment(other).is_none() => {
                 let [p, q, x, y] = [self.origin(h), self.dest(h), start, to].map(|v| self.point(v));
-                self.are_on_one_line(self.segments()[other as usize], [start, to]) && (q - p).dot(y - x) > 0.0
+                self.are_on_one_line(self.segments()[other.index()], [start, to]) && (q - p).dot(y - x) > 0.0
             }
             Class::List(_) => false,
             Class::Span(span) => {
@@ -234,7 +235,7 @@ impl<J: Journal> Edit<'_, J> {
     /// Adds a new segment to the lines that it overlaps, which become one. Returns the gaps on its way, each between
     /// two vertices exactly on it that follow one another; `None` where there is no line that it could join.
     pub(super) fn join_line(&mut self, segment: SegmentId, plan: &mut SegmentPlan) -> Option<Vec<[VertexId; 2]>> {
-        let ends @ [start, to] = self.segments()[segment as usize];
+        let ends @ [start, to] = self.segments()[segment.index()];
         let (mut at, mut joined, mut gaps) = (start, None, Vec::<[VertexId; 2]>::new());
         while at != to {
             if let Some((line, end)) = self.covered_by_any(at, ends) {
@@ -286,7 +287,7 @@ impl<J: Journal> Edit<'_, J> {
 
     /// Makes a line of a segment to which alone half-edge `h` belongs, if its chain runs straight forward.
     fn line_of_alone(&mut self, h: HalfEdgeId, segment: SegmentId) {
-        let ends = self.segments()[segment as usize];
+        let ends = self.segments()[segment.index()];
         let mark = self.mark(h);
         let first = self.first_of_chain(h, ends).filter(|&first| self.runs_straight(first, ends));
         let Some(first) = first.filter(|_| ends.into_iter().all(|v| self.may_end_span(v))) else { return };

@@ -1,6 +1,7 @@
 //! Where a vertex comes from.
 
 use super::columns;
+use crate::drawing::SegmentId;
 use crate::half_edge::{Entry, Journal, VertexId};
 
 /// Where a vertex comes from.
@@ -14,19 +15,19 @@ pub enum Provenance {
     /// On input segment `segment`, at this parameter from its start (0) to its end (1).
     OnSegment {
         /// The input segment; where several overlap, the one with the smallest coordinates.
-        segment: u32,
+        segment: SegmentId,
         /// The parameter.
         t: f64,
     },
     /// Where two input segments cross, rounded.
     Crossing {
         /// The two segments.
-        segments: [u32; 2],
+        segments: [SegmentId; 2],
     },
     /// On input segment `segment`, on a circle around one of its ends where segments meet at a small angle.
     Shell {
         /// The input segment.
-        segment: u32,
+        segment: SegmentId,
         /// The parameter from the segment's start.
         t: f64,
         /// Whether the circle's centre is the segment's end, not its start.
@@ -111,7 +112,7 @@ impl Origins {
 
     /// The parameter of a vertex on a segment, if its provenance says that it lies there.
     #[inline]
-    pub(super) fn parameter_on(&self, segment: u32, v: VertexId) -> Option<f64> {
+    pub(super) fn parameter_on(&self, segment: SegmentId, v: VertexId) -> Option<f64> {
         v.index().checked_sub(self.first).and_then(|i| self.provenances.parameter_on(segment, i))
     }
 
@@ -154,10 +155,10 @@ impl Provenances {
 
     /// The parameter of the `i`-th vertex after the input, if it is on this segment by its provenance.
     #[inline]
-    fn parameter_on(&self, segment: u32, i: usize) -> Option<f64> {
+    fn parameter_on(&self, segment: SegmentId, i: usize) -> Option<f64> {
         let [kind, place] = self.words[self.place(i)?];
         let is_on = matches!(kind & 0xff, ON_SEGMENT | SHELL_AROUND_START | SHELL_AROUND_END);
-        (is_on && (kind >> 8) as u32 == segment).then(|| f64::from_bits(place))
+        (is_on && SegmentId((kind >> 8) as u32) == segment).then(|| f64::from_bits(place))
     }
 
     /// Sets the provenance of the `i`-th vertex after the input, through the journal.
@@ -250,23 +251,23 @@ impl Provenance {
         match self {
             Self::Input => [0, 0],
             Self::Free => FREE,
-            Self::OnSegment { segment, t } => [ON_SEGMENT | u64::from(segment) << 8, t.to_bits()],
-            Self::Crossing { segments: [a, b] } => [3 | u64::from(a) << 8, u64::from(b)],
+            Self::OnSegment { segment, t } => [ON_SEGMENT | u64::from(segment.0) << 8, t.to_bits()],
+            Self::Crossing { segments: [a, b] } => [3 | u64::from(a.0) << 8, u64::from(b.0)],
             Self::Shell { segment, t, around_end, shell } => {
                 let circle = u64::from(u16::from_ne_bytes(shell.to_ne_bytes())) << 40;
                 let kind = if around_end { SHELL_AROUND_END } else { SHELL_AROUND_START };
-                [kind | u64::from(segment) << 8 | circle, t.to_bits()]
+                [kind | u64::from(segment.0) << 8 | circle, t.to_bits()]
             }
         }
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "each field is cut out of its own bits")]
     fn from_words([kind, place]: [u64; 2]) -> Self {
-        let segment = (kind >> 8) as u32;
+        let segment = SegmentId((kind >> 8) as u32);
         match kind & 0xff {
             0 => Self::Input,
             ON_SEGMENT => Self::OnSegment { segment, t: f64::from_bits(place) },
-            3 => Self::Crossing { segments: [segment, place as u32] },
+            3 => Self::Crossing { segments: [segment, SegmentId(place as u32)] },
             k @ (SHELL_AROUND_START | SHELL_AROUND_END) => {
                 let shell = i16::from_ne_bytes(((kind >> 40) as u16).to_ne_bytes());
                 Self::Shell { segment, t: f64::from_bits(place), around_end: k == SHELL_AROUND_END, shell }

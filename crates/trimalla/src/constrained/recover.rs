@@ -22,6 +22,7 @@ use super::input_sides::Beside;
 use super::plan::SegmentPlan;
 use super::split_crossings::Piece;
 use crate::delaunay::Lawson;
+use crate::drawing::SegmentId;
 use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::half_edge::{HalfEdgeId, Journal, UndoLog, VertexId};
 use crate::locate::Locus;
@@ -245,7 +246,7 @@ impl Edit<'_, UndoLog> {
         // Each round but the last removes a vertex.
         loop {
             let (here, before) = (self.j.checkpoint(), count(self));
-            let is_in = self.insert_pieces(piece, 0, (&mut SegmentPlan::default(), beside)).is_ok();
+            let is_in = self.insert_pieces(piece, SegmentId(0), (&mut SegmentPlan::default(), beside)).is_ok();
             let inserted = count(self).saturating_sub(before);
             if is_in && inserted <= room + removed {
                 return Some(Changed { inserted, removed });

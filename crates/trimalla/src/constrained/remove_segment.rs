@@ -1,7 +1,8 @@
 //! Removing a segment, and walking along one.
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
+use crate::drawing::SegmentId;
 use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
 
@@ -15,7 +16,7 @@ impl ConstrainedTriangulation {
     /// The degrees of the vertices along it.
     #[must_use]
     pub fn chain(&self, segment: SegmentId) -> Vec<HalfEdgeId> {
-        let Some(&[a, b]) = self.segments().get(segment as usize) else { return Vec::new() };
+        let Some(&[a, b]) = self.segments().get(segment.index()) else { return Vec::new() };
         let mut chain: Vec<HalfEdgeId> = Vec::new();
         let (mut at, mut before) = (a, None);
         while at != b && chain.len() < self.face_slots() * 3 {

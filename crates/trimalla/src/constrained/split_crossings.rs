@@ -26,13 +26,14 @@
 //! Leading an edge through a vertex within rounding of it is the hot-pixel rule of snap rounding `[Hobby99]`, used here
 //! for edges that cross, and never moving a vertex.
 
-use super::constrained_triangulation::{ConstrainedTriangulation, SegmentId};
+use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::error::{ConstraintError, CrossingPair};
 use super::input_sides::Beside;
 use super::insert_segment::crossing_of;
 use super::plan::SegmentPlan;
 use super::provenance::Provenance;
+use crate::drawing::SegmentId;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::locate::Locus;
@@ -77,7 +78,7 @@ impl<J: Journal> Edit<'_, J> {
                 continue;
             }
             let leaves = ConstraintError::LeavesDomain {
-                segment: segment as usize,
+                segment: segment.index(),
                 from: self.point(piece.from),
                 to: self.point(piece.to),
             };
@@ -87,7 +88,7 @@ impl<J: Journal> Edit<'_, J> {
             let may_stop =
                 first_stop == piece.to || self.may_pass_through(first_stop, piece.mark, || self.known_beside(beside));
             if !may_stop {
-                let pair = CrossingPair { segments: [segment as usize; 2], at: self.point(first_stop) };
+                let pair = CrossingPair { segments: [segment.index(); 2], at: self.point(first_stop) };
                 return Err(ConstraintError::CrossingsExhausted { pair, steps });
             }
             let piece = Piece { to: first_stop, ..piece };
@@ -141,7 +142,7 @@ impl<J: Journal> Edit<'_, J> {
         let start = self.outgoing(x).map_or(h.face(), HalfEdgeId::face);
         let locus = self.locate_from(start, at);
         let v = self.insert_vertex_at(at, locus);
-        let segments = pair.segments.map(|s| s as u32);
+        let segments = pair.segments.map(SegmentId::from_index);
         self.data.set_provenance(v, Provenance::Crossing { segments }, self.j);
         v
     }
@@ -154,7 +155,7 @@ impl ConstrainedTriangulation {
     }
 
     fn pair_at(&self, h: HalfEdgeId, piece: Piece) -> CrossingPair {
-        let name = |mark| self.first_segment(mark).unwrap_or(0) as usize;
+        let name = |mark| self.first_segment(mark).map_or(0, SegmentId::index);
         let at = self.crossing_of_edges(h, piece);
         let (a, b) = (name(self.mark(h)), name(piece.mark));
         CrossingPair { segments: [a.min(b), a.max(b)], at }

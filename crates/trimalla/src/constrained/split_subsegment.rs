@@ -4,6 +4,7 @@ use super::classes::Class;
 use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::provenance::Provenance;
+use crate::drawing::SegmentId;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, Strip};
 use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::triangulation::Closure;
@@ -102,8 +103,8 @@ impl ConstrainedTriangulation {
     /// Of the input segments of a class, the one whose points round the least; of equal ones the first.
     ///
     /// Where segments overlap, their common points are as exact as those of the finest.
-    pub(crate) fn finest_segment(&self, mark: u32) -> Option<u32> {
-        let extent = |s: &u32| self.segment_points(*s).largest_coordinate();
+    pub(crate) fn finest_segment(&self, mark: u32) -> Option<SegmentId> {
+        let extent = |s: &SegmentId| self.segment_points(*s).largest_coordinate();
         match self.class(mark) {
             Class::List(&[only]) => Some(only),
             Class::List(list) => list.iter().copied().min_by(|s, r| extent(s).total_cmp(&extent(r))),
@@ -113,8 +114,8 @@ impl ConstrainedTriangulation {
 
     /// Where a vertex of a segment's chain lies on it: 0 at its start, 1 at its end.
     #[inline]
-    pub(crate) fn parameter(&self, segment: u32, v: VertexId) -> f64 {
-        let [a, b] = self.segments()[segment as usize];
+    pub(crate) fn parameter(&self, segment: SegmentId, v: VertexId) -> f64 {
+        let [a, b] = self.segments()[segment.index()];
         if v == a {
             return 0.0;
         }
@@ -131,9 +132,9 @@ impl ConstrainedTriangulation {
     }
 
     /// The provenance of a point on a segment, if it is on one.
-    fn provenance_along(&self, segment: Option<u32>, p: Point) -> Provenance {
+    fn provenance_along(&self, segment: Option<SegmentId>, p: Point) -> Provenance {
         segment.map_or(Provenance::Free, |segment| {
-            let [a, b] = self.segments()[segment as usize].map(|v| self.point(v));
+            let [a, b] = self.segments()[segment.index()].map(|v| self.point(v));
             Provenance::OnSegment { segment, t: Segment::new(a, b).parameter_of(p) }
         })
     }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::delaunay::{BuildError, Delaunay, Inserted, limit_of_test};
+use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{UndoLog, VertexId};
 
@@ -29,7 +30,7 @@ fn soup(round: u64, points: u64, segments: u64) -> (Vec<Point>, Vec<[u32; 2]>) {
 /// Every segment that is not a point is a chain from its start to its end.
 fn assert_chains(cdt: &ConstrainedDelaunay) {
     for (i, &[a, b]) in cdt.segments().iter().enumerate() {
-        let chain = cdt.chain(i as u32);
+        let chain = cdt.chain(SegmentId::from_index(i));
         let end = chain.last().map_or(a, |&h| cdt.dest(h));
         assert_eq!(end, b, "segment {i} is a chain to its end");
     }
@@ -81,7 +82,7 @@ fn removing_every_segment_gives_the_delaunay_triangulation() {
     for round in 0..600 {
         let (points, segments) = soup(round, 18, 8);
         let mut cdt = ConstrainedDelaunay::new(&points, &segments, Crossings::Split).unwrap();
-        for i in 0..segments.len() as u32 {
+        for i in cdt.segment_ids() {
             cdt.remove_segment(i);
             assert_eq!(cdt.check(), [], "round {round}");
         }
@@ -94,8 +95,8 @@ fn overlaps_keep_every_name() {
     let points: Vec<Point> = (0..5).map(|i| Point::new(f64::from(i), 0.0)).chain([Point::new(2.0, 3.0)]).collect();
     let cdt = ConstrainedDelaunay::new(&points, &[[0, 3], [1, 4], [2, 1]], Crossings::Refuse).unwrap();
     let h = cdt.half_edge_between(VertexId(1), VertexId(2)).unwrap();
-    assert_eq!(cdt.segments_of(h), [0, 1, 2]);
-    assert_eq!(cdt.chain(1).len(), 3);
+    assert_eq!(cdt.segments_of(h), [0, 1, 2].map(SegmentId));
+    assert_eq!(cdt.chain(SegmentId(1)).len(), 3);
     assert_chains(&cdt);
 }
 
@@ -132,7 +133,7 @@ fn edits_roll_back_exactly() {
                 6 => {
                     let n = cdt.segments().len() as u64;
                     if n > 0 {
-                        cdt.remove_segment_with(r.below(n) as u32, &mut log);
+                        cdt.remove_segment_with(SegmentId(r.below(n) as u32), &mut log);
                     }
                 }
                 _ => {

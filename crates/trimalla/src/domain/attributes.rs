@@ -5,7 +5,7 @@
 //! lies within the range of those around it.
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, Provenance};
-use crate::drawing::Pslg;
+use crate::drawing::{Pslg, SegmentId};
 use crate::geometry::{Point, Segment, Triangle};
 use crate::half_edge::{FaceId, VertexId};
 use crate::locate::Locus;
@@ -63,8 +63,8 @@ impl<'a> Attributes<'a> {
 
     /// Weights of input vertices for a vertex of the input or on one of its segments.
     fn along_segment(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Vec<(VertexId, f64)>> {
-        let between = |segment: u32, t: f64| {
-            let [a, b] = cdt.segments()[segment as usize];
+        let between = |segment: SegmentId, t: f64| {
+            let [a, b] = cdt.segments()[segment.index()];
             vec![(a, 1.0 - t), (b, t)]
         };
         if v.index() < self.pslg.points.len() {

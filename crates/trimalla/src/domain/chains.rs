@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::course::{Adjacency, Course, Courses};
 use crate::constrained::{Beside, ConstrainedTriangulation};
-use crate::drawing::Pslg;
+use crate::drawing::{Pslg, SegmentId};
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, math, on_segment};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
@@ -40,10 +40,10 @@ pub(super) type Locked = BTreeMap<HalfEdgeId, i32>;
 
 /// The segments along each edge, by [`edge_of`], sorted.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Names(pub(super) BTreeMap<HalfEdgeId, Vec<u32>>);
+pub(super) struct Names(pub(super) BTreeMap<HalfEdgeId, Vec<SegmentId>>);
 
 impl Names {
-    fn add(&mut self, edge: HalfEdgeId, segment: u32) {
+    fn add(&mut self, edge: HalfEdgeId, segment: SegmentId) {
         let list = self.0.entry(edge).or_default();
         if let Err(at) = list.binary_search(&segment) {
             list.insert(at, segment);
@@ -77,7 +77,7 @@ pub(super) fn follow(
     let edges = EdgeLists::new(cdt, locked);
     let mut names = Names::default();
     let mut partial: Vec<Partial> = Vec::new();
-    for (segment, &ends) in (0..).zip(segments) {
+    for (segment, &ends) in (0..).map(SegmentId).zip(segments) {
         if ends[0] == ends[1] {
             continue;
         }
@@ -96,7 +96,7 @@ pub(super) fn follow(
 
 /// A segment that leaves the domain, and its edges.
 struct Partial {
-    segment: u32,
+    segment: SegmentId,
     course: Course,
     edges: Vec<HalfEdgeId>,
 }

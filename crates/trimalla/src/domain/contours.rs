@@ -4,6 +4,7 @@ use super::error::DomainError;
 use super::flood::flood;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, ConstraintError, Crossings};
 use crate::delaunay::{AlgorithmKey, along_curve};
+use crate::drawing::SegmentId;
 use crate::geometry::{Orientation, Point, Ring, lexicographic};
 use crate::half_edge::{FaceId, NoJournal, VertexId};
 
@@ -77,12 +78,13 @@ impl Contours {
 
     /// The first hole without an edge that has a kept face on its left: it lies outside or in another hole.
     fn idle_hole(&self, cdt: &ConstrainedTriangulation, keep: &[bool]) -> Option<usize> {
-        let mut segment = 0;
+        let mut first = 0;
         let first_hole = usize::from(self.outer.is_some());
         let mut idle: Option<usize> = None;
         for (contour, ring) in self.rings_in_order() {
-            let mut edges = (segment..segment + ring.len() as u32).flat_map(|s| cdt.chain(s));
-            segment += ring.len() as u32;
+            let segments = (first..first + ring.len()).map(SegmentId::from_index);
+            let mut edges = segments.flat_map(|s| cdt.chain(s));
+            first += ring.len();
             let bounds_kept = edges.any(|h| cdt.is_real(h.face()) && keep[h.face().index()]);
             if contour >= first_hole && !bounds_kept && idle.is_none_or(|known| contour < known) {
                 idle = Some(contour);
@@ -175,7 +177,7 @@ impl Contours {
     /// The faces right of a contour, and what they reach without crossing one.
     fn right_of_contours(&self, cdt: &ConstrainedTriangulation) -> Vec<bool> {
         let mut right = vec![false; cdt.face_slots()];
-        let along = (0..cdt.segments().len() as u32).flat_map(|s| cdt.chain(s));
+        let along = cdt.segment_ids().flat_map(|s| cdt.chain(s));
         let beyond: Vec<FaceId> = along.map(|h| cdt.twin(h).face()).filter(|&f| cdt.is_real(f)).collect();
         flood(cdt, beyond, &mut right);
         if self.outer.is_some() {

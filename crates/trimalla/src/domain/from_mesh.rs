@@ -12,7 +12,7 @@
 
 use super::chains::{Chain, Locked, edge_of, follow, rejoin};
 use super::error::{DomainError, Warning};
-use super::given::{Given, take_over};
+use super::given::{Given, GivenAreas, take_over};
 use super::mesh_error::MeshError;
 use super::shells;
 use crate::constrained::{ConstrainedTriangulation, ConstraintError, Provenance};
@@ -29,6 +29,9 @@ pub struct FromMesh {
     pub cdt: ConstrainedTriangulation,
     /// Data of the mesh that the triangulation does not hold, for the result.
     pub given: Given,
+    /// The area bounds of its triangles, where some were given: a [`Start`](crate::refine::Start) that is made from
+    /// all of this keeps them.
+    pub areas: Option<GivenAreas>,
     /// Warnings about the mesh, and what was assumed.
     pub warnings: Vec<Warning>,
 }
@@ -77,11 +80,11 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
     shells::recover(&mut cdt, unknown);
     cdt.triangulate_outside();
-    let given = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
+    let (given, areas) = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
     if input.is_none() {
         warnings.extend(pieces(&cdt));
     }
-    Ok(FromMesh { cdt, given, warnings })
+    Ok(FromMesh { cdt, given, areas, warnings })
 }
 
 /// Sizes and area bounds.

@@ -3,7 +3,7 @@
 //! Each combination of triangle attributes, and of the drawing's region seed where there is one, is a region; splits
 //! hand regions down, and no flip crosses the edges between them, which are locked. Where area bounds come triangle by
 //! triangle, each given triangle is a region of its own, and flips may carry a face from one to another: its attributes
-//! are equal, and its bound is looked up by its place (`constrained/regions.rs`).
+//! are the same, and its bound is looked up by its place ([`ByTriangle`](crate::size::ByTriangle)).
 
 use std::collections::BTreeMap;
 
@@ -90,12 +90,24 @@ impl Given {
     }
 }
 
+/// The triangles that a mesh gave area bounds for, as they were given.
+#[derive(Clone, Debug)]
+pub struct GivenAreas {
+    /// The triangles, without segments. The region of a face counts them from 1 on, and names one that the face came
+    /// out of, or one near by.
+    pub triangles: Triangulation,
+    /// The largest area of what lies in each triangle, by face. A bound that a region seed of the drawing set there is
+    /// counted in.
+    pub max_areas: Vec<Option<f64>>,
+}
+
 /// The vertex at which the last of some subsegments ends.
 fn end_of(run: &[([u32; 2], i32)]) -> u32 {
     run.last().map_or(u32::MAX, |&([_, to], _)| to)
 }
 
-/// Makes regions of attributes, seeds and bounds, and keeps the rest for the result.
+/// Makes regions of attributes, seeds and bounds, and keeps the rest for the result; bounds triangle by triangle are
+/// handed on together with `bare`, the triangles.
 pub(super) fn take_over(
     cdt: &mut ConstrainedTriangulation,
     mesh: &IndexedMesh,
@@ -104,7 +116,7 @@ pub(super) fn take_over(
     input: Option<&Pslg>,
     segment_markers: Vec<i32>,
     warnings: &mut Vec<Warning>,
-) -> Result<Given, DomainError> {
+) -> Result<(Given, Option<GivenAreas>), DomainError> {
     let mut given = Given { drawing: drawing(mesh, input, segment_markers), ..Given::default() };
     given.subsegments.clone_from(&mesh.segments);
     given.vertices = mesh.points.len();
@@ -119,7 +131,7 @@ pub(super) fn take_over(
     }
     if seeds.is_empty() && mesh.triangle_attributes.is_empty() && areas.is_empty() {
         given.attributes_per_triangle = 0;
-        return Ok(given);
+        return Ok((given, None));
     }
     let faces = face_rules(cdt, mesh, areas);
     given.attributes_per_triangle = match (mesh.triangle_attributes.is_empty(), seeds.is_empty()) {
@@ -127,11 +139,10 @@ pub(super) fn take_over(
         (true, false) => 1,
         (true, true) => 0,
     };
-    number_regions(cdt, faces, areas.is_empty(), &mut given);
-    if let Some(bare) = bare {
-        cdt.bound_areas_as_given(bare);
-    }
-    Ok(given)
+    let mut rules = number_regions(cdt, faces, areas.is_empty(), &mut given);
+    let areas = bare.map(|triangles| GivenAreas { triangles, max_areas: take_max_areas(&mut rules) });
+    cdt.set_regions(rules, &mut NoJournal);
+    Ok((given, areas))
 }
 
 /// Attributes and bound of a face.
@@ -159,8 +170,18 @@ fn face_rules(cdt: &ConstrainedTriangulation, mesh: &IndexedMesh, areas: &[Optio
     (0..mesh.triangles.len()).map(rule).collect()
 }
 
+/// The area bounds of regions, which those have no more.
+fn take_max_areas(rules: &mut [RegionRule]) -> Vec<Option<f64>> {
+    rules.iter_mut().map(|rule| rule.max_area.take()).collect()
+}
+
 /// Numbers the regions in the order of their first faces; each face is one of its own unless they are `shared`.
-fn number_regions(cdt: &mut ConstrainedTriangulation, faces: Vec<FaceRule>, shared: bool, given: &mut Given) {
+fn number_regions(
+    cdt: &mut ConstrainedTriangulation,
+    faces: Vec<FaceRule>,
+    shared: bool,
+    given: &mut Given,
+) -> Vec<RegionRule> {
     let mut rules: Vec<RegionRule> = Vec::new();
     let mut known: BTreeMap<(Vec<u64>, u32), u32> = BTreeMap::new();
     for (t, FaceRule { row, seed, max_area }) in faces.into_iter().enumerate() {
@@ -173,7 +194,7 @@ fn number_regions(cdt: &mut ConstrainedTriangulation, faces: Vec<FaceRule>, shar
         }
         cdt.set_region(FaceId::from_index(t), region + 1, &mut NoJournal);
     }
-    cdt.set_regions(rules, &mut NoJournal);
+    rules
 }
 
 /// The drawing that the result is written with: points that count as input, segments, markers, holes.

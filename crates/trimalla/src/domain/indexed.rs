@@ -2,7 +2,7 @@
 
 use super::attributes::Attributes;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
-use crate::drawing::{IndexedMesh, Pslg};
+use crate::drawing::{IndexedMesh, Pslg, SegmentId};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// Marker of edges and vertices that bound the domain where the input has no marker.
@@ -70,8 +70,8 @@ impl ConstrainedTriangulation {
         let (edges, ends) = self.edges_by_segment();
         let mut sorted = Vec::with_capacity(edges.len());
         let mut pieces = edges.into_iter();
-        for (segment, &end) in (0..).zip(&ends) {
-            let segment = Some(segment).filter(|&s| (s as usize) < self.segments().len());
+        for (segment, &end) in (0..).map(SegmentId).zip(&ends) {
+            let segment = Some(segment).filter(|&s| s.index() < self.segments().len());
             let start = sorted.len();
             sorted.extend(pieces.by_ref().take(end - start).map(|h| self.subsegment(h, segment, markers)));
             if end - start > 1 {
@@ -91,7 +91,7 @@ impl ConstrainedTriangulation {
         let mut found = Vec::new();
         // A loop instead of `collect`: the nested iterators would compile to a state machine.
         self.marked_edges().for_each(|h| {
-            let segment = self.first_segment_of(h).map_or(count, |segment| segment as usize);
+            let segment = self.first_segment_of(h).map_or(count, |segment| segment.index());
             places[segment + 1] += 1;
             found.push((segment, h));
         });
@@ -109,9 +109,9 @@ impl ConstrainedTriangulation {
 
     /// The subsegment of an edge. Its marker is that of its lowest segment with a marker other than 0; else 1 on the
     /// boundary, 0 inside.
-    fn subsegment(&self, h: HalfEdgeId, segment: Option<u32>, markers: &[i32]) -> Subsegment {
+    fn subsegment(&self, h: HalfEdgeId, segment: Option<SegmentId>, markers: &[i32]) -> Subsegment {
         let on_boundary = self.is_boundary_edge(h);
-        let marker_of = |s: u32| markers.get(s as usize).copied().filter(|&m| m != 0);
+        let marker_of = |s: SegmentId| markers.get(s.index()).copied().filter(|&m| m != 0);
         // Nearly always the first has one.
         let given = segment.filter(|_| !markers.is_empty()).and_then(|first| {
             let others = || self.segments_of(h).into_iter().find_map(marker_of);

@@ -2,7 +2,7 @@
 
 use super::error::Warning;
 use crate::constrained::ConstrainedTriangulation;
-use crate::drawing::Pslg;
+use crate::drawing::{Pslg, SegmentId};
 use crate::half_edge::VertexId;
 
 /// Warnings about vertices and segments outside a carved triangulation, and about markers hidden by others.
@@ -18,13 +18,13 @@ pub(super) fn left_out(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Vec<Warni
     }
     if !pslg.segments.is_empty() {
         let found = Found::of(cdt, pslg);
-        let has_length = |s: &u32| cdt.segments().get(*s as usize).is_some_and(|[a, b]| a != b);
-        let segments = (0..found.is_there.len() as u32).filter(|&s| !found.is_there[s as usize]).filter(has_length);
-        if let Some((count, first)) = counted(segments) {
+        let has_length = |s: &SegmentId| cdt.segments().get(s.index()).is_some_and(|[a, b]| a != b);
+        let segments = (0..found.is_there.len()).map(SegmentId::from_index).filter(|s| !found.is_there[s.index()]);
+        if let Some((count, first)) = counted(segments.filter(has_length).map(|s| s.0)) {
             warnings.push(Warning::SegmentsOutside { count, first });
         }
         let count = found.is_hidden.iter().filter(|&&is_hidden| is_hidden).count();
-        warnings.extend(found.first_hidden.map(|first| Warning::MarkersHidden { count, first }));
+        warnings.extend(found.first_hidden.map(|first| Warning::MarkersHidden { count, first: first.map(|s| s.0) }));
     }
     warnings
 }
@@ -48,7 +48,7 @@ struct Found {
     /// Whether the marker of each segment is not that of an edge that is part of it.
     is_hidden: Vec<bool>,
     /// The lowest segment whose marker is hidden, and the one whose marker counts there.
-    first_hidden: Option<[u32; 2]>,
+    first_hidden: Option<[SegmentId; 2]>,
 }
 
 impl Found {
@@ -68,14 +68,14 @@ impl Found {
     }
 
     /// Looks at the segments of one class; the lowest one with a marker gives its marker to the edges.
-    fn look_at_class(&mut self, segments: &[u32], pslg: &Pslg) {
-        let mut shown: Option<(u32, i32)> = None;
-        for &s in segments.iter().filter(|&&s| (s as usize) < pslg.segments.len()) {
-            self.is_there[s as usize] = true;
-            match (shown, pslg.segment_markers.get(s as usize).copied().filter(|&marker| marker != 0)) {
+    fn look_at_class(&mut self, segments: &[SegmentId], pslg: &Pslg) {
+        let mut shown: Option<(SegmentId, i32)> = None;
+        for &s in segments.iter().filter(|&&s| s.index() < pslg.segments.len()) {
+            self.is_there[s.index()] = true;
+            match (shown, pslg.segment_markers.get(s.index()).copied().filter(|&marker| marker != 0)) {
                 (None, Some(marker)) => shown = Some((s, marker)),
                 (Some((lowest, marker)), Some(other)) if marker != other => {
-                    self.is_hidden[s as usize] = true;
+                    self.is_hidden[s.index()] = true;
                     if self.first_hidden.is_none_or(|[hidden, _]| s < hidden) {
                         self.first_hidden = Some([s, lowest]);
                     }

@@ -39,5 +39,5 @@ pub use contours::{ContourOrder, Contours};
 pub(crate) use course::{Adjacency, Course, Courses, Leg};
 pub use error::{DomainError, NearFeature, OpenEnd, Warning};
 pub use from_mesh::{FromMesh, from_mesh};
-pub use given::Given;
+pub use given::{Given, GivenAreas};
 pub use mesh_error::MeshError;

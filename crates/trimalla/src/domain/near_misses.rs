@@ -83,6 +83,6 @@ fn near_miss(cdt: &ConstrainedTriangulation, scale: f64, h: HalfEdgeId) -> Optio
     (0.0 < dot && dot < length_sq).then(|| NearMiss {
         distance: along.cross(to_apex).abs() / length_sq.sqrt(),
         vertex: cdt.apex(h).0,
-        other: NearFeature::Segment(segment),
+        other: NearFeature::Segment(segment.0),
     })
 }

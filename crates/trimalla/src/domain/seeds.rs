@@ -77,7 +77,7 @@ fn sector(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Vec<HalfEdgeId> {
 /// On which side of the segment of a half-edge a point lies; `None` for edges of no segment.
 fn side_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId, at: Point) -> Option<Side> {
     let &segment = cdt.segments_of(h).first()?;
-    let [a, b] = cdt.segments()[segment as usize].map(|v| cdt.point(v));
+    let [a, b] = cdt.segments()[segment.index()].map(|v| cdt.point(v));
     let [p, q] = cdt.edge_points(h);
     let strip = Strip::new(Segment::new(a, b), Strip::LAST_PLACES);
     let left = if strip.order(p, q).is_lt() { Orientation::CounterClockwise } else { Orientation::Clockwise };

@@ -5,6 +5,7 @@
 //! another segment joins, if its distance from there is a power of two in the ruler's units.
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
+use crate::drawing::SegmentId;
 use crate::geometry::{BoundingBox, Segment, math};
 use crate::half_edge::{HalfEdgeId, NoJournal, VertexId};
 
@@ -34,14 +35,14 @@ fn scale_of(bounds: Option<BoundingBox>) -> f64 {
 
 fn provenance_of(cdt: &ConstrainedTriangulation, v: VertexId, scale: f64) -> Option<Provenance> {
     let edges: Vec<HalfEdgeId> = cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).collect();
-    let passes = |&s: &u32| !cdt.segments()[s as usize].contains(&v);
+    let passes = |&s: &SegmentId| !cdt.segments()[s.index()].contains(&v);
     if let &[h, g] = edges.as_slice() {
         if cdt.mark(h) == cdt.mark(g) {
             let segment = cdt.finest_segment(cdt.mark(h)).filter(passes)?;
             return Some(on_segment(cdt, v, segment, scale));
         }
     }
-    let mut inside: Vec<u32> = edges.iter().flat_map(|&h| cdt.segments_of(h)).filter(passes).collect();
+    let mut inside: Vec<SegmentId> = edges.iter().flat_map(|&h| cdt.segments_of(h)).filter(passes).collect();
     inside.sort_unstable();
     inside.dedup();
     match inside.as_slice() {
@@ -52,8 +53,8 @@ fn provenance_of(cdt: &ConstrainedTriangulation, v: VertexId, scale: f64) -> Opt
 }
 
 /// The place of a vertex inside a segment: on the shell nearest to it, or on none.
-fn on_segment(cdt: &ConstrainedTriangulation, v: VertexId, segment: u32, scale: f64) -> Provenance {
-    let ends = cdt.segments()[segment as usize];
+fn on_segment(cdt: &ConstrainedTriangulation, v: VertexId, segment: SegmentId, scale: f64) -> Provenance {
+    let ends = cdt.segments()[segment.index()];
     let p = cdt.point(v);
     let t = Segment::new(cdt.point(ends[0]), cdt.point(ends[1])).parameter_of(p);
     let nearer = if t <= 0.5 { [false, true] } else { [true, false] };

@@ -7,9 +7,11 @@ mod error;
 mod indexed;
 mod pslg;
 mod rings;
+mod segment_id;
 mod sides;
 
 pub use error::DrawingError;
 pub use indexed::IndexedMesh;
 pub use pslg::{Pslg, Region};
+pub use segment_id::SegmentId;
 pub(crate) use sides::{Side, Sides, is_sound};

@@ -1,7 +1,7 @@
 //! Typed ids: a vertex cannot name a face.
 
-use std::fmt;
-
+/// Makes a typed id of a number: of 32 bits, ordered as its number, shown as that, with a letter before it in debug
+/// output.
 macro_rules! id_type {
     ($(#[$doc:meta])* $name:ident, $letter:literal) => {
         $(#[$doc])*
@@ -29,19 +29,21 @@ macro_rules! id_type {
             }
         }
 
-        impl fmt::Debug for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        impl std::fmt::Debug for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 write!(f, concat!($letter, "{}"), self.0)
             }
         }
 
-        impl fmt::Display for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 write!(f, "{}", self.0)
             }
         }
     };
 }
+
+pub(crate) use id_type;
 
 id_type! {
     /// A vertex: the caller's index, always; Steiner points follow the input.

@@ -34,6 +34,7 @@ mod tests;
 
 pub use circulators::{BoundaryLoop, Star};
 pub use half_edges::HalfEdgeMesh;
+pub(crate) use ids::id_type;
 pub use ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use journal::{Room, columns};

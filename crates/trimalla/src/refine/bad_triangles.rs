@@ -1,39 +1,27 @@
-//! Bad triangles: the test.
+//! Which triangles are bad, and why.
+//!
+//! [`Criterion::badness`] decides for one triangle. Two faster tests decide for most triangles without it:
+//!
+//! * [`UniformBounds`]: bounds on angle and area that hold for all triangles alike. A triangle that misses one is bad;
+//!   one that keeps all is good where nothing further is required.
+//! * [`SufficientBounds`]: a triangle that keeps them is good, whatever its region.
 
 use std::sync::Arc;
 
+use super::event::Badness;
 use super::options::Criteria;
-use crate::constrained::{ConstrainedTriangulation, RegionRule};
+use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
-use crate::half_edge::VertexId;
+use crate::half_edge::{FaceId, VertexId};
 use crate::quality::aspect_ratio;
+use crate::size::{AreaBound, SizeBounds, SizeField, TriangleInRegion};
 
-/// What is wrong with a triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Badness {
-    /// An angle is below the bound.
-    Angle,
-    /// The aspect ratio is above the bound.
-    AspectRatio,
-    /// The area is above the bound.
-    Area,
-    /// The caller's own test refuses it.
-    Asked,
-}
-
-impl Badness {
-    /// Whether splitting the triangle into smaller ones of its shape is no help.
-    pub(super) fn is_of_shape(self) -> bool {
-        matches!(self, Self::Angle | Self::AspectRatio)
-    }
-}
-
-/// Bounds within which no triangle is bad, whatever its region.
+/// Bounds that no bad triangle keeps, whatever its region.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SureBounds {
+pub(super) struct SufficientBounds {
     /// The squared sine of the smallest angle is above this.
     pub(super) sine_sq: f64,
-    /// Twice the area is no more than this.
+    /// Twice the area is at most this.
     pub(super) doubled_area: f64,
 }
 
@@ -54,102 +42,97 @@ impl Side {
 
 /// Bounds on angle and area that hold in all regions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Everywhere {
+pub(super) struct UniformBounds {
     /// The squared sine of the smallest angle.
     sine_sq: f64,
     doubled_area: f64,
-    /// Whether nothing more is asked of any triangle.
-    is_all: bool,
+    /// Whether a triangle that keeps both bounds is good.
+    are_all: bool,
 }
 
-impl Everywhere {
-    /// The same where more is asked of some triangles.
-    pub(super) fn with_more(self) -> Self {
-        Self { is_all: false, ..self }
+impl UniformBounds {
+    /// The same bounds, where they decide for no triangle alone.
+    pub(super) fn undecided(self) -> Self {
+        Self { are_all: false, ..self }
     }
 
-    /// Whether a triangle is bad, where the sides from its first corner are known, and no more is asked than this;
-    /// `None` where it is, or rounding leaves the answer open.
+    /// Whether a triangle is bad; `None` where [`Criterion::badness`] must decide: where more than these bounds is
+    /// required, or rounding leaves the answer open.
+    ///
+    /// The two sides are those from the first corner to the second and to the third.
     #[inline(always)] // In the loop over the triangles around a new vertex.
     pub(super) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
         let doubled_area = u.along.cross(v.along);
         let squares = [u.length_sq, v.length_sq, (c - b).length_sq()];
         let excess = sides_angle_excess(doubled_area, squares, self.sine_sq);
-        let is_known = self.is_all && excess != 0.0;
-        // No branch: which of them are bad nobody can guess.
+        let is_known = self.are_all && excess != 0.0;
+        // Branch-free: which triangles are bad is unpredictable.
         is_known.then_some((excess < 0.0) | (doubled_area > self.doubled_area))
     }
 
-    /// The same of two triangles with these corners, where the area is not bounded.
+    /// Whether each of two triangles with these corners is bad; `None` where [`Criterion::badness`] must decide, as
+    /// wherever the area is bounded.
     #[inline(always)] // In the loop over all triangles.
     pub(super) fn are_bad(self, [a, b, c]: [[Point; 2]; 3]) -> [Option<bool>; 2] {
-        let is_all = self.is_all && self.doubled_area == f64::INFINITY;
+        let are_all = self.are_all && self.doubled_area == f64::INFINITY;
         let excess = angles_of_two(a, b, c, self.sine_sq);
-        excess.map(|excess| (is_all && excess != 0.0).then_some(excess < 0.0))
+        excess.map(|excess| (are_all && excess != 0.0).then_some(excess < 0.0))
     }
 }
 
-/// What a test of the caller's own is asked about.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Asked {
-    /// The triangle, counter-clockwise.
-    pub triangle: Triangle,
-    /// The attribute of its region; 0 where it lies in none. The area is [`Triangle::area`].
-    pub region_attribute: f64,
-}
-
 /// A test of the caller's own: whether a triangle must be refined.
-pub type UserTest = dyn Fn(Asked) -> bool + Send + Sync;
+pub type UserTest = dyn Fn(TriangleInRegion) -> bool + Send + Sync;
 
-/// The criteria, ready to be tested.
+/// What makes a triangle bad, ready to be tested.
 #[derive(Clone)]
-pub(super) struct Test {
-    /// Squared cosine of the angle bound; `None` where no bound is asked for.
+pub(super) struct Criterion {
+    /// The squared cosine of the angle bound; `None` where no angle is required.
     cos_sq: Option<f64>,
-    /// Twice the area bound, infinite where there is none.
-    doubled_area: f64,
+    size: SizeBounds,
+    /// Infinite where there is no bound.
     max_aspect_ratio: f64,
-    /// Whether regions, or triangles one by one, have area bounds of their own.
-    has_local_bounds: bool,
-    asked: Option<Arc<UserTest>>,
+    user_test: Option<Arc<UserTest>>,
 }
 
-impl Test {
-    pub(super) fn new(criteria: &Criteria, cdt: &ConstrainedTriangulation) -> Self {
-        let bounded = criteria.min_angle.radians() > 0.0;
+impl Criterion {
+    pub(super) fn new(criteria: &Criteria, size: SizeBounds) -> Self {
+        let is_bounded = criteria.min_angle.radians() > 0.0;
         Self {
-            cos_sq: bounded.then(|| criteria.min_angle.cos_sq()),
-            doubled_area: criteria.max_area.map_or(f64::INFINITY, |a| 2.0 * a),
+            cos_sq: is_bounded.then(|| criteria.min_angle.cos_sq()),
+            size,
             max_aspect_ratio: criteria.max_aspect_ratio.unwrap_or(f64::INFINITY),
-            has_local_bounds: cdt.regions().have_area_bounds(),
-            asked: None,
+            user_test: None,
         }
     }
 
     /// Whether a triangle can be bad for its shape.
-    pub(super) fn minds_shape(&self) -> bool {
+    pub(super) fn bounds_shape(&self) -> bool {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
     }
 
+    /// How large a triangle may be where.
+    pub(super) fn size(&self) -> &SizeBounds {
+        &self.size
+    }
+
     /// The caller's own test, if there is one.
-    pub(super) fn asked(&self) -> Option<Arc<UserTest>> {
-        self.asked.clone()
+    pub(super) fn user_test(&self) -> Option<Arc<UserTest>> {
+        self.user_test.clone()
     }
 
-    /// The same with a test of the caller's own.
-    pub(super) fn with_asked(self, asked: Arc<UserTest>) -> Self {
-        Self { asked: Some(asked), ..self }
+    /// The criterion with a test of the caller's own, in place of one that it had.
+    pub(super) fn with_user_test(self, user_test: Arc<UserTest>) -> Self {
+        Self { user_test: Some(user_test), ..self }
     }
 
-    /// What is wrong with a triangle of a region; the size first. Angles are certified exactly.
+    /// What is wrong with a face that has these corners; the size is tested first. Angles are certified exactly.
     #[inline(never)]
-    pub(super) fn badness(&self, corners: [Point; 3], region: Option<RegionRule>) -> Option<Badness> {
+    pub(super) fn badness(&self, cdt: &ConstrainedTriangulation, f: FaceId, corners: [Point; 3]) -> Option<Badness> {
         let [a, b, c] = corners;
-        if (b - a).cross(c - a) > self.doubled_area_bound(region) {
+        if self.size.refuse((b - a).cross(c - a), cdt, f, corners) {
             Some(Badness::Area)
-        } else if self.asked.is_some() && self.is_refused(corners, region) {
-            Some(Badness::Asked)
+        } else if self.user_test.is_some() && self.fails_user_test(cdt, f, corners) {
+            Some(Badness::UserTest)
         } else if self.cos_sq.is_some_and(|cos_sq| !triangle_angles_at_least(a, b, c, cos_sq)) {
             Some(Badness::Angle)
         } else if self.max_aspect_ratio < f64::INFINITY && self.is_too_slender(corners) {
@@ -166,41 +149,38 @@ impl Test {
             || self.max_aspect_ratio < f64::INFINITY && self.is_too_slender(corners)
     }
 
-    /// What is asked of every triangle, and whether that is all.
+    /// The bounds that hold for all triangles alike.
     #[inline]
-    pub(super) fn everywhere(&self) -> Everywhere {
-        let asks_more = self.asked.is_some() || self.max_aspect_ratio < f64::INFINITY;
+    pub(super) fn uniform_bounds(&self) -> UniformBounds {
+        let asks_more = self.user_test.is_some() || self.max_aspect_ratio < f64::INFINITY;
         // Without a bound on angles a triangle need only be more than flat.
         let sine_sq = 1.0 - self.cos_sq.unwrap_or(1.0);
-        Everywhere { sine_sq, doubled_area: self.doubled_area, is_all: !asks_more && !self.has_local_bounds }
+        let are_all = !asks_more && self.size.are_uniform();
+        UniformBounds { sine_sq, doubled_area: self.size.everywhere().doubled(), are_all }
     }
 
-    /// Bounds that imply the test, where there are such regions.
-    pub(super) fn sure_bounds(&self, regions: &[RegionRule]) -> SureBounds {
-        let is_sure = self.asked.is_none() && self.max_aspect_ratio == f64::INFINITY;
-        let areas = regions.iter().map(|&region| self.doubled_area_bound(Some(region)));
-        SureBounds {
+    /// Bounds that no bad triangle keeps; none can be kept where a user test or an aspect ratio decides.
+    pub(super) fn sufficient_bounds(&self) -> SufficientBounds {
+        let is_sure = self.user_test.is_none() && self.max_aspect_ratio == f64::INFINITY;
+        SufficientBounds {
             sine_sq: self.cos_sq.map_or(0.0, |cos_sq| 1.0 - cos_sq),
-            doubled_area: if is_sure { areas.fold(self.doubled_area, f64::min) } else { f64::NEG_INFINITY },
+            doubled_area: if is_sure { self.size.sure_bound().doubled() } else { f64::NEG_INFINITY },
         }
     }
 
-    /// Twice the area bound of triangles of a region, infinite where there is none.
-    #[inline(always)]
-    pub(super) fn doubled_area_bound(&self, region: Option<RegionRule>) -> f64 {
-        region.map_or(self.doubled_area, |region| self.doubled_area_in(region))
+    /// The area bound by which a face is filled and its share of the mesh estimated.
+    pub(super) fn expected_bound(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> AreaBound {
+        if self.size.are_uniform() {
+            self.size.everywhere()
+        } else {
+            self.size.expected_within(&TriangleInRegion::of(cdt, f))
+        }
     }
 
+    /// Whether the caller's own test refuses a face with these corners.
     #[inline(never)]
-    fn doubled_area_in(&self, region: RegionRule) -> f64 {
-        region.max_area.map_or(self.doubled_area, |area| self.doubled_area.min(2.0 * area))
-    }
-
-    /// Whether the caller's own test refuses a triangle of a region.
-    #[inline(never)]
-    fn is_refused(&self, [a, b, c]: [Point; 3], region: Option<RegionRule>) -> bool {
-        let (triangle, region_attribute) = (Triangle::new(a, b, c), region.map_or(0.0, |r| r.attribute));
-        self.asked.as_ref().is_some_and(|test| test(Asked { triangle, region_attribute }))
+    fn fails_user_test(&self, cdt: &ConstrainedTriangulation, f: FaceId, corners: [Point; 3]) -> bool {
+        self.user_test.as_ref().is_some_and(|test| test(TriangleInRegion::of_face(cdt, f, corners)))
     }
 
     #[inline(never)]
@@ -209,7 +189,7 @@ impl Test {
     }
 }
 
-/// Three ids in order: the name of a triangle.
+/// Three vertices in ascending order, which name a triangle whatever its slot.
 #[inline]
 pub(super) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
     let (low, high) = (a.min(b), a.max(b));

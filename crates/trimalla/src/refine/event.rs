@@ -31,22 +31,26 @@ pub enum StepOutcome {
     Stalled,
 }
 
-/// What is wrong with a triangle that was selected.
+/// What is wrong with a bad triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum Badness {
     /// An angle is below the bound.
     Angle,
     /// The aspect ratio is above the bound.
     AspectRatio,
     /// The area is above the bound.
     Area,
-    /// The caller's own test refuses it.
-    Asked,
-    /// Nothing: it was picked.
-    Picked,
+    /// The caller's own test refuses the triangle.
+    UserTest,
 }
 
-impl Why {
+impl Badness {
+    /// Whether the triangle is bad for its shape: splitting it into smaller ones of that shape is no help.
+    #[must_use]
+    pub const fn is_of_shape(self) -> bool {
+        matches!(self, Self::Angle | Self::AspectRatio)
+    }
+
     /// In words.
     #[must_use]
     pub const fn key(self) -> &'static str {
@@ -54,8 +58,7 @@ impl Why {
             Self::Angle => "angle",
             Self::AspectRatio => "aspect ratio",
             Self::Area => "area",
-            Self::Asked => "asked",
-            Self::Picked => "picked",
+            Self::UserTest => "user test",
         }
     }
 }
@@ -123,8 +126,8 @@ pub struct Event {
     pub outcome: StepOutcome,
     /// The subsegment that was looked at, lower vertex first.
     pub subsegment: Option<[VertexId; 2]>,
-    /// The triangle that was selected, and what is wrong with it.
-    pub selected: Option<(Name, Why)>,
+    /// The triangle that was selected, and what is wrong with it: nothing, where a good one was picked.
+    pub selected: Option<(Name, Option<Badness>)>,
     /// Its longest-edge propagation path, itself first.
     pub lepp: Vec<Name>,
     /// The terminal edge of that path.
@@ -143,4 +146,12 @@ pub struct Event {
     pub destroyed: Vec<Name>,
     /// Triangles that are new, ascending.
     pub made: Vec<Name>,
+}
+
+impl Event {
+    /// Why the selected triangle was selected, in words: what is wrong with it, or that a good one was picked.
+    #[must_use]
+    pub fn why(&self) -> Option<&'static str> {
+        self.selected.map(|(_, badness)| badness.map_or("picked", Badness::key))
+    }
 }

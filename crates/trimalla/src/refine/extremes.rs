@@ -1,26 +1,26 @@
-//! Which triangles of a mesh have the extreme angles, and which can be bad: nearly all are passed over at a glance.
+//! Which triangles of a mesh have its smallest and its largest angle, behind a filter that passes over nearly all.
 //!
-//! The glance takes few products and no quotient, in the units of the drawing, from any corner on. It is sure of what
-//! it says by a margin that is far above rounding; what it is not sure of, [`Extremes`] decides, and the test of the
-//! criteria.
+//! The filter tests two triangles at a time, with few products and no quotient, in the units of the drawing and from
+//! any corner on. A triangle that it passes is good, and has neither of the extreme angles; its margin is far above
+//! rounding. [`Extremes::include`] measures the other triangles, and the caller tests whether they are bad.
 
-use super::bad_triangles::SureBounds;
+use super::bad_triangles::SufficientBounds;
 use super::ruler::Ruler;
 use crate::geometry::lanes::{Number, Two};
 use crate::geometry::math::power_of_two_scale;
 use crate::geometry::{BoundingBox, Point, Triangle};
 use crate::half_edge::FaceId;
 
-/// More than any sum or quotient of products is off by rounding, relatively.
+/// The relative error of every sum and quotient of products here is below this.
 const SLACK: f64 = 1e-12;
-/// Products of four lengths from here on have lost nothing to underflow.
+/// A product of four lengths that is at least this has lost nothing to underflow.
 const ORDINARY: f64 = 1e-280;
-/// Differences of coordinates up to this are finite.
+/// Coordinates up to this have finite differences.
 const HUGE: f64 = 1e307;
-/// No square of a side above this is glanced at: products of four of them are finite.
+/// The filter passes no triangle with a squared side above this; products of four sides below it are finite.
 const LARGE: f64 = 1e70;
 
-/// Squares of the sides of a triangle, or of two, sorted, and twice the area. Rounded.
+/// The squared sides of a triangle (or of two, in lanes) in ascending order, and twice its area. Rounded.
 struct Sides<N> {
     short: N,
     middle: N,
@@ -46,16 +46,17 @@ impl<N: Number> Sides<N> {
         }
     }
 
-    #[inline(always)] // As above.
+    /// Twice the dot product of the two shorter sides at their common corner.
+    #[inline(always)] // In the loop over all triangles.
     fn excess(&self) -> N {
         self.short + self.middle - self.long
     }
 }
 
 impl Sides<f64> {
-    /// The sides of one triangle in units that fit it, whatever its size is: the longest square is at least one.
+    /// The sides of one triangle, in a unit that makes the longest square at least one.
     fn near_one([a, b, c]: [Point; 3]) -> Self {
-        // Differences of finite numbers may overflow; halves are exact where they do.
+        // Differences of finite numbers may overflow; halves of such large numbers are exact.
         let half = if BoundingBox::around(a).including(b).including(c).largest_coordinate() > HUGE { 0.5 } else { 1.0 };
         let side = |p: Point, q: Point| [q.x * half - p.x * half, q.y * half - p.y * half];
         let sides = [side(a, b), side(b, c), side(c, a)];
@@ -63,102 +64,105 @@ impl Sides<f64> {
         Self::of_vectors(sides.map(|side| side.map(|x| x * scale)))
     }
 
-    /// The squared sine of the smallest angle, which lies between the two longer sides.
+    /// The squared sine of the smallest angle, the one between the two longer sides.
     fn sine_sq(&self) -> f64 {
         (self.doubled_area / self.long) * (self.doubled_area / self.middle)
     }
 
-    /// Four times the squared cosine of the largest angle, which lies between the two shorter sides, with the cosine's
-    /// sign; `None` where the shortest side is too short to be squared beside the others.
+    /// Four times the squared cosine of the largest angle, the one between the two shorter sides, with the sign of the
+    /// cosine; `None` where the product of their squares underflows.
     fn cosine_sq(&self) -> Option<f64> {
         let (excess, product) = (self.excess(), self.short * self.middle);
         (product >= f64::MIN_POSITIVE).then(|| excess * excess.abs() / product)
     }
 }
 
-/// The triangles of the smallest and of the largest angle among those seen so far.
+/// The triangles with the smallest and with the largest angle, of those included so far.
 pub(super) struct Extremes {
     pub(super) sharpest: Option<FaceId>,
     pub(super) bluntest: Option<FaceId>,
-    /// The squared sine of the one, four times the squared cosine of the other.
-    least_sine: f64,
-    least_cosine: f64,
-    /// No triangle within these is bad.
-    sure: SureBounds,
-    glance: Glance,
+    /// The squared sine of the smallest angle.
+    least_sine_sq: f64,
+    /// Four times the signed square of the cosine of the largest angle.
+    least_cosine_sq: f64,
+    /// A triangle that keeps these is good.
+    sufficient: SufficientBounds,
+    filter: Filter,
 }
 
-/// What a triangle must surpass so that a glance is enough.
-struct Glance {
-    /// The square of twice the area.
-    area_sq: Two,
-    sine_sq: Two,
-    cosine_sq: Two,
-    /// This is to be surpassed by it.
-    doubled_area: Two,
+/// The bounds that a triangle must keep so that the filter passes it. Each is in both lanes.
+struct Filter {
+    /// The square of twice the area is above this, so that it has not underflowed.
+    least_area_sq: Two,
+    /// The squared sine of the smallest angle is above this.
+    least_sine_sq: Two,
+    /// Four times the signed square of the cosine of the largest angle is above this.
+    least_cosine_sq: Two,
+    /// Twice the area is below this.
+    most_doubled_area: Two,
 }
 
 impl Extremes {
-    /// No triangles so far.
-    pub(super) fn new(ruler: Ruler, sure: SureBounds) -> Self {
+    /// No triangles so far; `sufficient` are the bounds that make a triangle good.
+    pub(super) fn new(ruler: Ruler, sufficient: SufficientBounds) -> Self {
         let scale = ruler.scale();
         let unit = (scale * scale) * (scale * scale);
-        // Ordinary in the units of the ruler, too.
-        let area_sq = ORDINARY.max(ORDINARY / unit);
+        // Products in the units of the ruler must not underflow either.
+        let least_area_sq = ORDINARY.max(ORDINARY / unit);
         Self {
             sharpest: None,
             bluntest: None,
-            least_sine: f64::INFINITY,
-            least_cosine: f64::INFINITY,
-            sure,
-            // Not infinite: times zero that would be no number.
-            glance: Glance {
-                area_sq: Two::of(area_sq),
-                sine_sq: Two::of(f64::MAX),
-                cosine_sq: Two::of(f64::MAX),
-                doubled_area: Two::of(sure.doubled_area),
+            least_sine_sq: f64::INFINITY,
+            least_cosine_sq: f64::INFINITY,
+            sufficient,
+            // The largest finite number, since infinity times zero is NaN.
+            filter: Filter {
+                least_area_sq: Two::of(least_area_sq),
+                least_sine_sq: Two::of(f64::MAX),
+                least_cosine_sq: Two::of(f64::MAX),
+                most_doubled_area: Two::of(sufficient.doubled_area),
             },
         }
     }
 
-    /// Whether a glance tells that a triangle, of two with these corners, is not bad, and that neither of its extreme
-    /// angles is one of the mesh so far.
+    /// Whether the filter passes each of two triangles with these corners: the triangle is certainly good, and its
+    /// angles are certainly neither below nor above all those included so far.
     ///
-    /// Twice the area is off by some last places of the longest side's square, wherever it is measured from. The
-    /// squares of the sides are the same from every corner, and in other units.
+    /// The error of twice the area is a few last places of the longest squared side, from whatever corner the area is
+    /// measured. The squared sides are the same from every corner, and in units of any other power of two.
     #[inline(always)] // In the loop over all triangles.
-    pub(super) fn are_plain(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
+    pub(super) fn are_passed(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
         let sides = Sides::of(corners.map(Two::coordinates));
         let margin = Two::of(SLACK) * sides.long;
         let least_area = sides.doubled_area - margin;
         let (area_sq, excess) = (least_area * least_area, sides.excess());
-        // Each is positive where something is sure. What is no number is lost on the way, but the last one is none
-        // then, or negative: products of what is not large are numbers.
+        // Each term is positive if and only if one property is certain. `lesser` drops a NaN. That is safe: products of
+        // sides that are not large are numbers, so wherever a term is NaN the last one is NaN or negative.
         let Two(least) = least_area
-            .lesser(area_sq - self.glance.area_sq)
-            .lesser(area_sq - self.glance.sine_sq * (sides.long * sides.middle))
-            .lesser(excess * excess.abs() - self.glance.cosine_sq * (sides.short * sides.middle))
-            .lesser(self.glance.doubled_area - (sides.doubled_area + margin))
+            .lesser(area_sq - self.filter.least_area_sq)
+            .lesser(area_sq - self.filter.least_sine_sq * (sides.long * sides.middle))
+            .lesser(excess * excess.abs() - self.filter.least_cosine_sq * (sides.short * sides.middle))
+            .lesser(self.filter.most_doubled_area - (sides.doubled_area + margin))
             .lesser(Two::of(LARGE) - sides.long);
         least.map(|least| least > 0.0)
     }
 
-    /// Looks at a triangle with these corners, the newest first.
-    pub(super) fn see(&mut self, f: FaceId, corners: [Point; 3]) {
+    /// Includes a face with these corners, the newest first.
+    pub(super) fn include(&mut self, f: FaceId, corners: [Point; 3]) {
         let sides = Sides::near_one(corners);
         let (sine_sq, cosine_sq) = (sides.sine_sq(), sides.cosine_sq().unwrap_or_else(|| measured_cosine_sq(corners)));
-        if sine_sq < self.least_sine {
-            (self.least_sine, self.sharpest) = (sine_sq, Some(f));
-            self.glance.sine_sq = Two::of(sine_sq.max(self.sure.sine_sq) * (1.0 + SLACK));
+        if sine_sq < self.least_sine_sq {
+            (self.least_sine_sq, self.sharpest) = (sine_sq, Some(f));
+            self.filter.least_sine_sq = Two::of(sine_sq.max(self.sufficient.sine_sq) * (1.0 + SLACK));
         }
-        if cosine_sq < self.least_cosine {
-            (self.least_cosine, self.bluntest) = (cosine_sq, Some(f));
-            self.glance.cosine_sq = Two::of(cosine_sq + SLACK);
+        if cosine_sq < self.least_cosine_sq {
+            (self.least_cosine_sq, self.bluntest) = (cosine_sq, Some(f));
+            self.filter.least_cosine_sq = Two::of(cosine_sq + SLACK);
         }
     }
 }
 
-/// What [`Sides::cosine_sq`] tells, by the largest angle.
+/// [`Sides::cosine_sq`] from the largest angle itself, where the product underflows.
 #[cold]
 fn measured_cosine_sq([a, b, c]: [Point; 3]) -> f64 {
     let cosine = Triangle::new(a, b, c).max_angle().cos();
@@ -170,8 +174,8 @@ mod tests {
     use super::*;
 
     fn extremes() -> Extremes {
-        let sure = SureBounds { sine_sq: 0.1, doubled_area: f64::INFINITY };
-        Extremes::new(Ruler::for_box(None), sure)
+        let sufficient = SufficientBounds { sine_sq: 0.1, doubled_area: f64::INFINITY };
+        Extremes::new(Ruler::for_box(None), sufficient)
     }
 
     fn scaled(by: f64, corners: [[f64; 2]; 3]) -> [Point; 3] {
@@ -182,27 +186,27 @@ mod tests {
     const RIGHT: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
     #[test]
-    fn the_first_is_looked_at_closely_and_better_ones_are_not() {
+    fn the_first_triangle_is_measured_and_better_ones_are_passed() {
         let mut extremes = extremes();
         let [first, better] = [scaled(1.0, RIGHT), scaled(1.0, EQUILATERAL)];
         let two = [0, 1, 2].map(|i| [first[i], better[i]]);
-        assert_eq!(extremes.are_plain(two), [false; 2]);
-        extremes.see(FaceId(0), first);
-        assert_eq!(extremes.are_plain(two), [false, true], "one as sharp may come first elsewhere");
-        extremes.see(FaceId(1), better);
+        assert_eq!(extremes.are_passed(two), [false; 2]);
+        extremes.include(FaceId(0), first);
+        assert_eq!(extremes.are_passed(two), [false, true], "one as sharp may come first elsewhere");
+        extremes.include(FaceId(1), better);
         assert_eq!((extremes.sharpest, extremes.bluntest), (Some(FaceId(0)), Some(FaceId(0))));
     }
 
     #[test]
-    fn what_underflows_or_overflows_is_looked_at_closely() {
-        for seen in [false, true] {
+    fn triangles_whose_products_underflow_or_overflow_are_not_passed() {
+        for has_first in [false, true] {
             let mut extremes = extremes();
-            if seen {
-                extremes.see(FaceId(0), scaled(1.0, RIGHT));
+            if has_first {
+                extremes.include(FaceId(0), scaled(1.0, RIGHT));
             }
             for by in [5e-324, 1e-300, 1e-170, 1e-90, 1e40, 1e100, 1e170, 8e307] {
                 let corners = scaled(by, EQUILATERAL);
-                assert_eq!(extremes.are_plain(corners.map(|p| [p, p])), [false; 2], "{by} {seen}");
+                assert_eq!(extremes.are_passed(corners.map(|p| [p, p])), [false; 2], "{by} {has_first}");
             }
         }
     }

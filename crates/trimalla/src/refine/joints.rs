@@ -11,6 +11,7 @@
 //! the same vertices.
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
+use crate::drawing::SegmentId;
 use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// A piece of an input segment, by its two ends in the order of the segment.
@@ -24,7 +25,7 @@ pub(super) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
 /// A joint inside a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Joint {
-    segment: u32,
+    segment: SegmentId,
     /// Its parameter on the segment.
     t: f64,
     vertex: VertexId,
@@ -49,7 +50,7 @@ impl Joints {
         // Edge by edge the nested iterators would be a machine of states.
         cdt.marked_edges().for_each(|h| {
             let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { return };
-            let ends = cdt.segments()[segment as usize];
+            let ends = cdt.segments()[segment.index()];
             for vertex in [cdt.origin(h), cdt.dest(h)] {
                 if !ends.contains(&vertex) && ends_pieces(cdt, vertex) {
                     sorted.push(Joint { segment, t: cdt.parameter(segment, vertex), vertex });
@@ -69,7 +70,7 @@ impl Joints {
             return None;
         };
         let piece = self.piece_at(segment, t);
-        let [start, end] = cdt.segments()[segment as usize];
+        let [start, end] = cdt.segments()[segment.index()];
         let is_end = piece[1] == Some(v);
         (!is_end).then(|| [piece[0].unwrap_or(start), piece[1].unwrap_or(end)])
     }
@@ -81,7 +82,7 @@ impl Joints {
         }
         let piece = self.piece_between(cdt, cdt.mark(h), [cdt.origin(h), cdt.dest(h)])?;
         let segment = cdt.finest_segment(cdt.mark(h))?;
-        (piece != cdt.segments()[segment as usize]).then_some(piece)
+        (piece != cdt.segments()[segment.index()]).then_some(piece)
     }
 
     /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no
@@ -95,14 +96,14 @@ impl Joints {
         let segment = cdt.finest_segment(mark)?;
         let [a, b] = ends.map(|v| cdt.parameter(segment, v));
         let piece = self.piece_at(segment, 0.5 * (a + b));
-        let [start, end] = cdt.segments()[segment as usize];
+        let [start, end] = cdt.segments()[segment.index()];
         Some([piece[0].unwrap_or(start), piece[1].unwrap_or(end)])
     }
 
     /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of
     /// none.
     pub(super) fn whole_of(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
-        let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s as usize]);
+        let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s.index()]);
         self.piece_along(cdt, h).or_else(segment).unwrap_or_else(|| [cdt.origin(h), cdt.dest(h)])
     }
 
@@ -110,7 +111,7 @@ impl Joints {
     pub(super) fn pieces(&self, cdt: &ConstrainedTriangulation) -> Vec<Piece> {
         let mut pieces = Vec::with_capacity(cdt.segments().len() + self.sorted.len());
         let mut at = 0;
-        for (segment, &[start, end]) in (0..).zip(cdt.segments()) {
+        for (segment, &[start, end]) in cdt.segment_ids().zip(cdt.segments()) {
             let mut from = start;
             while let Some(joint) = self.sorted.get(at).filter(|joint| joint.segment == segment) {
                 pieces.push([from.min(joint.vertex), from.max(joint.vertex)]);
@@ -123,7 +124,7 @@ impl Joints {
     }
 
     /// The joints on both sides of a parameter of a segment; none where the segment's own end comes first.
-    fn piece_at(&self, segment: u32, t: f64) -> [Option<VertexId>; 2] {
+    fn piece_at(&self, segment: SegmentId, t: f64) -> [Option<VertexId>; 2] {
         let is_before = |joint: &Joint| joint.segment < segment || joint.segment == segment && joint.t < t;
         let at = self.sorted.partition_point(is_before);
         let on_segment = |joint: Option<&Joint>| joint.filter(|j| j.segment == segment).map(|j| j.vertex);

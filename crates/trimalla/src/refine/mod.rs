@@ -59,12 +59,12 @@ mod strategies;
 #[cfg(test)]
 mod tests;
 
-pub use bad_triangles::{Asked, UserTest};
+pub use bad_triangles::UserTest;
 pub use engine::Refinement;
 pub use engine::overview::Overview;
 pub(crate) use engine::recovery::make_conforming;
 pub use engine::start::Start;
-pub use event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome, Why};
+pub use event::{Badness, Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use lepp::{Centroid, Lepp, LeppRule};
 pub use options::{Criteria, Limits, Missed, OptionError, Protect, RefineOptions};

@@ -1,7 +1,7 @@
 //! What can be said of a refinement before it begins.
 
 use super::floors::precision_floor;
-use super::forecast::{Feature, Forecast, Gap, extent_of, forecast};
+use super::forecast::{Feature, Forecast, Gap, extent_of, forecast_under};
 use super::joints::{Joints, common_end};
 use super::options::{Protect, RefineOptions};
 use super::recipe::Preset;
@@ -10,6 +10,7 @@ use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{Angle, Point, Segment};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
+use crate::size::SizeBounds;
 use crate::triangulation::corners_of_two;
 
 /// The largest bound for which the angle floor is proved, in degrees.
@@ -37,11 +38,16 @@ impl Outlook {
     /// Looks at a carved triangulation.
     ///
     /// # Complexity
-    /// That of the [`forecast()`].
+    /// That of the [`forecast()`](super::forecast()).
     #[must_use]
     pub fn of(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Self {
+        Self::under(cdt, options, &SizeBounds::new(options.criteria.max_area, cdt, Vec::new()))
+    }
+
+    /// [`of`](Self::of) under these bounds on sizes, which know the area bound of the options.
+    pub(super) fn under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Self {
         Self {
-            forecast: forecast(cdt, options),
+            forecast: forecast_under(cdt, options, size),
             angle_ceiling: angle_ceiling(cdt),
             smallest_input_angle: smallest_input_angle(cdt),
             within_rounding: within_rounding(cdt),

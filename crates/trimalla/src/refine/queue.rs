@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!    1 ── 2   7 ── 8       Where step 2 allows, a large drawing is cut into patches along a Hilbert curve. Those that wait in
-//!         │   │    │       the present patch lie in steps of priority; those of every other patch in a list, until it is its
+//!         │   │    │       the present patch lie in buckets of priority; those of every other patch in a list, until it is its
 //!    4 ── 3   6   …        turn: when nothing waits in the present patch any more, the next one along the curve comes up in
 //!    └──────── 5           which anything does, after the last the first again.
 //! ```
@@ -49,22 +49,22 @@ pub(super) struct Claim {
     look: u32,
 }
 
-/// A triangle of another patch, with its step of priority.
+/// A triangle of another patch, with its bucket of priority.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
     claim: Claim,
-    step: u32,
+    bucket: u32,
 }
 
-/// Triangles of one step of priority, the newest last.
+/// Triangles of one bucket of priority, the newest last.
 #[derive(Clone, Debug, Default)]
-struct Step {
+struct Bucket {
     claims: Vec<Claim>,
     /// How many at the front have been taken.
     taken: usize,
 }
 
-impl Step {
+impl Bucket {
     /// Takes the newest.
     #[inline]
     fn take_newest(&mut self) -> Option<Claim> {
@@ -86,36 +86,36 @@ impl Step {
 /// Steps of priority that follow each other; room for them is made where one is needed, as few of all that there could
 /// be are.
 #[derive(Clone, Debug, Default)]
-struct Drawer {
-    /// One bit a step: whether anything waits there, or did until just now.
+struct BucketRow {
+    /// One bit a bucket: whether anything waits there, or did until just now.
     occupied: u64,
-    steps: Option<Box<[Step; Self::STEPS]>>,
+    buckets: Option<Box<[Bucket; Self::BUCKETS]>>,
 }
 
-impl Drawer {
-    const STEPS: usize = 64;
+impl BucketRow {
+    const BUCKETS: usize = 64;
 
-    /// The steps, which are made where there are none yet.
+    /// The buckets, which are made where there are none yet.
     #[inline]
-    fn steps_mut(&mut self) -> &mut [Step; Self::STEPS] {
-        self.steps.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Step::default())))
+    fn buckets_mut(&mut self) -> &mut [Bucket; Self::BUCKETS] {
+        self.buckets.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Bucket::default())))
     }
 
-    /// Adds a triangle to a step.
+    /// Adds a triangle to a bucket.
     #[inline]
-    fn put(&mut self, claim: Claim, step: usize) {
-        self.steps_mut()[step].claims.push(claim);
-        self.occupied |= 1 << step;
+    fn put(&mut self, claim: Claim, bucket: usize) {
+        self.buckets_mut()[bucket].claims.push(claim);
+        self.occupied |= 1 << bucket;
     }
 
-    /// Takes one from the lowest step where anything waits; the step, too.
+    /// Takes one from the lowest bucket where anything waits; the bucket, too.
     #[inline]
     fn take(&mut self, oldest_first: bool) -> Option<(Claim, u32)> {
-        let steps = self.steps.as_mut()?;
+        let buckets = self.buckets.as_mut()?;
         while self.occupied != 0 {
             let number = self.occupied.trailing_zeros();
-            let step = &mut steps[number as usize];
-            let claim = if oldest_first { step.take_oldest() } else { step.take_newest() };
+            let list = &mut buckets[number as usize];
+            let claim = if oldest_first { list.take_oldest() } else { list.take_newest() };
             if let Some(claim) = claim {
                 return Some((claim, number));
             }
@@ -124,23 +124,23 @@ impl Drawer {
         None
     }
 
-    /// Puts back what was taken from a step.
-    fn put_back(&mut self, claim: Claim, step: usize, is_oldest: bool) {
-        let list = &mut self.steps_mut()[step];
+    /// Puts back what was taken from a bucket.
+    fn put_back(&mut self, claim: Claim, bucket: usize, is_oldest: bool) {
+        let list = &mut self.buckets_mut()[bucket];
         match (is_oldest, list.taken) {
             (false, _) => list.claims.push(claim),
             // Room at the front was given back since.
             (true, 0) => list.claims.insert(0, claim),
             (true, _) => list.taken -= 1,
         }
-        self.occupied |= 1 << step;
+        self.occupied |= 1 << bucket;
     }
 }
 
 /// Bad triangles by priority. Triangles that are gone stay until they come up.
 ///
-/// Priority is cut into steps of a 128th of an octave, each a list of its own: adding and taking cost a constant.
-/// Within a step those that came last leave first, which lie near in memory and, measured, makes smaller meshes than
+/// Priority is cut into buckets of a 128th of an octave, each a list of its own: adding and taking cost a constant.
+/// Within a bucket those that came last leave first, which lie near in memory and, measured, makes smaller meshes than
 /// the other way round; for an order that asks for it, those that came first.
 ///
 /// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
@@ -149,12 +149,12 @@ impl Drawer {
 pub(super) struct Queue {
     /// `None` where the whole drawing is one patch.
     patches: Option<Patches>,
-    /// The patch whose triangles lie in the steps.
+    /// The patch whose triangles lie in the buckets.
     present: usize,
     /// Triangles of other patches.
     elsewhere: Vec<Vec<Waiting>>,
-    drawers: Vec<Drawer>,
-    /// Nothing waits in a drawer below this one.
+    rows: Vec<BucketRow>,
+    /// Nothing waits in a row below this one.
     lowest: usize,
     len: usize,
     /// The newest look at each slot; 0 where there was nothing bad.
@@ -166,7 +166,7 @@ pub(super) struct Queue {
 
 /// What was overwritten in a queue, so that it can be put back.
 ///
-/// Room that was made stays, and so do bits of steps that are empty: neither changes what comes up.
+/// Room that was made stays, and so do bits of buckets that are empty: neither changes what comes up.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Changes {
     present: usize,
@@ -181,14 +181,14 @@ pub(super) struct Changes {
 enum Change {
     /// The look at a slot was this.
     Look { slot: u32, look: u32 },
-    /// A triangle was added to a step.
-    Added { step: u32 },
+    /// A triangle was added to a bucket.
+    Added { bucket: u32 },
     /// A triangle was added to the list of another patch.
     AddedElsewhere { patch: u32 },
-    /// The newest triangle was taken from a step.
-    TakenNewest { step: u32, claim: Claim },
-    /// The oldest triangle was taken from a step.
-    TakenOldest { step: u32, claim: Claim },
+    /// The newest triangle was taken from a bucket.
+    TakenNewest { bucket: u32, claim: Claim },
+    /// The oldest triangle was taken from a bucket.
+    TakenOldest { bucket: u32, claim: Claim },
     /// The list of a patch was emptied.
     Emptied { patch: u32, list: Box<[Waiting]> },
 }
@@ -205,9 +205,9 @@ impl Changes {
 }
 
 impl Queue {
-    /// Mantissa bits that do not choose the step.
+    /// Mantissa bits that do not choose the bucket.
     const SHIFT: u32 = 45;
-    /// Exponents below this one, biased, share the first step: priority is measured in units that fit the drawing.
+    /// Exponents below this one, biased, share the first bucket: priority is measured in units that fit the drawing.
     const LEAST: u64 = (1023 - 220) << 7;
 
     /// An empty queue that takes one patch after the other.
@@ -231,14 +231,14 @@ impl Queue {
     /// Adds a triangle of a patch, whose priority is not negative.
     #[inline]
     pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, priority: f64) {
-        let step = Self::step_of(priority);
+        let bucket = Self::bucket_of(priority);
         if self.record.is_some() {
-            self.note_push(face, patch, step);
+            self.note_push(face, patch, bucket);
         }
-        let waiting = Waiting { claim: self.claim_unnoted(cdt, face), step };
+        let waiting = Waiting { claim: self.claim_unnoted(cdt, face), bucket };
         self.len += 1;
         if patch == self.present {
-            self.put_into_step(waiting);
+            self.put_into_bucket(waiting);
         } else {
             self.elsewhere[patch].push(waiting);
         }
@@ -247,28 +247,28 @@ impl Queue {
     /// Notes what adding a triangle changes.
     #[cold]
     #[inline(never)]
-    fn note_push(&mut self, face: FaceId, patch: usize, step: u32) {
+    fn note_push(&mut self, face: FaceId, patch: usize, bucket: u32) {
         self.note_look(face);
         let is_here = patch == self.present;
         let patch = patch as u32;
-        self.note(if is_here { Change::Added { step } } else { Change::AddedElsewhere { patch } });
+        self.note(if is_here { Change::Added { bucket } } else { Change::AddedElsewhere { patch } });
     }
 
     #[inline]
-    fn step_of(priority: f64) -> u32 {
+    fn bucket_of(priority: f64) -> u32 {
         // Positive numbers are ordered as their bits.
         let bits = if priority > 0.0 { priority.to_bits() } else { 0 };
         (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as u32
     }
 
     #[inline]
-    fn put_into_step(&mut self, Waiting { claim, step }: Waiting) {
-        let (drawer, step) = Self::place_of(step);
-        if drawer >= self.drawers.len() {
-            self.drawers.resize_with(drawer + 1, Drawer::default);
+    fn put_into_bucket(&mut self, Waiting { claim, bucket }: Waiting) {
+        let (row, bucket) = Self::place_of(bucket);
+        if row >= self.rows.len() {
+            self.rows.resize_with(row + 1, BucketRow::default);
         }
-        self.drawers[drawer].put(claim, step);
-        self.lowest = self.lowest.min(drawer);
+        self.rows[row].put(claim, bucket);
+        self.lowest = self.lowest.min(row);
     }
 
     /// Goes on to the next patch in which anything waits; says whether there is one.
@@ -282,13 +282,13 @@ impl Queue {
         let list = std::mem::take(&mut self.elsewhere[next]);
         if self.record.is_some() {
             self.note(Change::Emptied { patch: next as u32, list: list.clone().into() });
-            let there = list.iter().filter(|waiting| self.is_newest(waiting.claim)).map(|waiting| waiting.step);
-            let added: Vec<Change> = there.map(|step| Change::Added { step }).collect();
+            let there = list.iter().filter(|waiting| self.is_newest(waiting.claim)).map(|waiting| waiting.bucket);
+            let added: Vec<Change> = there.map(|bucket| Change::Added { bucket }).collect();
             added.into_iter().for_each(|change| self.note(change));
         }
         for waiting in list {
             if self.is_newest(waiting.claim) {
-                self.put_into_step(waiting);
+                self.put_into_bucket(waiting);
             } else {
                 self.len -= 1;
             }
@@ -389,13 +389,13 @@ impl Queue {
         for change in changes.list.into_iter().rev() {
             match change {
                 Change::Look { slot, look } => self.looks.get_mut(slot as usize).into_iter().for_each(|l| *l = look),
-                Change::Added { step } => {
-                    let (drawer, step) = Self::place_of(step);
-                    self.drawers[drawer].steps_mut()[step].claims.pop();
+                Change::Added { bucket } => {
+                    let (row, bucket) = Self::place_of(bucket);
+                    self.rows[row].buckets_mut()[bucket].claims.pop();
                 }
                 Change::AddedElsewhere { patch } => drop(self.elsewhere[patch as usize].pop()),
-                Change::TakenNewest { step, claim } => self.put_back(claim, step, false),
-                Change::TakenOldest { step, claim } => self.put_back(claim, step, true),
+                Change::TakenNewest { bucket, claim } => self.put_back(claim, bucket, false),
+                Change::TakenOldest { bucket, claim } => self.put_back(claim, bucket, true),
                 Change::Emptied { patch, list } => self.elsewhere[patch as usize] = list.into(),
             }
         }
@@ -403,21 +403,25 @@ impl Queue {
         (self.len, self.last_look) = (changes.len, changes.last_look);
     }
 
-    /// Notes that a triangle was taken from a step.
+    /// Notes that a triangle was taken from a bucket.
     #[cold]
     #[inline(never)]
-    fn note_taken(&mut self, claim: Claim, step: u32, is_oldest: bool) {
-        self.note(if is_oldest { Change::TakenOldest { step, claim } } else { Change::TakenNewest { step, claim } });
+    fn note_taken(&mut self, claim: Claim, bucket: u32, is_oldest: bool) {
+        self.note(if is_oldest {
+            Change::TakenOldest { bucket, claim }
+        } else {
+            Change::TakenNewest { bucket, claim }
+        });
     }
 
-    fn put_back(&mut self, claim: Claim, step: u32, is_oldest: bool) {
-        let (drawer, step) = Self::place_of(step);
-        self.drawers[drawer].put_back(claim, step, is_oldest);
+    fn put_back(&mut self, claim: Claim, bucket: u32, is_oldest: bool) {
+        let (row, bucket) = Self::place_of(bucket);
+        self.rows[row].put_back(claim, bucket, is_oldest);
     }
 
-    /// The drawer of a step, and its number there.
-    const fn place_of(step: u32) -> (usize, usize) {
-        (step as usize / Drawer::STEPS, step as usize % Drawer::STEPS)
+    /// The row of a bucket, and its number there.
+    const fn place_of(bucket: u32) -> (usize, usize) {
+        (bucket as usize / BucketRow::BUCKETS, bucket as usize % BucketRow::BUCKETS)
     }
 
     /// The most urgent triangle of the patch that is still there; every face that changes is looked at again.
@@ -434,14 +438,14 @@ impl Queue {
     }
 
     fn pop_here(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
-        while let Some(drawer) = self.drawers.get_mut(self.lowest) {
-            let Some((claim, step)) = drawer.take(oldest_first) else {
+        while let Some(row) = self.rows.get_mut(self.lowest) {
+            let Some((claim, bucket)) = row.take(oldest_first) else {
                 self.lowest += 1;
                 continue;
             };
             self.len -= 1;
             if self.record.is_some() {
-                self.note_taken(claim, (self.lowest * Drawer::STEPS) as u32 + step, oldest_first);
+                self.note_taken(claim, (self.lowest * BucketRow::BUCKETS) as u32 + bucket, oldest_first);
             }
             if self.is_valid(cdt, claim) {
                 return Some(claim.face);

@@ -8,6 +8,7 @@ use super::outlook::Outlook;
 use super::recipe::Recipe;
 use super::stopwatch::{Clock, StepTimes};
 use crate::constrained::ConstrainedTriangulation;
+use crate::drawing::SegmentId;
 
 /// Why a triangle stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -130,7 +131,7 @@ pub struct Report {
     pub leftovers: Vec<Leftover>,
     /// Input segments that are no chains of edges in the mesh: only where the recipe lets them go and does not recover
     /// them.
-    pub lost_segments: Vec<u32>,
+    pub lost_segments: Vec<SegmentId>,
     /// Why it ended.
     pub stop: StopReason,
     /// Edges flipped before the first insertion, to make a given mesh Delaunay.

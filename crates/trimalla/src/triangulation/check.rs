@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::triangulation::{Closure, Triangulation};
+use crate::drawing::SegmentId;
 use crate::geometry::{CircleSide, Orientation, in_circle_perturbed, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
@@ -53,18 +54,18 @@ pub enum Fault {
     /// A ghost face lies in a region.
     GhostInRegion(FaceId),
     /// I13: the edges of an input segment are not one chain from its start to its end.
-    SegmentBroken(u32),
+    SegmentBroken(SegmentId),
     /// I13: a chain does not run along its input segment at this vertex.
     OffSegment {
         /// The input segment.
-        segment: u32,
+        segment: SegmentId,
         /// The vertex.
         vertex: VertexId,
     },
     /// I13: an input vertex lies exactly on an input segment and is none of its chain.
     PassesBy {
         /// The input segment.
-        segment: u32,
+        segment: SegmentId,
         /// The vertex.
         vertex: VertexId,
     },

@@ -4,7 +4,7 @@
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::Pslg;
+use trimalla::drawing::{Pslg, SegmentId};
 use trimalla::geometry::{Point, math};
 use trimalla::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use trimalla::refine::{NoObserver, Preset, RefineOptions, Refinement};
@@ -41,7 +41,7 @@ fn b12_segments_from_a_hub_are_edges() {
         for reversed in [false, true] {
             let segments: Vec<[u32; 2]> = (1..=N).map(|i| if reversed { [i, 0] } else { [0, i] }).collect();
             let cdt = constrained(&points, &segments);
-            assert!((0..N).all(|s| cdt.chain(s).len() == 1), "arc {arc}, reversed {reversed}");
+            assert!(cdt.segment_ids().all(|s| cdt.chain(s).len() == 1), "arc {arc}, reversed {reversed}");
         }
     }
     let (points, segments) = star(400);
@@ -56,7 +56,7 @@ fn b12_two_hubs_share_their_neighbours() {
     let points: Vec<Point> = [Point::new(0.0, -1.0), Point::new(0.0, 1.0)].into_iter().chain(between).collect();
     let segments: Vec<[u32; 2]> = (0..2 * N).map(|i| [i % 2, 2 + i / 2]).collect();
     let cdt = constrained(&points, &segments);
-    assert!((0..2 * N).all(|s| cdt.chain(s).len() == 1));
+    assert!(cdt.segment_ids().all(|s| cdt.chain(s).len() == 1));
 }
 
 /// Subsegments at a hub were looked for in the hub's whole star, before each split.
@@ -99,7 +99,7 @@ fn on_a_line(direction: Point, places: &[i32]) -> Vec<Point> {
 
 /// Every edge lists exactly the segments that reach from one of its ends to the other on their line, and each segment
 /// is the chain of the edges that list it.
-fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) {
+fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[SegmentId], note: &str) {
     assert_eq!(cdt.check(), [], "{note}");
     let key = |v: VertexId| (cdt.point(v).x, cdt.point(v).y);
     let order = |a: VertexId, b: VertexId| if key(a) < key(b) { [key(a), key(b)] } else { [key(b), key(a)] };
@@ -114,14 +114,15 @@ fn assert_named_exactly(cdt: &ConstrainedDelaunay, removed: &[u32], note: &str) 
             let ([a, b], [c, d]) = (order(ends[0], ends[1]), order(p, q));
             on_line(ends) && a <= c && d <= b
         };
-        let all = cdt.segments().iter().zip(0..);
-        let expected: Vec<u32> = all.filter(|(ends, s)| !removed.contains(s) && covers(ends)).map(|(_, s)| s).collect();
+        let all = cdt.segments().iter().zip(cdt.segment_ids());
+        let expected: Vec<SegmentId> =
+            all.filter(|(ends, s)| !removed.contains(s) && covers(ends)).map(|(_, s)| s).collect();
         assert_eq!(cdt.segments_of(h), expected, "{note}: edge {p}-{q}");
         assert_eq!(cdt.is_marked(h), !expected.is_empty(), "{note}: edge {p}-{q}");
-        expected.iter().for_each(|&s| named[s as usize] += 1);
+        expected.iter().for_each(|&s| named[s.index()] += 1);
     }
     for (s, &count) in named.iter().enumerate() {
-        let chain: Vec<HalfEdgeId> = cdt.chain(s as u32);
+        let chain: Vec<HalfEdgeId> = cdt.chain(SegmentId::from_index(s));
         assert_eq!(chain.len(), count, "{note}: segment {s}");
     }
 }
@@ -153,7 +154,7 @@ fn b03_overlapping_segments_are_named_edge_by_edge() {
         assert_named_exactly(&cdt, &[], &note);
         let mut removed = Vec::new();
         for _ in 0..segments.len() {
-            let s = r.below(segments.len()) as u32;
+            let s = SegmentId::from_index(r.below(segments.len()));
             cdt.remove_segment_with(s, &mut log);
             removed.push(s);
             assert_named_exactly(&cdt, &removed, &note);
@@ -185,7 +186,7 @@ fn overlapping_segments_that_are_crossed_stay_chains() {
         let note = format!("round {round}: {segments:?}");
         let cdt = ConstrainedDelaunay::new(&points, &segments, Crossings::Split).expect("crossings are split");
         assert_eq!(cdt.check(), [], "{note}");
-        for (s, ends) in (0..).zip(cdt.segments()) {
+        for (s, ends) in cdt.segment_ids().zip(cdt.segments()) {
             let chain = cdt.chain(s);
             let listed = cdt.edges().filter(|&h| cdt.segments_of(h).contains(&s)).count();
             assert_eq!(chain.len(), listed, "{note}: segment {s} has no other edges");
@@ -212,7 +213,7 @@ fn segments_that_nearly_overlap_stay_chains() {
         let note = format!("round {round}: {points:?} {segments:?}");
         let Ok(cdt) = ConstrainedDelaunay::new(&points, &segments, Crossings::Split) else { continue };
         assert_eq!(cdt.check(), [], "{note}");
-        for (s, ends) in (0..).zip(cdt.segments()) {
+        for (s, ends) in cdt.segment_ids().zip(cdt.segments()) {
             let chain = cdt.chain(s);
             let listed: Vec<String> = cdt
                 .edges()
@@ -244,7 +245,10 @@ fn nested_segments_are_kept_once() {
         let middle = cdt.half_edge_between(VertexId(N as u32 - 1), VertexId(N as u32)).expect("an edge");
         assert_eq!(cdt.segments_of(middle).len(), N as usize, "{order}");
         let outer = cdt.half_edge_between(VertexId(0), VertexId(1)).expect("an edge");
-        assert_eq!(cdt.segments_of(outer), [segments.iter().position(|s| s[0] == 0).expect("there") as u32]);
+        assert_eq!(
+            cdt.segments_of(outer),
+            [SegmentId::from_index(segments.iter().position(|s| s[0] == 0).expect("there"))]
+        );
     }
     let staircase: Vec<[u32; 2]> = (0..N as u32).map(|i| [i, i + N as u32]).collect();
     let cdt = constrained(&points, &staircase);
@@ -273,7 +277,7 @@ fn b02_copies_of_a_segment_are_one_edge() {
         let counts: Vec<usize> =
             (0..2).map(|v| cdt.segments_of(cdt.half_edge_between(VertexId(v), at).expect("an edge")).len()).collect();
         assert_eq!(counts, [20_000; 2]);
-        assert_eq!(cdt.chain(7).len(), 2);
+        assert_eq!(cdt.chain(SegmentId(7)).len(), 2);
     }
 }
 
@@ -305,7 +309,7 @@ fn b13_a_segment_through_a_comb_is_an_edge() {
     points.extend([Point::new(-1.0, 0.5), Point::new(2.0, 0.5)]);
     let across = [2 * TEETH, 2 * TEETH + 1];
     let cdt = constrained(&points, &[across]);
-    assert_eq!(cdt.chain(0).len(), 1);
+    assert_eq!(cdt.chain(SegmentId(0)).len(), 1);
     let comb: Vec<[u32; 2]> = (0..2 * TEETH - 1).map(|i| [i, i + 1]).collect();
     let cdt = constrained(&points, &comb);
     assert_eq!(cdt.marked_edges().count(), comb.len());

@@ -3,7 +3,7 @@
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::drawing::{IndexedMesh, Pslg, SegmentId};
 use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::{Initial, Insert, Limits, NoObserver, Recipe, Recover, RefineOptions, Refinement, Select};
@@ -78,7 +78,7 @@ fn segments_let_go_that_share_edges_with_a_neighbour_are_reported_missing() {
             let limits = Limits { max_vertices: mesh.points.len() + room, ..Limits::default() };
             let options = RefineOptions { recipe, limits, ..RefineOptions::default() };
             let made = refine_mesh(&mesh, Some(&drawing), &options).expect("a mesh of our own");
-            let is_kept = |s: &usize| !made.report.lost_segments.contains(&(*s as u32));
+            let is_kept = |s: &usize| !made.report.lost_segments.contains(&SegmentId::from_index(*s));
             let kept = (0..drawing.segments.len()).filter(is_kept).map(|s| drawing.segments[s]).collect();
             let kept = Pslg { segments: kept, ..drawing.clone() };
             assert_eq!(against_input(&made.mesh, &kept).faults, [], "{more} more, room for {room}");

@@ -4,7 +4,7 @@
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build, from_mesh};
-use trimalla::drawing::{IndexedMesh, Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region, SegmentId};
 use trimalla::geometry::{Orientation, Point, Strip, orient2d};
 use trimalla::half_edge::VertexId;
 use trimalla::quality::{InputFault, against_input};
@@ -23,7 +23,7 @@ fn split(drawing: &Pslg) -> ConstrainedDelaunay {
 /// The vertices along a segment.
 fn chain(cdt: &ConstrainedDelaunay, segment: u32) -> Vec<u32> {
     let start = cdt.segments()[segment as usize][0];
-    let rest = cdt.chain(segment).into_iter().map(|h| cdt.dest(h).0);
+    let rest = cdt.chain(SegmentId(segment)).into_iter().map(|h| cdt.dest(h).0);
     [start.0].into_iter().chain(rest).collect()
 }
 

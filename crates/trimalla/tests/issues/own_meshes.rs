@@ -6,7 +6,7 @@
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::drawing::{IndexedMesh, Pslg, SegmentId};
 use trimalla::geometry::{Orientation, Point, on_segment, orient2d};
 use trimalla::quality::{InputFault, against_input};
 use trimalla::refine::{Initial, Insert, Limits, NoObserver, PlacePoint, Recipe, Recover, RefineOptions, Refinement};
@@ -28,7 +28,7 @@ fn verdicts(drawing: &Pslg, (rule, crossings): (DomainRule, Crossings), options:
     let mut refinement = Refinement::new(cdt, options).expect("good options");
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
-    assert_eq!(report.lost_segments, [0; 0]);
+    assert_eq!(report.lost_segments, []);
     let mesh = cdt.to_indexed(drawing);
     let mut said: Vec<String> = check_mesh(&mesh).iter().map(|fault| format!("{fault:?}")).collect();
     said.extend(against_input(&mesh, drawing).faults.iter().map(ToString::to_string));
@@ -148,7 +148,7 @@ fn segments_brought_back_by_splitting_keep_their_sides() {
             refinement.run(&mut NoObserver);
             let (cdt, report) = refinement.finish();
             let mesh = cdt.to_indexed(&drawing);
-            let is_kept = |s: usize| !report.lost_segments.contains(&(s as u32));
+            let is_kept = |s: usize| !report.lost_segments.contains(&SegmentId::from_index(s));
             let segments = (0..drawing.segments.len()).filter(|&s| is_kept(s)).map(|s| drawing.segments[s]).collect();
             let kept = Pslg { segments, ..drawing.clone() };
             assert_eq!(against_input(&mesh, &kept).faults, [], "seed {seed}, {initial:?}");

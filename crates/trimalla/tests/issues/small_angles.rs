@@ -5,7 +5,7 @@
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::Pslg;
+use trimalla::drawing::{Pslg, SegmentId};
 use trimalla::geometry::{Angle, Point};
 use trimalla::half_edge::VertexId;
 use trimalla::quality::against_input;
@@ -307,7 +307,9 @@ fn the_cause_of_a_large_mesh_is_true() {
     let outlook = outlook_of(&near, DomainRule::Seeds, &options);
     let gap = outlook.forecast.narrow_gap().expect("a gap below a millionth");
     assert!((gap.width / 4.6e-8 - 1.0).abs() < 1e-6, "{gap:?}");
-    assert!(gap.between.iter().all(|feature| matches!(feature, Feature::Segment(4 | 5) | Feature::Vertex(_))));
+    assert!(
+        gap.between.iter().all(|feature| matches!(feature, Feature::Segment(SegmentId(4 | 5)) | Feature::Vertex(_)))
+    );
     let square = drawing(&[[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]], &[[0, 1], [1, 2], [2, 3], [3, 0]]);
     assert!(matches!(outlook_of(&square, DomainRule::Seeds, &options).forecast.cause, Cause::Input | Cause::Features));
 }

@@ -23,6 +23,7 @@ use std::rc::Rc;
 use crate::common::editing::{Plan, Subject, Tally, drive};
 use trimalla::constrained::{ConstrainedDelaunay, ConstraintError, Crossings};
 use trimalla::delaunay::{BuildError, Inserted};
+use trimalla::drawing::SegmentId;
 use trimalla::geometry::Point;
 use trimalla::half_edge::{Checkpoint, UndoLog, VertexId};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
@@ -174,7 +175,8 @@ impl Edited {
     /// Puts a segment back in, if there is one that was removed.
     fn segment_back(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
         let n = self.cdt.segments().len();
-        let Some(s) = n.checked_sub(1).map(|last| (last - random.below(n.min(8))) as u32) else { return String::new() };
+        let Some(last) = n.checked_sub(1) else { return String::new() };
+        let s = SegmentId::from_index(last - random.below(n.min(8)));
         let before = self.cdt.clone();
         match self.cdt.restore_segment(s, Crossings::Refuse, log) {
             Ok(()) if self.cdt == before => {}
@@ -184,7 +186,7 @@ impl Edited {
             }
             Err(error) => assert!(self.cdt == before, "segment {s} is refused with {error}, something changed"),
         }
-        format!("d.restore_segment({s}, Crossings::Refuse, &mut log);")
+        format!("d.restore_segment(SegmentId({s}), Crossings::Refuse, &mut log);")
     }
 
     fn segment_in(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
@@ -233,12 +235,13 @@ impl Edited {
             return String::new();
         }
         // The newest ones are likelier: most of the old ones are out already.
-        let s = if random.below(3) == 0 { random.below(n) } else { n - 1 - random.below(n.min(8)) } as u32;
+        let s = if random.below(3) == 0 { random.below(n) } else { n - 1 - random.below(n.min(8)) };
+        let s = SegmentId::from_index(s);
         if self.cdt.remove_segment_with(s, log) {
             self.note(7);
         }
         assert!(self.cdt.chain(s).is_empty(), "segment {s} is out");
-        format!("d.remove_segment_with({s}, &mut log);")
+        format!("d.remove_segment_with(SegmentId({s}), &mut log);")
     }
 
     fn merge(&mut self, random: &mut SplitMix64, log: &mut UndoLog) -> String {
@@ -322,7 +325,7 @@ impl Edited {
 
     /// Segments in force that are no chain to their end.
     fn broken_chains(&self) -> Vec<String> {
-        let segments = (0..).zip(self.cdt.segments());
+        let segments = self.cdt.segment_ids().zip(self.cdt.segments());
         let broken = segments.filter(|&(s, &[_, b])| {
             let chain = self.cdt.chain(s);
             chain.last().is_some_and(|&h| self.cdt.dest(h) != b)

@@ -22,7 +22,7 @@ use std::path::Path;
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::Pslg;
+use trimalla::drawing::{Pslg, SegmentId};
 use trimalla::geometry::{Angle, Point};
 use trimalla::half_edge::VertexId;
 use trimalla::refine::{
@@ -119,7 +119,7 @@ fn gaps_of_any_width_are_foreseen_and_named() {
     assert!((7e8..6e9).contains(&triangles(1e-6)), "{}", triangles(1e-6));
     let Cause::Gap(gap) = foreseen(&gap_box(1e-3, [250.0, 750.0]), at(30.0)).cause else { panic!("no gap") };
     assert!((gap.width - 1e-3).abs() < 1e-12 && (gap.at.y - 5e-4).abs() < 1e-9, "{gap:?}");
-    assert!(gap.between.contains(&Feature::Segment(0)), "{gap:?}");
+    assert!(gap.between.contains(&Feature::Segment(SegmentId(0))), "{gap:?}");
     let ends = [4, 5].map(|v| Feature::Vertex(VertexId(v)));
     assert!(ends.iter().any(|end| gap.between.contains(end)), "{gap:?}");
 }

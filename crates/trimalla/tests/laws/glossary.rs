@@ -5,11 +5,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms whose public types stand in the glossary, or below.
-const ROOMS: [&str; 9] =
-    ["constrained", "delaunay", "domain", "drawing", "geometry", "half_edge", "locate", "quality", "triangulation"];
+const ROOMS: [&str; 10] = [
+    "constrained",
+    "delaunay",
+    "domain",
+    "drawing",
+    "geometry",
+    "half_edge",
+    "locate",
+    "quality",
+    "size",
+    "triangulation",
+];
 
 /// Public types whose name says all, and is no term: besides errors, which end in `Error`.
-const PLAIN: [&str; 20] = [
+const PLAIN: [&str; 21] = [
     "Algorithm",
     "AlgorithmKey",
     "Angle",
@@ -19,6 +29,7 @@ const PLAIN: [&str; 20] = [
     "Classes",
     "CompactMap",
     "Comparison",
+    "GivenAreas",
     "Histogram",
     "Inserted",
     "MeshVertex",

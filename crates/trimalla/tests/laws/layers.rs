@@ -20,7 +20,7 @@ const TIERS: &[&[&str]] = &[
     &["locate"],
     &["delaunay"],
     &["constrained"],
-    &["domain"],
+    &["domain", "size"],
     &["quality"],
     &["refine"],
     &["facade"],

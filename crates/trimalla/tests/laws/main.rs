@@ -21,4 +21,5 @@ mod quality;
 mod references;
 mod refine_mesh;
 mod regions;
+mod size;
 mod steps;

@@ -6,14 +6,15 @@ use std::path::Path;
 use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
-use trimalla::drawing::{IndexedMesh, Pslg, Region};
+use trimalla::drawing::{IndexedMesh, Pslg, Region, SegmentId};
 use trimalla::geometry::{Orientation, Point, Triangle};
 use trimalla::half_edge::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
-    Asked, Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
+    Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
     RefineOptions, Refinement, Report, Select, StepOutcome,
 };
+use trimalla::size::TriangleInRegion;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{DelaunayRule, check_indexed_with};
@@ -78,11 +79,11 @@ fn each_way_to_recover_does_what_it_says() {
     let [whole, split, none] = [Recover::WholeEdge, Recover::BySplitting, Recover::None]
         .map(|recover| recovered(&drawing, recover, Preset::OffCenter));
     for (mesh, report) in [&whole, &split] {
-        assert_eq!(report.lost_segments, [0; 0]);
+        assert_eq!(report.lost_segments, []);
         assert_eq!(against_input(mesh, &drawing).faults, []);
         assert!(report.complete(), "{:?}", report.reasons());
     }
-    assert_eq!(none.1.lost_segments, [4], "the long segment is in the way of better edges");
+    assert_eq!(none.1.lost_segments, [SegmentId(4)], "the long segment is in the way of better edges");
     assert!(!none.1.complete());
     assert!(!against_input(&none.0, &drawing).faults.is_empty());
     assert!(whole.0.triangles != split.0.triangles && split.0.triangles != none.0.triangles);
@@ -122,7 +123,7 @@ fn regions_keep_their_segments() {
     drawing.regions = vec![Region { seed: Point::new(4.0, 7.0), attribute: 7.0, max_area: Some(0.25) }];
     for recover in [Recover::None, Recover::BySplitting] {
         let (mesh, report) = recovered(&drawing, recover, Preset::LeppCentroid);
-        assert!(!report.lost_segments.contains(&7), "{recover}");
+        assert!(!report.lost_segments.contains(&SegmentId(7)), "{recover}");
         for (t, attribute) in mesh.triangles.iter().zip(&mesh.triangle_attributes) {
             let above = t.iter().all(|&v| mesh.points[v as usize].y >= 6.0);
             assert_eq!(*attribute, if above { 7.0 } else { 0.0 }, "{recover}");
@@ -145,7 +146,7 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
         assert!(worst <= ratio && worst > 0.6 * ratio, "{worst} where {ratio} is allowed");
     }
     let fine = |t: &Triangle| t.centroid().y > 0.0 && t.area() > 1.0;
-    let test = move |asked: Asked| fine(&asked.triangle);
+    let test = move |at: TriangleInRegion| fine(&at.triangle);
     let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(test);
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
@@ -162,7 +163,7 @@ fn a_test_of_the_caller_gets_triangles_of_the_domain() {
     let mut drawing = shape("key");
     drawing.points.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
     drawing.holes.iter_mut().for_each(|p| *p = Point::new(p.x + 1e4, p.y + 1e4));
-    let asked = |Asked { triangle: t, .. }: Asked| {
+    let asked = |TriangleInRegion { triangle: t, .. }: TriangleInRegion| {
         assert!(t.orientation() == Orientation::CounterClockwise && t.centroid().x > 5e3, "{t:?}");
         t.area() > 0.5
     };
@@ -370,7 +371,7 @@ fn interfered(mut refinement: Refinement, options: RefineOptions, random: &mut S
         }
         9 => {
             let most = 0.05 + 0.1 * random.below(4) as f64;
-            refinement.with_test(move |asked: Asked| asked.triangle.area() > most)
+            refinement.with_test(move |at: TriangleInRegion| at.triangle.area() > most)
         }
         _ => refinement,
     }

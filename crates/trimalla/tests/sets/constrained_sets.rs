@@ -171,7 +171,7 @@ fn sound(cdt: &ConstrainedDelaunay, drawing: &Pslg) -> Verdict {
         let q = cdt.points()[i];
         equal("bits of an input vertex", &[p.x.to_bits(), p.y.to_bits()], &[q.x.to_bits(), q.y.to_bits()])?;
     }
-    for (s, &[a, b]) in (0..).zip(cdt.segments()) {
+    for (s, &[a, b]) in cdt.segment_ids().zip(cdt.segments()) {
         let mut at = a;
         for h in cdt.chain(s) {
             equal("a chain goes on", &cdt.origin(h), &at)?;
@@ -219,10 +219,10 @@ fn judge_split(drawing: &Pslg) -> Verdict {
     if cdt != again {
         return Err("two runs differ".to_owned());
     }
-    let segments = drawing.segments.len() as u32;
+    let segments = drawing.segments.len();
     for v in (drawing.points.len()..cdt.points().len()).map(VertexId::from_index).filter(|&v| cdt.is_used(v)) {
         match cdt.provenance(v) {
-            Provenance::Crossing { segments: [s, t] } if s < t && t < segments => {}
+            Provenance::Crossing { segments: [s, t] } if s < t && t.index() < segments => {}
             other => return Err(format!("vertex {v} at {:?} comes from {other:?}", cdt.point(v))),
         }
     }

@@ -93,8 +93,8 @@ fn judge(name: &str, input: &NamedInput) -> Verdict {
     let crossings = crossings_of(drawing)?;
     let cdt = ConstrainedDelaunay::new(&drawing.points, &drawing.segments, crossings).map_err(|e| e.to_string())?;
     none("triangulation", &cdt.check())?;
-    for (s, &[_, b]) in (0..).zip(cdt.segments()) {
-        let end = cdt.chain(s).last().map_or(cdt.segments()[s as usize][0], |&h| cdt.dest(h));
+    for (s, &[_, b]) in cdt.segment_ids().zip(cdt.segments()) {
+        let end = cdt.chain(s).last().map_or(cdt.segments()[s.index()][0], |&h| cdt.dest(h));
         equal(&format!("end of the chain of segment {s}"), &end, &b)?;
     }
     let rule = match (input.rings, &*input.family) {

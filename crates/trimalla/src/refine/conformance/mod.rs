@@ -54,6 +54,7 @@ use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, build};
 use crate::drawing::Pslg;
 use crate::half_edge::{FaceId, VertexId};
+use crate::size::SizeBounds;
 
 pub use insert::insert;
 pub use laws::laws;
@@ -152,9 +153,13 @@ fn by_name(cdt: &ConstrainedTriangulation) -> Vec<FaceId> {
     faces
 }
 
+/// The options of the suites bound no size, and their drawings have no regions.
+static NO_SIZE_BOUNDS: SizeBounds = SizeBounds::NONE;
+
 /// What a step sees.
 fn view<'a>(cdt: &'a ConstrainedTriangulation, options: &'a RefineOptions) -> View<'a> {
-    View { cdt, criteria: &options.criteria, ruler: Ruler::for_box(cdt.bounding_box()), longest_walk: usize::MAX }
+    let ruler = Ruler::for_box(cdt.bounding_box());
+    View { cdt, criteria: &options.criteria, size: &NO_SIZE_BOUNDS, ruler, longest_walk: usize::MAX }
 }
 
 /// Makes a test of each named strategy, and one that none is missing.

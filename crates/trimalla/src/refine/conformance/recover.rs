@@ -30,7 +30,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
         })
     })?;
     let (cdt, report) = refinement.finish();
-    let told: BTreeSet<u32> = report.lost_segments.iter().copied().collect();
+    let told: BTreeSet<u32> = report.lost_segments.iter().map(|s| s.0).collect();
     let missing = missing(&cdt, pslg);
     ensure(missing == told, || format!("segments {missing:?} are missing in the end, and {told:?} are told of"))?;
     ensure(told.is_empty() || !step.locks_segments(), || format!("segments {told:?} are lost, though they are locked"))

@@ -8,8 +8,8 @@ use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::geometry::triangle_angles_at_least;
 use crate::half_edge::{FaceId, VertexId};
+use crate::refine::event::Badness;
 use crate::refine::event::StepOutcome;
-use crate::refine::event::Why;
 use crate::refine::options::RefineOptions;
 
 /// Steps of priority within which triangles count as equally urgent: a 128th, and rounding.
@@ -54,10 +54,11 @@ fn the_least_patient_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Brea
     // Splits of subsegments come first, and change what is bad: only where there are none the order of the start holds.
     let before = refinement.triangulation().clone();
     let event = refinement.step();
-    let Some((taken, why)) = event.selected else { return Ok(()) };
+    let Some((taken, badness)) = event.selected else { return Ok(()) };
     if step.traits().is_manual {
         let first = by_name(&before).first().map(|&f| name(&before, f));
-        return ensure(first == Some(taken) && why != Why::Asked, || "picks are not taken in their order".to_owned());
+        let is_first = first == Some(taken) && badness != Some(Badness::UserTest);
+        return ensure(is_first, || "picks are not taken in their order".to_owned());
     }
     let bad = by_name(&before).into_iter().filter(|&f| is_bad(&before, f, &options));
     let priorities =

@@ -185,12 +185,12 @@ impl Refinement {
 
     /// The lattice for a face, if it is too large, and nodes that keep clear keep the length floor.
     fn lattice_for(&self, f: FaceId, bounds: BoundingBox) -> Option<Lattice> {
-        let bound = self.problem.test.doubled_area_bound(self.cdt.region_rule(f));
-        if self.doubled_area(f) <= bound {
+        let bound = self.problem.test.expected_bound(&self.cdt, f);
+        if bound.admits(self.doubled_area(f)) {
             return None;
         }
         let least = |lattice: &Lattice| CLEARANCE * lattice.spacing() * self.problem.ruler.scale();
-        Lattice::for_area(bounds, 0.5 * bound).filter(|lattice| least(lattice).powi(2) >= self.problem.floors.floor_sq)
+        Lattice::for_area(bounds, bound.area()).filter(|lattice| least(lattice).powi(2) >= self.problem.floors.floor_sq)
     }
 
     /// Queues the subsegments that are too long; says whether there is any that can be split.

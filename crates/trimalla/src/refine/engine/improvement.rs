@@ -2,8 +2,8 @@
 //!
 //! Up to about 33 degrees refinements end. Above, many go on for ever: every vertex leaves more bad triangles than it
 //! removes, until the mesh is full of them. So above [`UNPROVED_DEG`] the bad triangles are counted when the mesh has
-//! [`FACTOR`] times the vertices of the [`forecast()`], and each time it has doubled since. When there are no fewer
-//! than the time before, the refinement stops.
+//! [`FACTOR`] times the vertices of the [forecast](forecast_under), and each time it has doubled since. When there are
+//! no fewer than the time before, the refinement stops.
 //!
 //! ```text
 //!   vertices   forecast ······ 10 × ─────── 20 × ─────── 40 ×
@@ -17,7 +17,7 @@
 //! refinements with a test of the caller's own, which no forecast knows of.
 
 use super::Refinement;
-use crate::refine::forecast::forecast;
+use crate::refine::forecast::forecast_under;
 use crate::refine::options::RefineOptions;
 use crate::refine::recipe::PlacePoint;
 
@@ -60,7 +60,9 @@ impl Refinement {
         {
             return Improvement::UNWATCHED;
         }
-        let expected = forecast(&self.cdt, &self.problem.options).vertices.max(self.ledger.vertices as f64);
+        let expected = forecast_under(&self.cdt, &self.problem.options, self.problem.test.size())
+            .vertices
+            .max(self.ledger.vertices as f64);
         // The cast saturates.
         #[allow(
             clippy::cast_possible_truncation,

@@ -4,7 +4,8 @@ use super::Refinement;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
-use crate::refine::bad_triangles::{Badness, sorted};
+use crate::refine::bad_triangles::sorted;
+use crate::refine::event::Badness;
 use crate::refine::extremes::Extremes;
 use crate::refine::joints::{Piece, common_end};
 use crate::refine::recipe::Select;
@@ -68,32 +69,35 @@ impl Refinement {
 
     /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
-        let extremes = Extremes::new(self.problem.ruler, self.problem.test.sure_bounds(self.cdt.regions().rules()));
+        let extremes = Extremes::new(self.problem.ruler, self.problem.test.sufficient_bounds());
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
         self.cdt.for_each_two_triangles(|two, count| {
-            let are_plain = survey.extremes.are_plain(corners_of_two(two));
-            if are_plain == [true; 2] {
-                debug_assert!(two[..count].iter().all(|t| self.badness(t.face).is_none()), "a plain triangle is good");
+            let are_passed = survey.extremes.are_passed(corners_of_two(two));
+            if are_passed == [true; 2] {
+                debug_assert!(
+                    two[..count].iter().all(|t| self.badness(t.face).is_none()),
+                    "a triangle that passes the filter is good"
+                );
             } else {
-                self.look_closely(&two[..count], are_plain, &mut survey);
+                self.look_closely(&two[..count], are_passed, &mut survey);
             }
             survey.triangles += count;
         });
         survey
     }
 
-    /// Looks at those of two triangles that a glance left open.
+    /// Tests those of two triangles that the filter did not pass.
     #[cold]
     #[inline(never)]
-    fn look_closely(&self, two: &[TriangleInBlock], are_plain: [bool; 2], survey: &mut Survey) {
-        for (t, k) in two.iter().zip(0..).filter(|&(_, k)| !are_plain[k]) {
+    fn look_closely(&self, two: &[TriangleInBlock], are_passed: [bool; 2], survey: &mut Survey) {
+        for (t, k) in two.iter().zip(0..).filter(|&(_, k)| !are_passed[k]) {
             let corners = self.cdt.corners_from_newest(t.face);
             if self.badness(t.face).is_some() {
                 let min_angle_deg = triangle(corners).min_angle().degrees();
                 let reason = self.reason_of(t.face);
                 survey.leftovers.push(Leftover { triangle: survey.triangles + k, min_angle_deg, reason });
             }
-            survey.extremes.see(t.face, corners);
+            survey.extremes.include(t.face, corners);
         }
     }
 

@@ -4,8 +4,9 @@ use super::{Refinement, ends_of};
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
-use crate::refine::bad_triangles::{Badness, Everywhere, Side, Test, sorted};
+use crate::refine::bad_triangles::{Criterion, Side, UniformBounds, sorted};
 use crate::refine::chains::Chains;
+use crate::refine::event::Badness;
 use crate::refine::queue::Queue;
 use crate::refine::steps::{SelectStep, View};
 use crate::refine::stopwatch::Part;
@@ -14,7 +15,7 @@ use crate::triangulation::corners_of_two;
 /// Looks at one triangle after the other.
 struct Looker<'a> {
     view: View<'a>,
-    test: &'a Test,
+    test: &'a Criterion,
     select: &'a (dyn SelectStep + Send + Sync),
     /// Whether the caller picks.
     is_manual: bool,
@@ -38,10 +39,10 @@ impl Looker<'_> {
     /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn look_at_all(&mut self, order: Vec<VertexId>) {
         let cdt = self.view.cdt;
-        let everywhere = self.everywhere();
+        let bounds = self.uniform_bounds();
         let mut bad = Vec::new();
         cdt.for_each_two_triangles(|two, n| {
-            for (t, is_bad) in two[..n].iter().zip(everywhere.are_bad(corners_of_two(two))) {
+            for (t, is_bad) in two[..n].iter().zip(bounds.are_bad(corners_of_two(two))) {
                 let is_bad = is_bad.unwrap_or_else(|| self.is_bad(t.face, cdt.corners_from_newest(t.face)));
                 push_if(&mut bad, t.face, is_bad);
                 self.queue.pass(t.face);
@@ -56,13 +57,13 @@ impl Looker<'_> {
     /// Whether a face with these corners is to be queued.
     #[inline(never)]
     fn is_bad(&self, f: FaceId, corners: [Point; 3]) -> bool {
-        !self.is_manual && self.test.badness(corners, self.view.cdt.region_rule(f)).is_some()
+        !self.is_manual && self.test.badness(self.view.cdt, f, corners).is_some()
     }
 
-    /// What tells without more ado whether most faces are.
-    fn everywhere(&self) -> Everywhere {
-        let everywhere = self.test.everywhere();
-        if self.is_manual { everywhere.with_more() } else { everywhere }
+    /// Bounds that decide for most faces whether they are to be queued.
+    fn uniform_bounds(&self) -> UniformBounds {
+        let bounds = self.test.uniform_bounds();
+        if self.is_manual { bounds.undecided() } else { bounds }
     }
 
     /// Queues a bad face.
@@ -92,14 +93,14 @@ impl Looker<'_> {
         self.queue.note_looks(faces);
         bad.clear();
         let (mut first, mut turn, mut lowest, mut newest, mut marks) = (0, 0, VertexId::INFINITE, v, 0);
-        let (everywhere, mut spoke) = (self.everywhere(), Side::new(p, starts[0]));
+        let (bounds, mut spoke) = (self.uniform_bounds(), Side::new(p, starts[0]));
         for (k, ((&face, edge), ends)) in faces.iter().zip(rim).zip(starts.windows(2)).enumerate() {
             (first, turn, lowest) = if edge.from < lowest { (k, bad.len(), edge.from) } else { (first, turn, lowest) };
             newest = newest.max(edge.from);
             marks |= edge.mark | edge.spoke;
             let next = Side::new(p, ends[1]);
             let corners = [p, ends[0], ends[1]];
-            let is_bad = everywhere.is_bad(corners, [spoke, next]);
+            let is_bad = bounds.is_bad(corners, [spoke, next]);
             let is_bad = is_bad.unwrap_or_else(|| self.view.cdt.is_real(face) && self.is_bad(face, corners));
             push_if(bad, k, is_bad);
             self.queue.pass_unnoted(face);
@@ -138,6 +139,7 @@ impl Refinement {
             view: View {
                 cdt: &self.cdt,
                 criteria: &self.problem.options.criteria,
+                size: self.problem.test.size(),
                 ruler: self.problem.ruler,
                 longest_walk: self.strategy.longest_walk,
             },
@@ -239,7 +241,7 @@ impl Refinement {
 
     /// What is wrong with a face.
     pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
-        self.problem.test.badness(self.cdt.corners_from_newest(f), self.cdt.region_rule(f))
+        self.problem.test.badness(&self.cdt, f, self.cdt.corners_from_newest(f))
     }
 
     /// Queues a face if it is bad.

@@ -25,13 +25,14 @@ use crate::constrained::{ConstrainedTriangulation, Edit};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
-use crate::refine::bad_triangles::{Asked, UserTest, sorted};
+use crate::refine::bad_triangles::{UserTest, sorted};
 use crate::refine::event::StepOutcome;
 use crate::refine::options::{OptionError, RefineOptions};
 use crate::refine::queue::{Patches, Queue};
 use crate::refine::report::{Observer, Progress, Reason, StopReason};
 use crate::refine::steps::{InsertStep, PointStep, SelectStep, Steps, View};
 use crate::refine::stopwatch::{Clock, Part, Stopwatch};
+use crate::size::TriangleInRegion;
 use fill::FillStage;
 use history::{History, Picked};
 use improvement::Improvement;
@@ -112,7 +113,7 @@ impl Refinement {
         steps: Steps,
         clock: Option<Clock>,
     ) -> Result<Self, OptionError> {
-        let Start { mut cdt, mut work, is_delaunay } = start.into();
+        let Start { mut cdt, mut work, is_delaunay, fields } = start.into();
         options.validate()?;
         if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
             return Err(OptionError::NoTriangles);
@@ -122,7 +123,7 @@ impl Refinement {
         let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
         let mut refinement = Self {
-            problem: Problem::new((&cdt, is_delaunay), options, steps.insert.traits()),
+            problem: Problem::new((&cdt, is_delaunay), fields, options, steps.insert.traits()),
             strategy: Strategy::of(steps),
             agenda: Agenda::default(),
             segments: SegmentWork { opening, ..SegmentWork::default() },
@@ -171,7 +172,7 @@ impl Refinement {
     /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's
     /// own.
     pub(super) fn has_area_bound(&self) -> bool {
-        self.problem.test.sure_bounds(self.cdt.regions().rules()).doubled_area < f64::INFINITY
+        self.problem.test.sufficient_bounds().doubled_area < f64::INFINITY
     }
 
     /// How many vertices area bounds ask for at least: half as many as triangles.
@@ -181,7 +182,7 @@ impl Refinement {
         }
         let parts = |f: FaceId| {
             let [a, b, c] = self.cdt.corners_from_newest(f);
-            (b - a).cross(c - a) / self.problem.test.doubled_area_bound(self.cdt.region_rule(f))
+            (b - a).cross(c - a) / self.problem.test.expected_bound(&self.cdt, f).doubled()
         };
         // The cast saturates.
         #[allow(
@@ -229,31 +230,32 @@ impl Refinement {
 
     /// Asks for more: triangles that the caller's own test refuses are bad, too.
     ///
-    /// The test is asked about a triangle and the attribute of its region: [`Asked`]. It must answer the same for the
+    /// The test is asked about a triangle and the attribute of its region. It must answer the same for the
     /// same triangle, or the result depends on when it is asked; whatever it answers, the limits end the work.
     ///
     /// # Examples
     /// ```
-    /// use trimalla::refine::{Asked, NoObserver, RefineOptions, Refinement};
+    /// use trimalla::refine::{NoObserver, RefineOptions, Refinement};
+    /// use trimalla::size::TriangleInRegion;
     /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, build}, drawing::Pslg, geometry::Point};
     /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
     /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
     /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
     /// // The smaller the farther left.
-    /// let fine = |asked: Asked| asked.triangle.area() > 0.05 + 0.1 * asked.triangle.centroid().x;
-    /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(fine);
+    /// let coarse = |at: TriangleInRegion| at.triangle.area() > 0.05 + 0.1 * at.triangle.centroid().x;
+    /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(coarse);
     /// refinement.run(&mut NoObserver);
     /// # assert!(refinement.finish().1.triangles > 20);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn with_test(mut self, test: impl Fn(Asked) -> bool + Send + Sync + 'static) -> Self {
+    pub fn with_test(mut self, test: impl Fn(TriangleInRegion) -> bool + Send + Sync + 'static) -> Self {
         self.record_change();
         self.with_user_test(Arc::new(test))
     }
 
     pub(super) fn with_user_test(mut self, test: Arc<UserTest>) -> Self {
-        self.problem.test = self.problem.test.clone().with_asked(test);
+        self.problem.test = self.problem.test.clone().with_user_test(test);
         self.ledger.improvement = Improvement::UNWATCHED;
         if self.is_open() && !self.is_filling() {
             self.look_at_everything();
@@ -448,6 +450,7 @@ impl Refinement {
         View {
             cdt: &self.cdt,
             criteria: &self.problem.options.criteria,
+            size: self.problem.test.size(),
             ruler: self.problem.ruler,
             longest_walk: self.strategy.longest_walk,
         }

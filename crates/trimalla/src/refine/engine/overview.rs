@@ -2,7 +2,7 @@
 
 use super::Refinement;
 use crate::geometry::Triangle;
-use crate::refine::bad_triangles::SureBounds;
+use crate::refine::bad_triangles::SufficientBounds;
 use crate::refine::extremes::Extremes;
 use crate::triangulation::corners_of_two;
 
@@ -24,13 +24,13 @@ impl Refinement {
     /// Linear.
     #[must_use]
     pub fn overview(&self) -> Overview {
-        let nothing_is_bad = SureBounds { sine_sq: 0.0, doubled_area: f64::INFINITY };
+        let nothing_is_bad = SufficientBounds { sine_sq: 0.0, doubled_area: f64::INFINITY };
         let mut extremes = Extremes::new(self.problem.ruler, nothing_is_bad);
         let mut triangles = 0;
         self.cdt.for_each_two_triangles(|two, count| {
-            let are_plain = extremes.are_plain(corners_of_two(two));
-            for (t, _) in two[..count].iter().zip(are_plain).filter(|(_, is_plain)| !is_plain) {
-                extremes.see(t.face, self.cdt.corners_from_newest(t.face));
+            let are_passed = extremes.are_passed(corners_of_two(two));
+            for (t, _) in two[..count].iter().zip(are_passed).filter(|(_, is_passed)| !is_passed) {
+                extremes.include(t.face, self.cdt.corners_from_newest(t.face));
             }
             triangles += count;
         });

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
+use std::sync::Arc;
 
 use super::history::Picked;
 use super::improvement::Improvement;
@@ -12,7 +13,7 @@ use super::split_segments::Encroached;
 use crate::constrained::{ConstrainedTriangulation, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
-use crate::refine::bad_triangles::Test;
+use crate::refine::bad_triangles::Criterion;
 use crate::refine::encroachment::Region;
 use crate::refine::event::Event;
 use crate::refine::floors::Floors;
@@ -24,13 +25,14 @@ use crate::refine::report::{Reason, Report};
 use crate::refine::ruler::Ruler;
 use crate::refine::steps::{InsertTraits, Places, StepTraits, Steps, View};
 use crate::refine::stopwatch::Stopwatch;
+use crate::size::{SizeBounds, SizeField};
 
 /// What is asked, and what of the input answers depend on. It stays as it is while points go in.
 #[derive(Clone)]
 pub(super) struct Problem {
     pub(super) options: RefineOptions,
     /// What makes a triangle bad.
-    pub(super) test: Test,
+    pub(super) test: Criterion,
     /// What encroaches upon a subsegment.
     pub(super) region: Region,
     pub(super) ruler: Ruler,
@@ -46,12 +48,14 @@ pub(super) struct Problem {
 impl Problem {
     pub(super) fn new(
         (cdt, is_delaunay): (&ConstrainedTriangulation, bool),
+        fields: Vec<Arc<dyn SizeField>>,
         options: RefineOptions,
         insert: InsertTraits,
     ) -> Self {
         let ruler = Ruler::for_box(cdt.bounding_box());
+        let size = SizeBounds::new(options.criteria.max_area, cdt, fields);
         Self {
-            test: Test::new(&options.criteria, cdt),
+            test: Criterion::new(&options.criteria, size),
             region: Region::new(options.recipe.encroachment, &options.criteria),
             floors: Floors::of(cdt, &options, ruler, insert),
             joints: Joints::of(cdt),

@@ -5,6 +5,7 @@ use super::mirror::Mirrors;
 use crate::constrained::{
     Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, Released, SegmentPlan, SplitLimits,
 };
+use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{NoJournal, UndoLog};
 use crate::refine::event::InsertedKind;
@@ -103,7 +104,7 @@ impl Refinement {
         }
         let mut missing = self.cdt.edit(&mut self.scratch.work, &mut NoJournal).mark_present(&self.segments.released);
         missing.append(&mut self.segments.lost);
-        let mut lost: Vec<u32> =
+        let mut lost: Vec<SegmentId> =
             missing.iter().flat_map(|piece| self.cdt.segments_of_class(piece.mark).into_owned()).collect();
         lost.sort_unstable();
         lost.dedup();

@@ -248,7 +248,7 @@ impl Refinement {
         let provenance = self.cdt.provenance_on(h, cut.point);
         if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (cut.shell, provenance) {
             let apex = if around_b { self.cdt.dest(h) } else { self.cdt.origin(h) };
-            let ends = self.cdt.segments()[segment as usize];
+            let ends = self.cdt.segments()[segment.index()];
             if ends.contains(&apex) {
                 return Provenance::Shell { segment, t, around_end: apex == ends[1], shell: exponent };
             }

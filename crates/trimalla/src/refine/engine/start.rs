@@ -1,20 +1,34 @@
 //! What a refinement starts from, and going on under other options.
 
+use std::fmt;
+use std::sync::Arc;
+
 use super::Refinement;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
+use crate::domain::FromMesh;
 use crate::refine::options::{OptionError, RefineOptions};
+use crate::refine::outlook::Outlook;
 use crate::refine::report::Report;
+use crate::size::{ByTriangle, SizeBounds, SizeField};
 use crate::triangulation::Triangulation;
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain
 /// ([`domain::build`](crate::domain::build)), or a mesh that was taken up
 /// ([`domain::from_mesh`](crate::domain::from_mesh())), some of whose edges may fail the circle test.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Start {
     pub(super) cdt: ConstrainedTriangulation,
     pub(super) work: Workspace,
     /// Whether it is known that every edge passes the circle test.
     pub(super) is_delaunay: bool,
+    /// What bounds sizes besides the options and the regions.
+    pub(super) fields: Vec<Arc<dyn SizeField>>,
+}
+
+impl fmt::Debug for Start {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Start").field("is_delaunay", &self.is_delaunay).finish_non_exhaustive()
+    }
 }
 
 impl Start {
@@ -23,24 +37,53 @@ impl Start {
     pub fn triangulation(&self) -> &ConstrainedTriangulation {
         &self.cdt
     }
+
+    /// Bounds sizes by one more field.
+    #[must_use]
+    pub fn with_size(mut self, field: impl SizeField + 'static) -> Self {
+        self.fields.push(Arc::new(field));
+        self
+    }
+
+    /// What can be said of the refinement before the work.
+    ///
+    /// # Complexity
+    /// That of the [`forecast()`](crate::refine::forecast()).
+    #[must_use]
+    pub fn outlook(&self, options: &RefineOptions) -> Outlook {
+        let size = SizeBounds::new(options.criteria.max_area, &self.cdt, self.fields.clone());
+        Outlook::under(&self.cdt, options, &size)
+    }
 }
 
 impl From<ConstrainedDelaunay> for Start {
     fn from(cdt: ConstrainedDelaunay) -> Self {
         let (cdt, work) = cdt.into_parts();
-        Self { cdt, work, is_delaunay: true }
+        Self { cdt, work, is_delaunay: true, fields: Vec::new() }
     }
 }
 
 impl From<ConstrainedTriangulation> for Start {
     fn from(cdt: ConstrainedTriangulation) -> Self {
-        Self { cdt, work: Workspace::default(), is_delaunay: false }
+        Self { cdt, work: Workspace::default(), is_delaunay: false, fields: Vec::new() }
+    }
+}
+
+impl From<FromMesh> for Start {
+    /// The mesh with the area bounds that were given for its triangles.
+    fn from(mesh: FromMesh) -> Self {
+        let start = Self::from(mesh.cdt);
+        match mesh.areas {
+            Some(areas) => start.with_size(ByTriangle::new(areas.triangles, &areas.max_areas)),
+            None => start,
+        }
     }
 }
 
 impl Refinement {
-    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria. A
-    /// test of the caller's own stays; what was picked does not. [`back`](Self::back) leads to the old options, too.
+    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria.
+    /// Size fields and a test of the caller's own stay; what was picked does not. [`back`](Self::back) leads to the old
+    /// options, too.
     ///
     /// # Errors
     /// [`OptionError`]; nothing has changed then.
@@ -56,6 +99,7 @@ impl Refinement {
             cdt: std::mem::replace(&mut self.cdt, nothing),
             work: std::mem::take(&mut self.scratch.work),
             is_delaunay: self.strategy.traits.insert.keeps_delaunay,
+            fields: self.problem.test.size().fields().to_vec(),
         };
         let mut changed = Self::timed(start, options, None)?;
         changed.ledger.stopwatch = self.ledger.stopwatch;
@@ -63,8 +107,8 @@ impl Refinement {
         changed.ledger.insertions = self.ledger.insertions;
         changed.ledger.steps_told = self.ledger.steps_told;
         changed.history = self.history.take();
-        *self = match self.problem.test.asked() {
-            Some(asked) => changed.with_user_test(asked),
+        *self = match self.problem.test.user_test() {
+            Some(test) => changed.with_user_test(test),
             None => changed,
         };
         Ok(())

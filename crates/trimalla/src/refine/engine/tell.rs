@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::Refinement;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
-use crate::refine::bad_triangles::{Badness, sorted};
-use crate::refine::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome, Why};
+use crate::refine::bad_triangles::sorted;
+use crate::refine::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
 use crate::refine::lepp::lepp;
 use crate::refine::report::{Observer, Reason};
 use crate::refine::steps::Proposal;
@@ -57,15 +57,9 @@ impl Refinement {
     #[cold]
     #[inline(never)]
     fn tell_selected(&mut self, face: FaceId) {
-        let why = self.badness(face).map_or(Why::Picked, |b| match b {
-            Badness::Angle => Why::Angle,
-            Badness::AspectRatio => Why::AspectRatio,
-            Badness::Area => Why::Area,
-            Badness::Asked => Why::Asked,
-        });
         let path = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule);
         let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
-        let (selected, faces) = ((name(face), why), path.faces.iter().map(|&f| name(f)).collect());
+        let (selected, faces) = ((name(face), self.badness(face)), path.faces.iter().map(|&f| name(f)).collect());
         let terminal = self.ends(path.terminal_edge);
         self.note(|event| {
             (event.selected, event.lepp, event.terminal_edge) = (Some(selected), faces, Some(terminal));

@@ -12,8 +12,7 @@ use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::refine::bad_triangles::Badness;
-use crate::refine::event::InsertedKind;
+use crate::refine::event::{Badness, InsertedKind};
 use crate::refine::lepp::lepp;
 use crate::refine::report::Reason;
 use crate::refine::steps::{Places, Plan, Proposal};
@@ -78,7 +77,7 @@ impl Refinement {
     /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape
     /// is.
     fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
-        if !self.problem.test.minds_shape() {
+        if !self.problem.test.bounds_shape() {
             return None;
         }
         let reason = if let Some(reason) = self.hopeless_between_segments(face) {

@@ -27,10 +27,12 @@ use super::engine::mirror::MIRRORED_DEG;
 use super::floors::{length_floor, precision_floor};
 use super::joints::Piece;
 use super::options::{Criteria, Limits, RefineOptions};
-use crate::constrained::{ConstrainedTriangulation, SegmentId};
+use crate::constrained::ConstrainedTriangulation;
+use crate::drawing::SegmentId;
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::for_each_sector;
+use crate::size::{SizeBounds, SizeField, TriangleInRegion};
 use feet::Footed;
 use profile::{Facing, Sample, profile};
 use sizes::Sizes;
@@ -161,12 +163,17 @@ impl fmt::Display for Feature {
 /// constant; the constants are measured.
 #[must_use]
 pub fn forecast(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Forecast {
+    forecast_under(cdt, options, &SizeBounds::new(options.criteria.max_area, cdt, Vec::new()))
+}
+
+/// [`forecast`] under these bounds on sizes, which know the area bound of the options.
+pub(super) fn forecast_under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Forecast {
     let footed = Footed::of(cdt);
     let bounds = cdt.bounding_box();
     let (floor, _) = length_floor(bounds, options, footed.ruler);
     let precision = precision_floor(bounds, footed.ruler);
     let sizes = Sizes::of(&footed, GRADING, floor, precision);
-    let mut tally = Tally::new(&footed, &sizes, options, extent_of(bounds));
+    let mut tally = Tally::new(&footed, &sizes, (options, size), extent_of(bounds));
     tally.add_sides();
     tally.add_vertices();
     tally.forecast(cdt)
@@ -177,6 +184,7 @@ struct Tally<'a> {
     footed: &'a Footed,
     sizes: &'a Sizes,
     criteria: &'a Criteria,
+    size: &'a SizeBounds,
     constants: Constants,
     /// Parts of the integral by the vertex whose feature sets the size.
     by_source: Vec<f64>,
@@ -211,13 +219,19 @@ impl Constants {
 }
 
 impl<'a> Tally<'a> {
-    fn new(footed: &'a Footed, sizes: &'a Sizes, options: &'a RefineOptions, extent: f64) -> Self {
+    fn new(
+        footed: &'a Footed,
+        sizes: &'a Sizes,
+        (options, size): (&'a RefineOptions, &'a SizeBounds),
+        extent: f64,
+    ) -> Self {
         let by_source = vec![0.0; footed.cdt.points().len()];
         let criteria = &options.criteria;
         Self {
             footed,
             sizes,
             criteria,
+            size,
             constants: Constants::at(options),
             by_source,
             by_pair: BTreeMap::new(),
@@ -313,10 +327,9 @@ impl<'a> Tally<'a> {
     }
 
     fn area_bound(&self, f: FaceId) -> Option<f64> {
-        let in_region = self.footed.cdt.region_rule(f).and_then(|rule| rule.max_area);
-        let bound = self.criteria.max_area.unwrap_or(f64::INFINITY).min(in_region.unwrap_or(f64::INFINITY));
+        let bound = self.size.expected_within(&TriangleInRegion::of(&self.footed.cdt, f));
         let scale = self.footed.ruler.scale();
-        (bound < f64::INFINITY).then_some(bound * scale * scale)
+        (!bound.is_none()).then_some(bound.area() * scale * scale)
     }
 
     /// The size at which the area bound asks for as many triangles as features do.

@@ -10,6 +10,7 @@ use crate::half_edge::HalfEdgeId;
 use crate::refine::encroachment::Region;
 use crate::refine::recipe::PrepareWhen;
 use crate::refine::steps::{PrepareStep, View};
+use crate::size::{AreaBound, SizeField};
 
 /// Step 1, `split-encroached`.
 #[derive(Clone, Copy, Debug)]
@@ -38,16 +39,16 @@ impl SplitEncroached {
     /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it:
     /// the one that has the bound as its angle at either end.
     fn is_too_long(view: View<'_>, h: HalfEdgeId) -> bool {
-        if view.criteria.max_area.is_none() && view.cdt.regions().is_empty() {
+        if view.size.are_none() {
             return false;
         }
         let sides = [h, view.cdt.twin(h)].map(HalfEdgeId::face).into_iter().filter(|&f| view.cdt.is_real(f));
-        let in_regions = sides.filter_map(|f| view.cdt.fixed_area_bound(f)).fold(f64::INFINITY, f64::min);
-        let bound = view.criteria.max_area.map_or(in_regions, |area| area.min(in_regions));
-        if bound == f64::INFINITY {
+        let bounds = sides.map(|f| view.size.in_region(view.cdt.region_rule(f)));
+        let bound = bounds.fold(view.size.everywhere(), AreaBound::least);
+        if bound.is_none() {
             return false;
         }
         let [a, b] = view.cdt.edge_points(h);
-        0.25 * (b - a).length_sq() * view.criteria.effective_min_angle().tan() > bound
+        0.25 * (b - a).length_sq() * view.criteria.effective_min_angle().tan() > bound.area()
     }
 }

@@ -4,6 +4,7 @@ use super::insert::InsertTraits;
 use crate::constrained::ConstrainedTriangulation;
 use crate::refine::options::Criteria;
 use crate::refine::ruler::Ruler;
+use crate::size::SizeBounds;
 
 /// What a step may look at.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +13,8 @@ pub struct View<'a> {
     pub cdt: &'a ConstrainedTriangulation,
     /// What makes a triangle bad.
     pub criteria: &'a Criteria,
+    /// How large a triangle may be where.
+    pub size: &'a SizeBounds,
     /// How lengths are measured.
     pub ruler: Ruler,
     /// A walk to a place for a new vertex crosses no more triangles than this.
