@@ -1,5 +1,6 @@
 //! What is asked of a refinement, and where it stops.
 
+pub(super) use super::recipe::Protect;
 use super::recipe::{Fill, Preset, Recipe};
 use crate::geometry::{Angle, Triangle, math, triangle_angles_at_least};
 use crate::quality::aspect_ratio;
@@ -19,11 +20,15 @@ pub struct Criteria {
 
 impl Default for Criteria {
     fn default() -> Self {
-        Self { min_angle: Angle::from_degrees(30.0), max_area: None, max_aspect_ratio: None }
+        let min_angle = Angle::from_degrees(Self::DEFAULT_MIN_ANGLE_DEG);
+        Self { min_angle, max_area: None, max_aspect_ratio: None }
     }
 }
 
 impl Criteria {
+    /// The smallest angle that is asked for where nothing is said, in degrees.
+    pub const DEFAULT_MIN_ANGLE_DEG: f64 = 30.0;
+
     /// The angle that no good triangle falls below: what placement and protecting regions are computed for.
     ///
     /// With s the sine of half the smallest angle, R/2r is least where the two other angles are equal, and then
@@ -59,46 +64,6 @@ impl Criteria {
             angle: is_bounded && !triangle_angles_at_least(a, b, c, self.min_angle.cos_sq()),
             area: self.max_area.is_some_and(|area| (b - a).cross(c - a) > 2.0 * area),
             aspect_ratio: self.max_aspect_ratio.is_some_and(|ratio| aspect_ratio(triangle) > ratio),
-        }
-    }
-}
-
-/// Which segments may not be split.
-///
-/// Protected segments keep the guarantee from holding: triangles beside them may stay bad, and are then listed with
-/// the reason `protected segment`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Protect {
-    /// All may be split.
-    #[default]
-    None,
-    /// Those on the boundary of the domain are kept whole.
-    Boundary,
-    /// All are kept whole.
-    All,
-}
-
-impl Protect {
-    /// Every choice.
-    pub const ALL: [Self; 3] = [Self::None, Self::Boundary, Self::All];
-
-    /// Its key.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Boundary => "boundary",
-            Self::All => "all",
-        }
-    }
-
-    /// One line on what it does.
-    #[must_use]
-    pub const fn summary(self) -> &'static str {
-        match self {
-            Self::None => "all segments may be split",
-            Self::Boundary => "those on the boundary of the domain stay whole",
-            Self::All => "all segments stay whole",
         }
     }
 }
@@ -188,22 +153,39 @@ impl RefineOptions {
     /// [`OptionError`] names the option and its value.
     pub fn validate(&self) -> Result<(), OptionError> {
         let degrees = self.criteria.min_angle.degrees();
-        if !(0.0..=60.0).contains(&degrees) {
-            return Err(OptionError::MinAngle(degrees));
-        }
-        match self.criteria.max_area {
-            Some(a) if !(a > 0.0 && a.is_finite()) => return Err(OptionError::MaxArea(a)),
-            _ => {}
-        }
-        match self.criteria.max_aspect_ratio {
-            Some(r) if !(r >= 1.0 && r.is_finite()) => return Err(OptionError::MaxAspectRatio(r)),
-            _ => {}
-        }
-        match self.limits.length_floor {
-            Some(l) if !(l >= 0.0 && l.is_finite()) => Err(OptionError::LengthFloor(l)),
-            _ => Ok(()),
+        let refused = |value: Option<f64>, is_allowed: fn(f64) -> bool| value.filter(|&value| !is_allowed(value));
+        if !is_angle_deg(degrees) {
+            Err(OptionError::MinAngle(degrees))
+        } else if let Some(area) = refused(self.criteria.max_area, is_area) {
+            Err(OptionError::MaxArea(area))
+        } else if let Some(ratio) = refused(self.criteria.max_aspect_ratio, is_aspect_ratio) {
+            Err(OptionError::MaxAspectRatio(ratio))
+        } else if let Some(length) = refused(self.limits.length_floor, is_length) {
+            Err(OptionError::LengthFloor(length))
+        } else {
+            Ok(())
         }
     }
+}
+
+/// Whether a smallest angle of so many degrees can be asked for: the smallest angle of no triangle exceeds 60.
+pub(super) fn is_angle_deg(degrees: f64) -> bool {
+    (0.0..=60.0).contains(&degrees)
+}
+
+/// Whether it is a largest area.
+pub(super) fn is_area(area: f64) -> bool {
+    area > 0.0 && area.is_finite()
+}
+
+/// Whether it is a largest aspect ratio.
+pub(super) fn is_aspect_ratio(ratio: f64) -> bool {
+    ratio >= 1.0 && ratio.is_finite()
+}
+
+/// Whether it is a length floor.
+pub(super) fn is_length(length: f64) -> bool {
+    length >= 0.0 && length.is_finite()
 }
 
 /// An option outside its range, or a triangulation that there is nothing to refine of.

@@ -13,6 +13,7 @@ mod forecast;
 mod layers;
 mod library_errors;
 mod operators;
+mod options;
 mod predicates;
 mod quality;
 mod references;
