@@ -65,7 +65,7 @@ pub(crate) struct DrawingOptions {
 impl DrawingOptions {
     /// The key of what is done where segments cross.
     pub(crate) fn crossings_key(&self) -> &'static str {
-        CROSSINGS.iter().find(|row| row.2 == self.crossings).map_or("", |row| row.0)
+        self.crossings.key()
     }
 
     /// How the library is to read the drawing.
@@ -74,9 +74,10 @@ impl DrawingOptions {
     }
 }
 
+/// What may be done where segments cross.
 pub(crate) const CROSSINGS: [(&str, &str, Crossings); 2] = [
-    ("refuse", "names every pair of segments that cross, and stops", Crossings::Refuse),
-    ("split", "puts a vertex at each crossing and splits both segments", Crossings::Split),
+    (Crossings::Refuse.key(), Crossings::Refuse.summary(), Crossings::Refuse),
+    (Crossings::Split.key(), Crossings::Split.summary(), Crossings::Split),
 ];
 
 /// Where results go.

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use trimalla::Meshed;
 use trimalla::drawing::IndexedMesh;
 use trimalla::quality::{Classes, Histogram, Spread, Statistics};
-use trimalla::refine::{self, Group, NamedOptions, OPTIONS, OptionRow, Overview, Report, StopReason};
+use trimalla::refine::{self, Group, NamedOptions, OPTIONS, OptionRow, Overview, Report};
 
 use crate::console;
 use crate::exit::Failure;
@@ -29,7 +29,7 @@ pub(crate) fn of_meshing(made: &Made, algorithm: &str, seconds: f64) -> Value {
         "algorithm": algorithm,
         "seconds": seconds,
         "complete": report.complete(),
-        "stop": stop_key(report.stop),
+        "stop": report.stop.key(),
         "lost_segments": report.lost_segments,
         "lepp_lengths": report.lepp_lengths,
         "insertions": {
@@ -140,14 +140,4 @@ pub(crate) fn of_triangulation(
 /// Prints an object on one line of standard output.
 pub(crate) fn print(object: &Value) -> Result<(), Failure> {
     console::print(&format!("{object}\n"))
-}
-
-fn stop_key(stop: StopReason) -> &'static str {
-    match stop {
-        StopReason::Finished => "finished",
-        StopReason::Budget => "budget",
-        StopReason::Cancelled => "cancelled",
-        StopReason::NoLongerImproves => "no longer improves",
-        _ => "other",
-    }
 }

@@ -29,15 +29,6 @@ pub use write::write;
 
 /// What a recipe file holds: the five steps, and whatever it says about criteria and limits.
 pub use trimalla::refine::NamedOptions as RecipeFile;
-use trimalla::refine::{OPTIONS, OptionRow};
-
-/// The tables that a file has besides its own keys.
-const TABLES: [&str; 2] = ["criteria", "limits"];
-
-/// The options that stand in a table, or in the file itself.
-fn options_of(table: Option<&'static str>) -> impl Iterator<Item = &'static OptionRow> {
-    OPTIONS.iter().filter(move |option| option.group.table() == table)
-}
 
 #[cfg(test)]
 mod tests;

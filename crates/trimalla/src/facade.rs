@@ -11,6 +11,8 @@ use crate::refine::{
 
 /// How a drawing is read before it is triangulated or meshed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct DomainOptions {
     /// What belongs to the domain.
     pub rule: DomainRule,
@@ -23,6 +25,8 @@ pub struct DomainOptions {
 
 /// Everything that [`mesh`] can be asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct MeshOptions {
     /// How the drawing is read.
     pub domain: DomainOptions,

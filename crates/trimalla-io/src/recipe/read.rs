@@ -6,9 +6,9 @@ use std::str;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use trimalla::refine::{Value, Values};
+use trimalla::refine::{Group, OptionRow, Value, Values};
 
-use super::{RecipeFile, TABLES, options_of};
+use super::RecipeFile;
 use crate::bytes::read_bytes;
 use crate::error::{Fault, IoError, Place, quote};
 
@@ -76,7 +76,7 @@ impl Source<'_> {
         let entries = self.entries(table, None)?;
         let (presets, others): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(key, ..)| *key == PRESET);
         for (key, _, value) in presets.into_iter().chain(others) {
-            match TABLES.into_iter().find(|name| *name == key) {
+            match Group::TABLES.into_iter().find(|name| *name == key) {
                 Some(name) => {
                     for (key, _, value) in self.entries(self.table(value, name)?, Some(name))? {
                         self.option(&mut file, Some(name), key, value)?;
@@ -96,7 +96,7 @@ impl Source<'_> {
         key: &str,
         given: &Spanned<DeValue<'_>>,
     ) -> Result<(), IoError> {
-        let Some(option) = options_of(table).find(|option| option.key == key) else { return Ok(()) };
+        let Some(option) = OptionRow::of_table(table).find(|option| option.key == key) else { return Ok(()) };
         let refused = || self.value(given.span(), &option.values.expected());
         let value = value(option.values, given.get_ref()).ok_or_else(refused)?;
         option.set(file, &value).map_err(|_| refused())
@@ -146,8 +146,8 @@ impl Source<'_> {
 
 /// Every key that a table may have, or the file itself.
 pub(super) fn keys(table: Option<&'static str>) -> Vec<&'static str> {
-    let tables = TABLES.iter().copied().filter(|_| table.is_none());
-    options_of(table).map(|option| option.key).chain(tables).collect()
+    let tables = Group::TABLES.iter().copied().filter(|_| table.is_none());
+    OptionRow::of_table(table).map(|option| option.key).chain(tables).collect()
 }
 
 /// A value of the file as one of those that an option takes.

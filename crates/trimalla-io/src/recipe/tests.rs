@@ -120,6 +120,23 @@ fn what_is_no_toml_is_named_with_its_place() {
     assert!(read("\u{feff}select = \"first\"".as_bytes(), "r.toml").is_ok());
 }
 
+/// The feature `serde` of the library and this reader agree on what a recipe says.
+#[test]
+fn serde_reads_what_is_written_here() {
+    for &preset in Preset::ALL {
+        let bounded = RecipeFile { max_area: Some(0.1 + 0.2), name: Some("\t\"".to_owned()), ..RecipeFile::defaults() };
+        for file in [RecipeFile::of(preset), RecipeFile { preset: Some(preset), recipe: preset.recipe(), ..bounded }] {
+            let text = String::from_utf8(bytes(&file)).unwrap();
+            assert_eq!(toml::from_str::<RecipeFile>(&text).unwrap(), file, "{text}");
+        }
+    }
+    let preset_last = "select = \"first\"\npreset = \"lepp-circumcenter\"\n";
+    assert_eq!(toml::from_str::<RecipeFile>(preset_last).unwrap(), read(preset_last.as_bytes(), "r.toml").unwrap());
+    for text in ["selekt = 1", "select = \"worst\"", "[criteria]\nmin-angle = 61", "[limits]\nmax-vertices = 1.5"] {
+        assert!(toml::from_str::<RecipeFile>(text).is_err() && read(text.as_bytes(), "r.toml").is_err(), "{text}");
+    }
+}
+
 proptest::proptest! {
     /// Recipes with bytes changed, added and taken away: an error with a place, or a recipe that comes back.
     #[test]

@@ -3,9 +3,9 @@
 use std::fmt::{self, Write as _};
 use std::io::{self, Write};
 
-use trimalla::refine::Value;
+use trimalla::refine::{Group, OptionRow, Value};
 
-use super::{RecipeFile, TABLES, options_of};
+use super::RecipeFile;
 
 /// Writes a recipe: every step, and what is said about criteria and limits. The same recipe gives the same bytes, and
 /// [`read`](super::read()) gives the same recipe.
@@ -19,8 +19,8 @@ pub fn write(out: &mut dyn Write, file: &RecipeFile) -> io::Result<()> {
 fn text(file: &RecipeFile) -> String {
     let mut text = String::from("# A recipe of trimalla; 'trimalla list' explains the keys.\n");
     add_pairs(&mut text, None, file);
-    for table in TABLES {
-        if options_of(Some(table)).any(|option| option.get(file).is_some()) {
+    for table in Group::TABLES {
+        if OptionRow::of_table(Some(table)).any(|option| option.get(file).is_some()) {
             let _ = writeln!(text, "\n[{table}]");
             add_pairs(&mut text, Some(table), file);
         }
@@ -30,7 +30,7 @@ fn text(file: &RecipeFile) -> String {
 
 /// A line for each option of a table that is said.
 fn add_pairs(text: &mut String, table: Option<&'static str>, file: &RecipeFile) {
-    for option in options_of(table) {
+    for option in OptionRow::of_table(table) {
         let key = option.key;
         let _ = match option.get(file) {
             None => Ok(()),

@@ -57,6 +57,8 @@ impl DomainRule {
     }
 }
 
+serialized_by_key!(DomainRule);
+
 /// Triangulates a drawing, without removing anything.
 ///
 /// # Errors

@@ -5,6 +5,7 @@ use crate::geometry::Point;
 
 /// A region seed: the region around it gets an attribute and, where given, an area bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Region {
     /// A point inside the region.
     pub seed: Point,
@@ -20,6 +21,8 @@ pub struct Region {
 /// Marker and attribute columns are empty or have one entry (`attributes_per_point` entries) an element.
 /// Nothing is checked here: `Pslg` is what a caller or a file says.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Pslg {
     /// Input vertices; a vertex is named by its index here, always.
     pub points: Vec<Point>,

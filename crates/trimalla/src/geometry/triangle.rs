@@ -7,6 +7,7 @@ use super::{Angle, Circle, Containment, Point, Segment, Vector, lexicographicall
 
 /// A triangle; edge `i` is the one opposite corner `i`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Triangle {
     /// The corners.
     pub corners: [Point; 3],

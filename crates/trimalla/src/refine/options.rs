@@ -9,6 +9,8 @@ use crate::quality::aspect_ratio;
 ///
 /// A test of the caller's own goes to [`Refinement::with_test`](super::Refinement::with_test).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Criteria {
     /// The smallest angle a triangle may have; 0 asks for none.
     pub min_angle: Angle,
@@ -45,6 +47,8 @@ impl Criteria {
 
 /// Which bounds a triangle misses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Missed {
     /// An angle is below the bound.
     pub angle: bool,
@@ -70,6 +74,8 @@ impl Criteria {
 
 /// Where a refinement stops although triangles are still bad.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Limits {
     /// No more vertices than this, the input's included.
     pub max_vertices: usize,
@@ -86,6 +92,8 @@ impl Default for Limits {
 
 /// Everything a refinement is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct RefineOptions {
     /// The five steps.
     pub recipe: Recipe,

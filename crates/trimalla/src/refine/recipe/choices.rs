@@ -69,6 +69,8 @@ macro_rules! choices {
             }
         }
 
+        serialized_by_key!($name);
+
         impl Plain for $name {
             fn of(value: &Value) -> Option<Self> {
                 match value {

@@ -2,6 +2,8 @@
 
 mod choices;
 mod named;
+#[cfg(feature = "serde")]
+mod serialized;
 mod table;
 mod value;
 
@@ -17,6 +19,8 @@ pub use value::{Value, Values, WrongValue};
 
 /// One choice for each of the five steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Recipe {
     /// What to start from.
     pub initial: Initial,

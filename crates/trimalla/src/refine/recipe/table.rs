@@ -28,6 +28,9 @@ pub enum Group {
 }
 
 impl Group {
+    /// The tables that a recipe file has besides its own keys.
+    pub const TABLES: [&'static str; 2] = ["criteria", "limits"];
+
     /// The table of recipe files in which its options stand; none for the file itself.
     #[must_use]
     pub const fn table(self) -> Option<&'static str> {
@@ -67,6 +70,11 @@ pub struct OptionRow {
 }
 
 impl OptionRow {
+    /// The options that stand in a table of recipe files, or in the file itself, in order.
+    pub fn of_table(table: Option<&str>) -> impl Iterator<Item = &'static Self> {
+        OPTIONS.iter().filter(move |option| option.group.table() == table)
+    }
+
     /// Its value, if one is said.
     #[must_use]
     pub fn get(&self, options: &NamedOptions) -> Option<Value> {
