@@ -47,11 +47,13 @@
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
 //! # Features
-//! None is on by default.
+//! None is on by default. Each only adds.
 //!
 //! | feature | adds |
 //! |---|---|
 //! | `serde` | `Serialize` and `Deserialize` for options, criteria, recipes, reports, [`Pslg`], [`IndexedMesh`], points and what they are made of; [`NamedOptions`](refine::NamedOptions) as recipe files have them |
+//! | `mint` | conversions of [`Point`] and [`Vector`](geometry::Vector) from and to those of `mint` |
+//! | `geo-types` | points, rings and polygons of `geo-types` as [`Point`] and [`Pslg`]; meshes as its triangles |
 //!
 //! # What holds everywhere
 //! * Topology is decided by exact signs, never by an epsilon. Constructed points are rounded and proved again.

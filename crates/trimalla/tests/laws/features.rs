@@ -78,3 +78,69 @@ mod serde {
         assert!(error.contains("expected one of off-center, circumcenter, "), "{error}");
     }
 }
+
+#[cfg(feature = "mint")]
+mod mint {
+    use mint::{IntoMint, Point2, Vector2};
+    use trimalla::Point;
+    use trimalla::geometry::Vector;
+
+    #[test]
+    fn points_and_vectors_keep_their_bits() {
+        fn widened(point: impl Into<Point>) -> Point {
+            point.into()
+        }
+        let [x, y] = [0.1 + 0.2, -0.0];
+        let point: Point2<f64> = Point::new(x, y).into();
+        assert_eq!((point.x.to_bits(), point.y.to_bits()), (x.to_bits(), y.to_bits()));
+        assert_eq!(Point::from(point), Point::new(x, y));
+        assert_eq!(widened(Point2 { x: 0.5_f32, y: f32::MAX }), Point::new(0.5, f64::from(f32::MAX)));
+        let vector: <Vector as IntoMint>::MintType = Vector::new(x, y).into();
+        assert_eq!(Vector::from(vector), Vector::new(x, y));
+        assert_eq!(Vector::from(Vector2 { x: 1.0_f32, y: 2.0 }), Vector::new(1.0, 2.0));
+    }
+}
+
+#[cfg(feature = "geo-types")]
+mod geo_types {
+    use geo_types::{Coord, LineString, MultiPolygon, Point as GeoPoint, line_string, polygon};
+    use trimalla::{IndexedMesh, Point, Pslg};
+
+    #[test]
+    fn points_go_both_ways() {
+        let point = Point::new(0.1 + 0.2, -3.0);
+        assert_eq!(Point::from(GeoPoint::from(point)), point);
+        assert_eq!(Point::from(Coord::from(point)), point);
+    }
+
+    #[test]
+    fn lines_are_rings_where_they_are_closed() {
+        let open = line_string![(x: 0.0, y: 0.0), (x: 1.0, y: 0.0), (x: 0.0, y: 1.0)];
+        assert_eq!(Pslg::from(&open).segments, [[0, 1], [1, 2]]);
+        let mut closed = open.clone();
+        closed.close();
+        let ring = Pslg::from(&closed);
+        assert_eq!((ring.points.len(), &ring.segments[..]), (3, &[[0, 1], [1, 2], [2, 0]][..]));
+        for few in 0..2 {
+            assert_eq!(Pslg::from(&LineString::new(open.0[..few].to_vec())).segments.len(), 0, "{few} points");
+        }
+        assert_eq!(Pslg::from(&LineString::new(open.0[..2].to_vec())).segments, [[0, 1]]);
+    }
+
+    #[test]
+    fn polygons_are_their_rings_and_meshes_triangles() {
+        let frame = polygon!(
+            exterior: [(x: 0.0, y: 0.0), (x: 9.0, y: 0.0), (x: 0.0, y: 9.0)],
+            interiors: [[(x: 1.0, y: 1.0), (x: 2.0, y: 1.0), (x: 1.0, y: 2.0)]],
+        );
+        let drawing = Pslg::from(&frame);
+        assert_eq!((drawing.points.len(), &drawing.segments[3..]), (6, &[[3, 4], [4, 5], [5, 3]][..]));
+        let twice = Pslg::from(&MultiPolygon::new(vec![frame.clone(), frame]));
+        assert_eq!((twice.points.len(), twice.segments.len()), (12, 12));
+        let triangles = vec![[0, 1, 2], [0, 1, 9], [3, 4, 5]];
+        let mesh = IndexedMesh { points: drawing.points, triangles, ..IndexedMesh::default() };
+        let triangles: Vec<_> = mesh.geo_triangles().collect();
+        assert_eq!(triangles.len(), 2);
+        assert_eq!(triangles[1].to_array(), [3, 4, 5].map(|v| Coord::from(mesh.points[v])));
+    }
+}
