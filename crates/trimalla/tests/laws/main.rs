@@ -8,6 +8,7 @@ mod check_mesh;
 mod comments;
 mod constrained_edits;
 mod edits;
+mod elementary;
 mod features;
 mod fill;
 mod forecast;
