@@ -80,6 +80,9 @@ fn first_of(faults: &[InputFault]) -> String {
 /// # assert!(mesh.triangles.len() > 2);
 /// # Ok::<(), trimalla::Error>(())
 /// ```
+#[doc(alias = "generate_mesh")]
+#[doc(alias = "malla")]
+#[doc(alias = "mallado")]
 pub fn mesh(pslg: &Pslg, options: &MeshOptions) -> Result<(IndexedMesh, Report), Error> {
     mesh_with(pslg, options, &mut NoObserver).map(|meshed| (meshed.mesh, meshed.report))
 }
@@ -161,6 +164,7 @@ fn refined(
 /// assert_eq!(again.mesh, fine.mesh);
 /// # Ok::<(), trimalla::Error>(())
 /// ```
+#[doc(alias = "refinar")]
 pub fn refine_mesh(mesh: &IndexedMesh, input: Option<&Pslg>, options: &RefineOptions) -> Result<Meshed, Error> {
     refine_mesh_with(mesh, &[], input, options, &mut NoObserver)
 }
@@ -205,6 +209,8 @@ pub fn refine_mesh_with(
 ///
 /// # Source
 /// `[MeshSuite]` 2.6.1.
+#[doc(alias = "conforming Delaunay")]
+#[doc(alias = "triangulación Delaunay conforme")]
 pub fn triangulate_conforming(
     pslg: &Pslg,
     options: &DomainOptions,
@@ -220,6 +226,8 @@ pub fn triangulate_conforming(
 ///
 /// # Errors
 /// [`DomainError`].
+#[doc(alias = "triangular")]
+#[doc(alias = "triangulación")]
 pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
     let (cdt, warnings) = domain::build_exactly(pslg, options.rule, options.crossings, options.algorithm)?;
     Ok((cdt.into_indexed(pslg), warnings))

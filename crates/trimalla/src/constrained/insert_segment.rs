@@ -16,6 +16,7 @@ use crate::geometry::{Point, Segment};
 use crate::half_edge::{Journal, VertexId};
 
 /// What to do where segments cross inside both.
+#[doc(alias = "intersections")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Crossings {
     /// Refuse, naming every pair.

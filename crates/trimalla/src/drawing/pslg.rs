@@ -4,6 +4,8 @@ use super::error::DrawingError;
 use crate::geometry::Point;
 
 /// A region seed: the region around it gets an attribute and, where given, an area bound.
+#[doc(alias = "región")]
+#[doc(alias = "material")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Region {
@@ -20,6 +22,9 @@ pub struct Region {
 /// # Shape
 /// Marker and attribute columns are empty or have one entry (`attributes_per_point` entries) an element.
 /// Nothing is checked here: `Pslg` is what a caller or a file says.
+#[doc(alias = "planar straight-line graph")]
+#[doc(alias = "polygon")]
+#[doc(alias = "grafo")]
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]

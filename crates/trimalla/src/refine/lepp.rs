@@ -28,6 +28,8 @@ use crate::triangulation::{Closure, Triangulation};
 const LEAST_AREA: f64 = 1e-140;
 
 /// A longest-edge propagation path.
+#[doc(alias = "longest-edge propagation path")]
+#[doc(alias = "camino de propagación")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lepp {
     /// The triangles, from the first to the last; both terminal ones are included.
@@ -74,6 +76,8 @@ pub fn edges_by_length(t: &Triangulation, ruler: Ruler, f: FaceId) -> [HalfEdgeI
 ///
 /// # Source
 /// `getLongestEdge` of `[Valenzuela09]`.
+#[doc(alias = "getLongestEdge")]
+#[doc(alias = "arista más larga")]
 #[must_use]
 pub fn longest_edge(t: &Triangulation, ruler: Ruler, f: FaceId) -> HalfEdgeId {
     edges_by_length(t, ruler, f)[2]
@@ -97,6 +101,7 @@ pub fn lepp(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> L
 }
 
 /// The terminal edge of the path of a real face, without the path.
+#[doc(alias = "arista terminal")]
 #[must_use]
 pub fn terminal_edge(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> HalfEdgeId {
     follow(t, ruler, first, rule, |_| {})

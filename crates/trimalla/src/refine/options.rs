@@ -8,6 +8,10 @@ use crate::quality::aspect_ratio;
 /// What makes a triangle bad.
 ///
 /// A test of the caller's own goes to [`Refinement::with_test`](super::Refinement::with_test).
+#[doc(alias = "quality")]
+#[doc(alias = "bad triangle")]
+#[doc(alias = "calidad")]
+#[doc(alias = "triángulo malo")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]

@@ -104,6 +104,8 @@ pub(super) const UNTIL_DESTROYED: &[Row] = &[
 
 choices! {
     /// A recipe by name.
+    #[doc(alias = "algorithm")]
+    #[doc(alias = "algoritmo")]
     Preset, OffCenter, {
         OffCenter = "off-center", "off-centers, shortest edge first: few triangles, fast; the default", "Ungor09";
         Circumcenter = "circumcenter", "circumcenters, shortest edge first: Chew's and Ruppert's refinement", "Ruppert95";
@@ -163,6 +165,8 @@ choices! {
 
 choices! {
     /// Step 3: the point proposed for a bad triangle.
+    #[doc(alias = "Steiner point")]
+    #[doc(alias = "punto de Steiner")]
     PlacePoint, OffCenter, {
         OffCenter = "off-center", "the circumcenter, or nearer the shortest edge the point that makes its triangle just good", "Ungor09";
         OffCenterExact = "off-center-exact", "as off-center, but at 100 % of the way at which its angle is the bound, for 95 %", "Ungor09";
@@ -235,6 +239,7 @@ choices! {
 
 choices! {
     /// The region of a subsegment in which a vertex encroaches upon it.
+    #[doc(alias = "encroached")]
     Encroachment, Lens, {
         Lens = "lens", "where the subsegment is seen at 180 degrees less twice the angle bound, or more", "Chew93";
         DiametralDisk = "disk", "the disk of which the subsegment is a diameter", "Ruppert95";
