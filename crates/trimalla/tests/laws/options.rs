@@ -77,6 +77,10 @@ fn default_values_are_what_is_asked_where_nothing_is_said() {
             option.set(&mut said, &value).expect("a value of the option");
         }
         assert_eq!(said.refine_options(), silent.refine_options(), "{}", option.key);
+        if option.group != Group::Preset {
+            let filled = option.get(&silent.clone().with_default_bounds());
+            assert!(filled.is_some() || option.default_value().is_none(), "{}: no default filled in", option.key);
+        }
         assert!(
             option.default_value().is_some() || !option.absent.is_empty() || option.key == "name",
             "{}",
