@@ -13,21 +13,32 @@ else
 fi
 if cargo clippy --version >/dev/null 2>&1; then
     step "lints"
-    cargo clippy --quiet --locked --workspace --all-targets -- -D warnings
+    cargo clippy --quiet --locked --workspace --all-targets --all-features -- -D warnings
 else
     echo "skipped: lints (clippy is not installed)"
 fi
 msrv=$(sed -n 's/^rust-version = "\(.*\)"$/\1/p' Cargo.toml)
 if cargo "+$msrv" --version >/dev/null 2>&1; then
     step "Rust $msrv, the oldest promised"
-    CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}/msrv" cargo "+$msrv" check --quiet --locked --workspace
+    CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}/msrv" cargo "+$msrv" check --quiet --locked --workspace --all-features
 else
     echo "skipped: Rust $msrv (rustup toolchain install $msrv --profile minimal)"
 fi
+features=$(sed -n '/^\[features\]/,/^\[dep/s/^\([a-z-]*\) = .*/\1/p' crates/trimalla/Cargo.toml)
+for feature in $features; do # The first is the default, which has none.
+    step "the library with the feature $feature alone"
+    cargo check --quiet --locked -p trimalla --no-default-features --features "$feature"
+done
+if rustup target list --installed 2>/dev/null | grep -qx wasm32-unknown-unknown; then
+    step "the library for wasm32"
+    cargo check --quiet --locked -p trimalla --all-features --target wasm32-unknown-unknown
+else
+    echo "skipped: wasm32 (rustup target add wasm32-unknown-unknown)"
+fi
 step "documentation"
-RUSTDOCFLAGS="-D warnings" cargo doc --quiet --locked --workspace --no-deps --document-private-items
+RUSTDOCFLAGS="-D warnings" cargo doc --quiet --locked --workspace --all-features --no-deps --document-private-items
 step "tests"
-cargo test --locked --workspace
+cargo test --locked --workspace --all-features
 step "examples"
 cargo run --quiet --locked -p trimalla --example five_points
 cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1

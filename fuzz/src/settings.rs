@@ -9,7 +9,7 @@ use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla::drawing::Pslg;
-use trimalla::refine::{Protect, registry};
+use trimalla::refine::{Group, OptionRow, Protect, registry};
 use trimalla_io::RecipeFile;
 use trimalla_io::recipe;
 
@@ -30,13 +30,14 @@ pub fn domain(d: &mut Draws<'_>) -> DomainOptions {
     DomainOptions { rule, crossings, algorithm: d.pick(&AlgorithmKey::ALL) }
 }
 
-/// The choices that the registry has for each option, presets included.
+/// The keys that the registry has for each option of a recipe, presets included.
 fn choices() -> &'static BTreeMap<&'static str, Vec<&'static str>> {
     static CHOICES: OnceLock<BTreeMap<&'static str, Vec<&'static str>>> = OnceLock::new();
     CHOICES.get_or_init(|| {
         let mut choices: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for row in registry() {
-            choices.entry(row.option).or_default().push(row.key);
+        let is_of_recipe = |option: &OptionRow| matches!(option.group, Group::Preset | Group::Step(_));
+        for (option, row) in registry().filter(|(option, _)| is_of_recipe(option)) {
+            choices.entry(option.key).or_default().push(row.key);
         }
         choices
     })
@@ -72,7 +73,7 @@ pub fn recipe(d: &mut Draws<'_>, drawing: &Pslg) -> RecipeFile {
     file.max_aspect_ratio = d.once_in(8).then(|| d.range(1.0, 4.0));
     let room = d.pick(&[0, 1, 5, 20, 20, 60, 60, 60, 120, 400]);
     file.max_vertices = Some(drawing.points.len() + room);
-    file.protect = d.once_in(5).then(|| d.pick(&Protect::ALL));
+    file.protect = d.once_in(5).then(|| d.pick(Protect::ALL));
     let length = width.max(height);
     file.length_floor = (d.once_in(10) && length.is_finite()).then(|| length * 10.0_f64.powi(-(d.below(9) as i32)));
     file

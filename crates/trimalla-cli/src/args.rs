@@ -1,50 +1,16 @@
-//! What the command line may say. Each subcommand's own options stand in its file; what several share stands here.
+//! What several subcommands share of the command line. Each one's own options stand in its file.
 
 use std::path::PathBuf;
 
+use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
 use trimalla::DomainOptions;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
-use crate::commands::{check, compare, convert, list, mesh, refine, stats, triangulate};
 use crate::console;
-use crate::exit::STATUSES;
-
-/// Triangulates planar drawings and refines them into meshes of good triangles
-#[derive(Debug, Parser)]
-#[command(name = "trimalla", version, after_help = format!("{EXAMPLES}\n\n{STATUSES}"))]
-pub(crate) struct Program {
-    #[command(subcommand)]
-    pub(crate) command: Command,
-}
-
-const EXAMPLES: &str = "\
-Examples:
-  trimalla mesh key.poly -o key.1.ele         mesh a drawing, no angle below 30 degrees
-  trimalla mesh key.poly -o key.svg           the same, as a picture
-  trimalla check key.1.ele --input key.poly   prove the mesh right
-  trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
-                                              refine it further
-  trimalla compare key.poly --markdown        all algorithms at all angles, in a table
-  trimalla list                               algorithms, steps, rules and formats
-
-'trimalla help mesh' explains the options of a subcommand.";
-
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
-    Mesh(mesh::Options),
-    Refine(refine::Options),
-    Triangulate(triangulate::Options),
-    Check(check::Options),
-    Stats(stats::Options),
-    Compare(compare::Options),
-    Convert(convert::Options),
-    List(list::Options),
-}
 
 /// The drawing and how it is read.
 #[derive(Debug, Args)]
@@ -65,7 +31,7 @@ pub(crate) struct DrawingOptions {
 impl DrawingOptions {
     /// The key of what is done where segments cross.
     pub(crate) fn crossings_key(&self) -> &'static str {
-        CROSSINGS.iter().find(|row| row.2 == self.crossings).map_or("", |row| row.0)
+        self.crossings.key()
     }
 
     /// How the library is to read the drawing.
@@ -74,9 +40,10 @@ impl DrawingOptions {
     }
 }
 
+/// What may be done where segments cross.
 pub(crate) const CROSSINGS: [(&str, &str, Crossings); 2] = [
-    ("refuse", "names every pair of segments that cross, and stops", Crossings::Refuse),
-    ("split", "puts a vertex at each crossing and splits both segments", Crossings::Split),
+    (Crossings::Refuse.key(), Crossings::Refuse.summary(), Crossings::Refuse),
+    (Crossings::Split.key(), Crossings::Split.summary(), Crossings::Split),
 ];
 
 /// Where results go.

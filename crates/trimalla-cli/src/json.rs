@@ -4,8 +4,7 @@ use serde_json::{Map, Value, json};
 use trimalla::Meshed;
 use trimalla::drawing::IndexedMesh;
 use trimalla::quality::{Classes, Histogram, Spread, Statistics};
-use trimalla::refine::{Overview, Report, StopReason};
-use trimalla_io::RecipeFile;
+use trimalla::refine::{self, Group, NamedOptions, OPTIONS, OptionRow, Overview, Report};
 
 use crate::console;
 use crate::exit::Failure;
@@ -30,7 +29,7 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
         "algorithm": algorithm,
         "seconds": seconds,
         "complete": report.complete(),
-        "stop": stop_key(report.stop),
+        "stop": report.stop.key(),
         "lost_segments": report.lost_segments.iter().map(|s| s.0).collect::<Vec<u32>>(),
         "lepp_lengths": report.lepp_lengths,
         "insertions": {
@@ -48,25 +47,19 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
 /// Adds the options, the state before the refinement, the bounds missed, and the command that repeats the run.
 pub(crate) fn add_asked(
     object: &mut Value,
-    asked: &RecipeFile,
+    asked: &NamedOptions,
     before: Option<Overview>,
     missed: &MissedBounds,
     command: &str,
 ) {
-    let choice = |(option, key): (&str, &str)| match key {
-        "true" | "false" => (option.to_owned(), json!(key == "true")),
-        _ => (option.to_owned(), json!(key)),
-    };
-    object["recipe"] = Value::Object(asked.recipe.choices().into_iter().map(choice).collect());
+    let steps = asked.steps().map(|(option, value)| (option.key.to_owned(), of_value(&value)));
+    object["recipe"] = Value::Object(steps.collect());
     object["recipe"]["preset"] = json!(asked.preset.unwrap_or_default().key());
-    object["bounds"] = json!({
-        "min_angle": asked.min_angle_deg,
-        "max_area": asked.max_area,
-        "max_aspect_ratio": asked.max_aspect_ratio,
-        "protect": asked.protect.unwrap_or_default().key(),
-        "max_vertices": asked.max_vertices,
-        "length_floor": asked.length_floor,
-    });
+    let is_bound = |option: &&OptionRow| matches!(option.group, Group::Protect | Group::Criteria | Group::Limits);
+    let bounds = OPTIONS.iter().filter(is_bound);
+    let bounds =
+        bounds.map(|option| (option.key.replace('-', "_"), option.get(asked).map_or(Value::Null, |v| of_value(&v))));
+    object["bounds"] = Value::Object(bounds.collect());
     object["before"] = json!(before.map(|Overview { vertices, triangles, min_angle_deg }| json!({
         "vertices": vertices,
         "triangles": triangles,
@@ -75,6 +68,15 @@ pub(crate) fn add_asked(
     object["missed"] = json!({ "angle": missed.angle, "area": missed.area, "aspect_ratio": missed.aspect_ratio });
     object["command"] = json!(command);
     object["version"] = json!(env!("CARGO_PKG_VERSION"));
+}
+
+fn of_value(value: &refine::Value) -> Value {
+    match value {
+        refine::Value::Truth(truth) => json!(truth),
+        refine::Value::Number(number) => json!(number),
+        refine::Value::Count(count) => json!(count),
+        refine::Value::Key(_) | refine::Value::Text(_) => json!(value.to_string()),
+    }
 }
 
 /// The object that `--details` adds.
@@ -138,14 +140,4 @@ pub(crate) fn of_triangulation(
 /// Prints an object on one line of standard output.
 pub(crate) fn print(object: &Value) -> Result<(), Failure> {
     console::print(&format!("{object}\n"))
-}
-
-fn stop_key(stop: StopReason) -> &'static str {
-    match stop {
-        StopReason::Finished => "finished",
-        StopReason::Budget => "budget",
-        StopReason::Cancelled => "cancelled",
-        StopReason::NoLongerImproves => "no longer improves",
-        _ => "other",
-    }
 }

@@ -2,14 +2,14 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`args`] | what the command line may say |
-//! | [`commands`] | one file a subcommand |
+//! | [`commands`] | the command line, one file a subcommand |
+//! | [`args`] | options that several subcommands share |
 //! | [`input`] | drawings and meshes with the numbering of their files |
 //! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
 //! | [`file_numbers`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`frames`] | every step as a line, and as a picture |
-//! | [`recipe_options`], [`recipe_file`], [`picks`] | the five steps as options, and as files; triangles picked by number |
+//! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`text`], [`json`] | reports for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
@@ -42,7 +42,7 @@ use std::process::ExitCode;
 use clap::Parser as _;
 
 fn main() -> ExitCode {
-    match commands::run(args::Program::parse()) {
+    match commands::run(commands::Program::parse()) {
         Ok(status) => status.into(),
         Err(failure) => failure.report().into(),
     }

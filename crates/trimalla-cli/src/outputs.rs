@@ -6,8 +6,9 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::refine::NamedOptions;
 use trimalla_io::bars::BarChart;
-use trimalla_io::{self as io, IoError, RecipeFile, SvgOptions, WriteOptions};
+use trimalla_io::{self as io, IoError, SvgOptions, WriteOptions};
 
 use crate::args::{OutputOptions, ReportOptions};
 use crate::console::{self, Stream, count, shown};
@@ -182,7 +183,7 @@ pub(crate) struct Prepared(io::Outputs);
 
 impl Prepared {
     /// Writes the recipe as well, if it is to be saved.
-    pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions, asked: &RecipeFile) -> Result<Self, Failure> {
+    pub(crate) fn with_recipe(mut self, options: &RecipeFileOptions, asked: &NamedOptions) -> Result<Self, Failure> {
         if let Some(path) = &options.save_recipe {
             or_reader_left(path, self.0.add_recipe(path, asked))?;
         }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use clap::Args;
 use trimalla::half_edge::{FaceId, VertexId};
-use trimalla::refine::{Refinement, Select};
+use trimalla::refine::{Refinement, Select, Value};
 
 use crate::console::count;
 use crate::exit::Failure;
@@ -30,12 +30,12 @@ impl PickOptions {
     }
 
     /// Makes step 2 `manual` where triangles are picked; another order on the command line contradicts that.
-    pub(crate) fn change(&self, select: &mut Select, asked: Option<Select>) -> Result<(), Failure> {
+    pub(crate) fn change(&self, select: &mut Select, asked: Option<&Value>) -> Result<(), Failure> {
         if self.pick.is_empty() {
             return Ok(());
         }
         match asked {
-            Some(other) if other != Select::Manual => {
+            Some(other) if *other != Value::Key(Select::Manual.key()) => {
                 Err(Failure::wrong_use(format!("--pick goes with --select manual, not with --select {other}"))
                     .hint("leave --select out: --pick says it"))
             }

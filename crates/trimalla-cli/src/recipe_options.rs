@@ -1,114 +1,108 @@
-//! The five steps as options: a preset, changed step by step.
+//! What is asked of a refinement: the table of options on the command line, recipe files, picks.
 
-use clap::{ArgAction, Args};
-use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Recipe, Recover, Select, Terminal,
-};
+use clap::builder::{BoolValueParser, StringValueParser, TypedValueParser as _};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
+use trimalla_io::recipe;
 
 use crate::args::one_of;
+use crate::exit::Failure;
+use crate::picks::PickOptions;
+use crate::recipe_file::{RecipeFileOptions, named};
 
-/// A preset and what differs from it.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Refinement")]
-pub(crate) struct RecipeOptions {
-    /// The preset that says where new vertices go [default: off-center]
-    #[arg(long, value_name = "KEY",
-          value_parser = one_of(Preset::ALL.iter().map(|p| (p.key(), p.row().summary, *p))))]
-    pub(crate) algorithm: Option<Preset>,
-
-    /// The triangulation that refinement starts from [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Initial::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    initial: Option<Initial>,
-
-    /// What wide parts are filled with first, under an area bound [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Fill::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    fill: Option<Fill>,
-
-    /// Step 1: what is done to segments first [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Prepare::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    prepare: Option<Prepare>,
-
-    /// Step 1: when [default: the preset's]
-    #[arg(long, value_name = "WHEN", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(PrepareWhen::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    prepare_when: Option<PrepareWhen>,
-
-    /// Step 1: the region around a segment that is kept free of vertices [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Encroachment::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    encroachment: Option<Encroachment>,
-
-    /// Step 2: which bad triangle is treated next [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Select::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    pub(crate) select: Option<Select>,
-
-    /// Step 2: whether a triangle is treated until it is gone [default: the preset's]
-    #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true", action = ArgAction::Set,
-          help_heading = "Steps, instead of the preset's")]
-    until_destroyed: Option<bool>,
-
-    /// Step 3: where the new vertex goes [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(PlacePoint::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    point: Option<PlacePoint>,
-
-    /// Step 4: how the vertex goes in [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Insert::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    insert: Option<Insert>,
-
-    /// Step 5: what becomes of segments inside the domain meanwhile [default: the preset's]
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Recover::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    recover: Option<Recover>,
-
-    /// Step 3, LEPP: where paths end, besides at a mutual longest edge
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(LeppRule::ALL.map(|c| (c.key(), c.row().summary, c))))]
-    lepp_stop: Option<LeppRule>,
-
-    /// Step 3, lepp-centroid: which centroid of the two terminal triangles
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Centroid::ALL.map(|c| (c.key(), c.row().summary, c))))]
-    centroid: Option<Centroid>,
-
-    /// Step 3, lepp-midpoint and lepp-centroid: when a constrained second-longest edge is split instead
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(ConstrainedSecond::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    constrained_second: Option<ConstrainedSecond>,
-
-    /// Step 3, lepp-circumcenter and lepp-off-center: of which terminal triangle
-    #[arg(long, value_name = "KEY", help_heading = "Steps, instead of the preset's",
-          value_parser = one_of(Terminal::ALL.iter().map(|c| (c.key(), c.row().summary, *c))))]
-    terminal: Option<Terminal>,
+/// The options of the table that the command line names; the recipe file that they change; the triangles picked.
+#[derive(Debug)]
+pub(crate) struct AskedOptions {
+    /// In the order of the table.
+    given: Vec<(&'static OptionRow, Value)>,
+    pub(crate) file: RecipeFileOptions,
+    pub(crate) pick: PickOptions,
 }
 
-impl RecipeOptions {
-    /// The preset that was asked for, or the default one.
-    pub(crate) fn preset(&self) -> Preset {
-        self.algorithm.unwrap_or_default()
+impl AskedOptions {
+    /// Everything asked of the refinement: what the recipe file says, and over it what the command line does. Refuses
+    /// what cannot be meant, before anything else is read.
+    pub(crate) fn read(&self) -> Result<NamedOptions, Failure> {
+        let mut asked = match &self.file.recipe {
+            Some(path) => named(recipe::read_file(path)?, path),
+            None => NamedOptions::of(Preset::default()),
+        };
+        for (option, value) in &self.given {
+            option.set(&mut asked, value).map_err(|error| Failure::wrong_use(error.to_string()))?;
+        }
+        let mut asked = asked.with_default_bounds();
+        let select = self.given.iter().find(|(option, _)| option.key == "select");
+        self.pick.change(&mut asked.recipe.select, select.map(|(_, value)| value))?;
+        asked.refine_options().validate()?;
+        Ok(asked)
+    }
+}
+
+impl Args for AskedOptions {
+    /// The order is that of the help.
+    fn augment_args(command: Command) -> Command {
+        let of = |is_wanted: fn(&OptionRow) -> bool| OPTIONS.iter().filter(move |option| is_wanted(option)).map(arg);
+        let command = command
+            .args(of(|option| option.group == Group::Criteria))
+            .args(of(|option| option.group == Group::Preset))
+            .args(of(|option| matches!(option.group, Group::Step(_)) && !option.is_of_paths))
+            .args(of(|option| option.is_of_paths));
+        PickOptions::augment_args(RecipeFileOptions::augment_args(command))
+            .args(of(|option| option.group == Group::Protect))
+            .args(of(|option| option.group == Group::Limits))
     }
 
-    /// Changes the steps that were asked for.
-    pub(crate) fn change(&self, recipe: &mut Recipe) {
-        recipe.initial = self.initial.unwrap_or(recipe.initial);
-        recipe.fill = self.fill.unwrap_or(recipe.fill);
-        recipe.prepare = self.prepare.unwrap_or(recipe.prepare);
-        recipe.prepare_when = self.prepare_when.unwrap_or(recipe.prepare_when);
-        recipe.encroachment = self.encroachment.unwrap_or(recipe.encroachment);
-        recipe.select = self.select.unwrap_or(recipe.select);
-        recipe.until_destroyed = self.until_destroyed.unwrap_or(recipe.until_destroyed);
-        recipe.point = self.point.unwrap_or(recipe.point);
-        recipe.insert = self.insert.unwrap_or(recipe.insert);
-        recipe.recover = self.recover.unwrap_or(recipe.recover);
-        recipe.lepp_rule = self.lepp_stop.unwrap_or(recipe.lepp_rule);
-        recipe.centroid = self.centroid.unwrap_or(recipe.centroid);
-        recipe.constrained_second = self.constrained_second.unwrap_or(recipe.constrained_second);
-        recipe.terminal = self.terminal.unwrap_or(recipe.terminal);
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for AskedOptions {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let given = |option: &'static OptionRow| Some((option, matches.get_one::<Value>(option.key)?.clone()));
+        let options = OPTIONS.iter().filter(|option| option.group != Group::Name);
+        let file = RecipeFileOptions::from_arg_matches(matches)?;
+        Ok(Self { given: options.filter_map(given).collect(), file, pick: PickOptions::from_arg_matches(matches)? })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// An option of the table as an option of the program.
+fn arg(option: &'static OptionRow) -> Arg {
+    let summary = summary(option);
+    let arg = Arg::new(option.key).long(option.flag).value_name(option.placeholder).help_heading(heading(option.group));
+    let arg = if option.details.is_empty() { arg } else { arg.long_help(format!("{summary}\n\n{}", option.details)) };
+    let arg = arg.help(summary);
+    match option.values {
+        Values::Keys(rows) => {
+            arg.value_parser(one_of(rows.iter().map(|row| (row.key, row.summary, Value::Key(row.key)))))
+        }
+        Values::Truth(_) => {
+            arg.num_args(0..=1).default_missing_value("true").value_parser(BoolValueParser::new().map(Value::Truth))
+        }
+        Values::Number { .. } => {
+            arg.allow_negative_numbers(true).value_parser(|text: &str| text.parse().map(Value::Number))
+        }
+        Values::Count(_) => arg.value_parser(|text: &str| text.parse().map(Value::Count)),
+        Values::Text(_) => arg.value_parser(StringValueParser::new().map(Value::Text)),
+    }
+}
+
+/// The line of help, with what holds where the option is not given; what counts for paths alone goes without.
+fn summary(option: &OptionRow) -> String {
+    let default = option.default_value().map_or_else(|| option.absent.to_owned(), |value| value.to_string());
+    if option.is_of_paths { option.summary.to_owned() } else { format!("{} [default: {default}]", option.summary) }
+}
+
+/// The section of the help.
+fn heading(group: Group) -> &'static str {
+    match group {
+        Group::Step(_) => "Steps, instead of the preset's",
+        Group::Limits => "Limits",
+        _ => "Refinement",
     }
 }

@@ -3,11 +3,9 @@
 use std::path::Path;
 
 use trimalla::domain::DomainRule;
-use trimalla::refine::{Limits, Protect};
-use trimalla_io::RecipeFile;
+use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Value};
 
 use crate::console::shown;
-use crate::recipe_file;
 
 /// A command line under construction. Recipe files are spelled out, so that it holds when they change; outputs are left
 /// out.
@@ -48,23 +46,21 @@ impl CommandLine {
     }
 
     /// Adds recipe, bounds and limits, and returns the command as text.
-    pub(crate) fn with_refinement(self, asked: &RecipeFile, picks: &[usize]) -> String {
-        let mut line = self.with("algorithm", asked.preset.unwrap_or_default().key());
+    pub(crate) fn with_refinement(self, asked: &NamedOptions, picks: &[usize]) -> String {
+        let mut line = self.with("algorithm", asked.preset.unwrap_or_default());
         // --pick says itself that step 2 is manual.
-        let is_said = |option: &str| !picks.is_empty() && option == "select";
-        for (option, key) in recipe_file::changes(asked).into_iter().filter(|change| !is_said(change.0)) {
-            line = line.with(option, key);
+        let is_said = |option: &OptionRow| !picks.is_empty() && option.key == "select";
+        for (option, value) in asked.changed_steps().filter(|(option, _)| !is_said(option)) {
+            line = line.with(option.flag, value);
         }
-        let bounds =
-            [("min-angle", asked.min_angle_deg), ("max-area", asked.max_area), ("max-aspect", asked.max_aspect_ratio)];
-        for (option, bound) in bounds {
-            line = bound.into_iter().fold(line, |line, bound| line.with(option, bound));
+        for group in [Group::Criteria, Group::Protect, Group::Limits] {
+            for option in OPTIONS.iter().filter(|option| option.group == group) {
+                // The angle is named in any case: most runs are about that.
+                let is_told =
+                    |value: &Value| option.key == "min-angle" || option.default_value().as_ref() != Some(value);
+                line = option.get(asked).filter(is_told).into_iter().fold(line, |line, v| line.with(option.flag, v));
+            }
         }
-        let protect = asked.protect.unwrap_or_default();
-        line = line.with_unless("protect", protect, Protect::default(), |protect| protect.key().to_owned());
-        let budget = Limits::default().max_vertices;
-        line = line.with_unless("max-vertices", asked.max_vertices.unwrap_or(budget), budget, |n| n.to_string());
-        line = asked.length_floor.into_iter().fold(line, |line, floor| line.with("length-floor", floor));
         if !picks.is_empty() {
             let numbers: Vec<String> = picks.iter().map(ToString::to_string).collect();
             line = line.with("pick", numbers.join(","));

@@ -6,9 +6,8 @@ use trimalla::Meshed;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::{Point, Triangle};
 use trimalla::quality::aspect_ratio;
-use trimalla::refine::{Leftover, Missed, Overview, Protect, Reason, RefineOptions, Report, StopReason};
+use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, RefineOptions, Report, StopReason};
 use trimalla_compare::facts;
-use trimalla_io::RecipeFile;
 
 use crate::console::{self, count};
 use crate::input::Input;
@@ -56,7 +55,7 @@ pub(crate) fn add_before(lines: &mut Lines, before: Option<Overview>) {
 }
 
 /// The outcome of a refinement, with its bounds.
-pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &RecipeFile, missed: &MissedBounds) {
+pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &NamedOptions, missed: &MissedBounds) {
     lines.row("angles", angles([report.min_angle_deg, report.max_angle_deg]));
     let bounds = bounds(asked);
     if report.leftovers.is_empty() {
@@ -77,7 +76,7 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &RecipeFile
 }
 
 /// Every bound on triangles.
-fn bounds(asked: &RecipeFile) -> String {
+fn bounds(asked: &NamedOptions) -> String {
     let angle = format!("angle {} degrees", asked.min_angle_deg.unwrap_or_default());
     let area = asked.max_area.map(|area| format!("area {area}"));
     let aspect_ratio = asked.max_aspect_ratio.map(|ratio| format!("aspect ratio {ratio}"));

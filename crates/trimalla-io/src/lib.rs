@@ -106,3 +106,8 @@ pub use svg::SvgOptions;
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
 };
+
+/// The README's example, compiled as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

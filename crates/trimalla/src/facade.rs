@@ -11,6 +11,8 @@ use crate::refine::{
 
 /// How a drawing is read before it is triangulated or meshed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct DomainOptions {
     /// What belongs to the domain.
     pub rule: DomainRule,
@@ -23,6 +25,8 @@ pub struct DomainOptions {
 
 /// The options of [`mesh`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct MeshOptions {
     /// How the drawing is read.
     pub domain: DomainOptions,
@@ -76,6 +80,9 @@ fn first_of(faults: &[InputFault]) -> String {
 /// # assert!(mesh.triangles.len() > 2);
 /// # Ok::<(), trimalla::Error>(())
 /// ```
+#[doc(alias = "generate_mesh")]
+#[doc(alias = "malla")]
+#[doc(alias = "mallado")]
 pub fn mesh(pslg: &Pslg, options: &MeshOptions) -> Result<(IndexedMesh, Report), Error> {
     mesh_with(pslg, options, &mut NoObserver).map(|meshed| (meshed.mesh, meshed.report))
 }
@@ -157,6 +164,7 @@ fn refined(
 /// assert_eq!(again.mesh, fine.mesh);
 /// # Ok::<(), trimalla::Error>(())
 /// ```
+#[doc(alias = "refinar")]
 pub fn refine_mesh(mesh: &IndexedMesh, input: Option<&Pslg>, options: &RefineOptions) -> Result<Meshed, Error> {
     refine_mesh_with(mesh, &[], input, options, &mut NoObserver)
 }
@@ -202,6 +210,8 @@ pub fn refine_mesh_with(
 ///
 /// # Source
 /// `[MeshSuite]` 2.6.1.
+#[doc(alias = "conforming Delaunay")]
+#[doc(alias = "triangulación Delaunay conforme")]
 pub fn triangulate_conforming(
     pslg: &Pslg,
     options: &DomainOptions,
@@ -217,6 +227,8 @@ pub fn triangulate_conforming(
 ///
 /// # Errors
 /// [`DomainError`].
+#[doc(alias = "triangular")]
+#[doc(alias = "triangulación")]
 pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
     let (cdt, warnings) = domain::build_exactly(pslg, options.rule, options.crossings, options.algorithm)?;
     Ok((cdt.into_indexed(pslg), warnings))

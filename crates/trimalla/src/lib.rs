@@ -47,12 +47,24 @@
 //! * [`quality`]: statistics, meshes compared with their input
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
+//! # Features
+//! None is on by default. Each only adds.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `serde` | `Serialize` and `Deserialize` for options, criteria, recipes, reports, [`Pslg`], [`IndexedMesh`], points and what they are made of; [`NamedOptions`](refine::NamedOptions) as recipe files have them |
+//! | `mint` | conversions of [`Point`] and [`Vector`](geometry::Vector) from and to those of `mint` |
+//! | `geo-types` | points, rings and polygons of `geo-types` as [`Point`] and [`Pslg`]; meshes as its triangles |
+//!
 //! # What holds everywhere
 //! * Topology is decided by exact signs, never by an epsilon. Constructed points are rounded and proved again.
 //! * Input vertices appear in the output first, in order, bit for bit.
 //! * The same input gives the same bytes: no hash order, no clock, no unseeded randomness.
 //! * Every loop is bounded. Errors are values that name indices and coordinates; nothing prints, nothing panics on
 //!   input.
+
+#[macro_use]
+mod by_key;
 
 pub mod constrained;
 pub mod delaunay;

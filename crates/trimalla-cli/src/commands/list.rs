@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use clap::Args;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{Protect, Row, registry};
+use trimalla::refine::{Group, OPTIONS, OptionRow, Row};
 use trimalla_io::Format;
 
 use crate::commands::triangulate;
@@ -21,39 +21,11 @@ pub(crate) fn run(_: &Options) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// What each choice of a recipe is about, in the order of the registry.
-const OPTIONS: [(&str, &str); 15] = [
-    ("preset", "algorithms: recipes by name (mesh --algorithm, compare --algorithms)"),
-    ("initial", "initial triangulation (mesh --initial)"),
-    ("fill", "filling: what wide parts are filled with first, under an area bound (mesh --fill)"),
-    ("prepare", "step 1, prepare: what is done to segments first (mesh --prepare)"),
-    ("prepare-when", "step 1, when (mesh --prepare-when)"),
-    ("encroachment", "step 1, encroachment: the region kept free around segments (mesh --encroachment)"),
-    ("select", "step 2, select: which bad triangle is next (mesh --select)"),
-    ("until-destroyed", "step 2, until destroyed (mesh --until-destroyed)"),
-    ("point", "step 3, point: where the new vertex goes (mesh --point)"),
-    ("lepp-stop", "step 3, LEPP: where paths end besides at a mutual longest edge (mesh --lepp-stop)"),
-    ("centroid", "step 3, lepp-centroid: which centroid (mesh --centroid)"),
-    (
-        "constrained-second",
-        "step 3, lepp-midpoint and lepp-centroid: constrained second-longest edges are split instead (mesh --constrained-second)",
-    ),
-    ("terminal", "step 3, lepp-circumcenter and lepp-off-center: the center is that of (mesh --terminal)"),
-    ("insert", "step 4, insert: how it goes in (mesh --insert)"),
-    ("recover", "step 5, recover: what becomes of interior segments (mesh --recover)"),
-];
-
 fn text() -> String {
     let mut text = String::new();
-    let rows = registry();
-    for (option, title) in OPTIONS {
-        add(&mut text, title, rows.iter().filter(|row| row.option == option).map(with_source));
+    for option in OPTIONS.iter().filter(|option| !option.title.is_empty()) {
+        add(&mut text, &title(option), option.values.rows().iter().map(with_source));
     }
-    add(
-        &mut text,
-        "segments that stay whole (mesh --protect)",
-        Protect::ALL.iter().map(|p| (p.key(), p.summary().to_owned())),
-    );
     add(
         &mut text,
         "triangulators (triangulate --algorithm, and but for the last mesh --triangulator)",
@@ -68,6 +40,12 @@ fn text() -> String {
     text.truncate(text.trim_end().len());
     text.push('\n');
     text
+}
+
+/// What the keys of an option are about, and where they go.
+fn title(option: &OptionRow) -> String {
+    let also = if option.group == Group::Preset { ", compare --algorithms" } else { "" };
+    format!("{} (mesh --{}{also})", option.title, option.flag)
 }
 
 fn with_source(row: &Row) -> (&'static str, String) {

@@ -1,4 +1,4 @@
-//! The subcommands.
+//! The program and its subcommands.
 
 pub(crate) mod check;
 pub(crate) mod compare;
@@ -9,8 +9,41 @@ pub(crate) mod refine;
 pub(crate) mod stats;
 pub(crate) mod triangulate;
 
-use crate::args::{Command, Program};
-use crate::exit::{Failure, Status};
+use clap::{Parser, Subcommand};
+
+use crate::exit::{Failure, STATUSES, Status};
+
+/// Triangulates planar drawings and refines them into meshes of good triangles
+#[derive(Debug, Parser)]
+#[command(name = "trimalla", version, after_help = format!("{EXAMPLES}\n\n{STATUSES}"))]
+pub(crate) struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  trimalla mesh key.poly -o key.1.ele         mesh a drawing, no angle below 30 degrees
+  trimalla mesh key.poly -o key.svg           the same, as a picture
+  trimalla check key.1.ele --input key.poly   prove the mesh right
+  trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
+                                              refine it further
+  trimalla compare key.poly --markdown        all algorithms at all angles, in a table
+  trimalla list                               algorithms, steps, rules and formats
+
+'trimalla help mesh' explains the options of a subcommand.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Mesh(mesh::Options),
+    Refine(refine::Options),
+    Triangulate(triangulate::Options),
+    Check(check::Options),
+    Stats(stats::Options),
+    Compare(compare::Options),
+    Convert(convert::Options),
+    List(list::Options),
+}
 
 /// Runs the subcommand of the command line.
 pub(crate) fn run(program: Program) -> Result<Status, Failure> {

@@ -79,6 +79,8 @@ pub(crate) struct Options {
     #[command(flatten)]
     drawing: DrawingOptions,
 
+    // In every subcommand --algorithm names what makes its result: here a triangulation, in `mesh` a refinement, whose
+    // first triangulation --triangulator names.
     /// How the points are triangulated, on which only the order of triangles in files depends; or a conforming
     /// triangulation
     #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), value_parser = one_of(Kind::all()))]

@@ -1,5 +1,7 @@
 //! From values to places along an axis, and where its ticks are.
 
+use trimalla::geometry::math;
+
 /// An axis of some length, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Axis {
@@ -36,7 +38,7 @@ impl Axis {
     }
 
     fn logarithmic(low: f64, high: f64) -> Self {
-        let decades = (libm::floor(libm::log10(low)) as i32)..=(libm::ceil(libm::log10(high)) as i32);
+        let decades = (math::log10(low).floor() as i32)..=(math::log10(high).ceil() as i32);
         let is_long = decades.clone().count() > 5;
         let leading: &[f64] = if is_long { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let ticks: Vec<f64> = decades.flat_map(|d| leading.iter().map(move |l| l * power_of_ten(d))).collect();
@@ -52,7 +54,7 @@ impl Axis {
 
     /// Where a value lies, from 0 to 1.
     pub(super) fn place(&self, value: f64) -> f64 {
-        let scale = |v: f64| if self.is_log { libm::log10(v) } else { v };
+        let scale = |v: f64| if self.is_log { math::log10(v) } else { v };
         let (low, high) = (scale(self.low), scale(self.high));
         // Halves do not overflow.
         let place = (scale(value) / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0);
@@ -103,7 +105,7 @@ fn nice_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
         return 1.0;
     }
-    let power = power_of_ten(libm::floor(libm::log10(least)) as i32);
+    let power = power_of_ten(math::log10(least).floor() as i32);
     let nice = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|&s| s >= least * (1.0 - 1e-9));
     nice.unwrap_or(least)
 }

@@ -6,14 +6,14 @@ use std::str;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Protect, Recover, Select, Terminal,
-};
+use trimalla::refine::{Group, OptionRow, Value, Values};
 
-use super::{CRITERIA, KEYS, LIMITS, RecipeFile};
+use super::RecipeFile;
 use crate::bytes::read_bytes;
 use crate::error::{Fault, IoError, Place, quote};
+
+/// The key that stands for all steps.
+const PRESET: &str = "preset";
 
 /// No recipe is larger: what is, is no recipe.
 const LARGEST: u64 = 1 << 20;
@@ -70,85 +70,44 @@ struct Source<'a> {
 }
 
 impl Source<'_> {
+    /// The preset first, wherever it stands: it would replace every step. A name is the file's own.
     fn recipe(self, table: &DeTable<'_>) -> Result<RecipeFile, IoError> {
-        let entries = self.entries(table, &KEYS)?;
         let mut file = RecipeFile::default();
-        if let Some((.., value)) = entries.iter().find(|(key, ..)| *key == "preset") {
-            file = RecipeFile::of(self.choice(value, Preset::ALL, |p| p.key())?);
-        }
-        for entry in entries {
-            match entry.0 {
-                "criteria" => self.criteria(&mut file, entry.2)?,
-                "limits" => self.limits(&mut file, entry.2)?,
-                _ => self.step(&mut file, &entry)?,
+        let entries = self.entries(table, None)?;
+        let (presets, others): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(key, ..)| *key == PRESET);
+        for (key, _, value) in presets.into_iter().chain(others) {
+            match Group::TABLES.into_iter().find(|name| *name == key) {
+                Some(name) => {
+                    for (key, _, value) in self.entries(self.table(value, name)?, Some(name))? {
+                        self.option(&mut file, Some(name), key, value)?;
+                    }
+                }
+                None => self.option(&mut file, None, key, value)?,
             }
         }
         Ok(file)
     }
 
-    fn step(self, file: &mut RecipeFile, (key, _, value): &Entry<'_>) -> Result<(), IoError> {
-        let recipe = &mut file.recipe;
-        match *key {
-            "name" => file.name = Some(self.string(value, "a name between quotes")?.to_owned()),
-            "initial" => recipe.initial = self.choice(value, Initial::ALL, |c| c.key())?,
-            "fill" => recipe.fill = self.choice(value, Fill::ALL, |c| c.key())?,
-            "prepare" => recipe.prepare = self.choice(value, Prepare::ALL, |c| c.key())?,
-            "prepare-when" => recipe.prepare_when = self.choice(value, PrepareWhen::ALL, |c| c.key())?,
-            "encroachment" => recipe.encroachment = self.choice(value, Encroachment::ALL, |c| c.key())?,
-            "select" => recipe.select = self.choice(value, Select::ALL, |c| c.key())?,
-            "until-destroyed" => recipe.until_destroyed = self.truth(value)?,
-            "point" => recipe.point = self.choice(value, PlacePoint::ALL, |c| c.key())?,
-            "lepp-stop" => recipe.lepp_rule = self.choice(value, &LeppRule::ALL, |c| c.key())?,
-            "centroid" => recipe.centroid = self.choice(value, &Centroid::ALL, |c| c.key())?,
-            "constrained-second" => {
-                recipe.constrained_second = self.choice(value, ConstrainedSecond::ALL, |c| c.key())?;
-            }
-            "terminal" => recipe.terminal = self.choice(value, Terminal::ALL, |c| c.key())?,
-            "insert" => recipe.insert = self.choice(value, Insert::ALL, |c| c.key())?,
-            "recover" => recipe.recover = self.choice(value, Recover::ALL, |c| c.key())?,
-            "protect" => file.protect = Some(self.choice(value, &Protect::ALL, |c| c.key())?),
-            _ => {} // The preset, which came first.
-        }
-        Ok(())
-    }
-
-    fn criteria(self, file: &mut RecipeFile, value: &Spanned<DeValue<'_>>) -> Result<(), IoError> {
-        for (key, _, value) in self.entries(self.table(value, "criteria")?, &CRITERIA)? {
-            match key {
-                "min-angle" => {
-                    let is_angle = |d| (0.0..=60.0).contains(&d);
-                    file.min_angle_deg = Some(self.number(value, "an angle from 0 to 60 degrees", is_angle)?);
-                }
-                "max-area" => {
-                    let is_area = |a: f64| a > 0.0 && a.is_finite();
-                    file.max_area = Some(self.number(value, "a positive finite area", is_area)?);
-                }
-                _ => {
-                    let is_ratio = |r: f64| r >= 1.0 && r.is_finite();
-                    file.max_aspect_ratio = Some(self.number(value, "a finite ratio of at least 1", is_ratio)?);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn limits(self, file: &mut RecipeFile, value: &Spanned<DeValue<'_>>) -> Result<(), IoError> {
-        for (key, _, value) in self.entries(self.table(value, "limits")?, &LIMITS)? {
-            if key == "max-vertices" {
-                file.max_vertices = Some(self.count(value, "a number of vertices")?);
-            } else {
-                let is_length = |l: f64| l >= 0.0 && l.is_finite();
-                file.length_floor = Some(self.number(value, "a finite length of at least 0", is_length)?);
-            }
-        }
-        Ok(())
+    /// Sets the option with a key that is known.
+    fn option(
+        self,
+        file: &mut RecipeFile,
+        table: Option<&'static str>,
+        key: &str,
+        given: &Spanned<DeValue<'_>>,
+    ) -> Result<(), IoError> {
+        let Some(option) = OptionRow::of_table(table).find(|option| option.key == key) else { return Ok(()) };
+        let refused = || self.value(given.span(), &option.values.expected());
+        let value = value(option.values, given.get_ref()).ok_or_else(refused)?;
+        option.set(file, &value).map_err(|_| refused())
     }
 
     /// The entries of a table in the order of the text, so that the first fault is the one that is told.
-    fn entries<'t>(self, table: &'t DeTable<'_>, known: &[&str]) -> Result<Vec<Entry<'t>>, IoError> {
+    fn entries<'t>(self, entries: &'t DeTable<'_>, table: Option<&'static str>) -> Result<Vec<Entry<'t>>, IoError> {
         let mut entries: Vec<Entry<'t>> =
-            table.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value)).collect();
+            entries.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value)).collect();
         entries.sort_by_key(|(_, span, _)| span.start);
+        let known = keys(table);
         match entries.iter().find(|(key, ..)| !known.contains(key)) {
             None => Ok(entries),
             Some((_, span, _)) => Err(self.syntax(span.clone(), &format!("one of the keys {}", known.join(", ")))),
@@ -158,47 +117,6 @@ impl Source<'_> {
     fn table<'t>(self, value: &'t Spanned<DeValue<'_>>, name: &str) -> Result<&'t DeTable<'t>, IoError> {
         let expected = || self.value(value.span(), &format!("a table, such as [{name}]"));
         value.get_ref().as_table().ok_or_else(expected)
-    }
-
-    fn string<'t>(self, value: &'t Spanned<DeValue<'_>>, expected: &str) -> Result<&'t str, IoError> {
-        value.get_ref().as_str().ok_or_else(|| self.value(value.span(), expected))
-    }
-
-    fn truth(self, value: &Spanned<DeValue<'_>>) -> Result<bool, IoError> {
-        value.get_ref().as_bool().ok_or_else(|| self.value(value.span(), "true or false"))
-    }
-
-    fn choice<T: Copy>(
-        self,
-        value: &Spanned<DeValue<'_>>,
-        all: &[T],
-        key: impl Fn(T) -> &'static str,
-    ) -> Result<T, IoError> {
-        let given = value.get_ref().as_str();
-        all.iter().copied().find(|&c| Some(key(c)) == given).ok_or_else(|| {
-            let keys: Vec<&str> = all.iter().map(|&c| key(c)).collect();
-            self.value(value.span(), &format!("one of {}", keys.join(", ")))
-        })
-    }
-
-    fn number(
-        self,
-        value: &Spanned<DeValue<'_>>,
-        expected: &str,
-        is_allowed: impl Fn(f64) -> bool,
-    ) -> Result<f64, IoError> {
-        let number = match value.get_ref() {
-            DeValue::Float(f) => f.as_str().parse().ok(),
-            DeValue::Integer(i) if i.radix() == 10 => i.as_str().parse().ok(),
-            _ => None,
-        };
-        number.filter(|&n| is_allowed(n)).ok_or_else(|| self.value(value.span(), expected))
-    }
-
-    fn count(self, value: &Spanned<DeValue<'_>>, expected: &str) -> Result<usize, IoError> {
-        let integer = value.get_ref().as_integer();
-        let count = integer.and_then(|i| usize::from_str_radix(i.as_str(), i.radix()).ok());
-        count.ok_or_else(|| self.value(value.span(), expected))
     }
 
     fn syntax(self, span: Range<usize>, expected: &str) -> IoError {
@@ -223,5 +141,32 @@ impl Source<'_> {
         };
         let column = (start - line_start) as u64 + 1;
         Fault { place: Place { file: self.name.to_owned(), line, column }, expected: expected.to_owned(), found }
+    }
+}
+
+/// Every key that a table may have, or the file itself.
+pub(super) fn keys(table: Option<&'static str>) -> Vec<&'static str> {
+    let tables = Group::TABLES.iter().copied().filter(|_| table.is_none());
+    OptionRow::of_table(table).map(|option| option.key).chain(tables).collect()
+}
+
+/// A value of the file as one of those that an option takes.
+fn value(values: Values, given: &DeValue<'_>) -> Option<Value> {
+    match values {
+        Values::Keys(_) => values.of_key(given.as_str()?),
+        Values::Truth(_) => given.as_bool().map(Value::Truth),
+        Values::Text(_) => given.as_str().map(|text| Value::Text(text.to_owned())),
+        Values::Count(_) => {
+            let count = given.as_integer()?;
+            usize::from_str_radix(count.as_str(), count.radix()).ok().map(Value::Count)
+        }
+        Values::Number { is_allowed, .. } => {
+            let number = match given {
+                DeValue::Float(number) => number.as_str().parse().ok(),
+                DeValue::Integer(number) if number.radix() == 10 => number.as_str().parse().ok(),
+                _ => None,
+            };
+            number.filter(|&number| is_allowed(number)).map(Value::Number)
+        }
     }
 }

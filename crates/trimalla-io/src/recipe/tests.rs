@@ -1,11 +1,9 @@
 //! Recipes written and read again, and faults by place.
 
-use trimalla::refine::{
-    Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Protect, Recipe, Recover, Select, Terminal,
-};
+use trimalla::refine::{Preset, Protect, Recipe, Select, registry};
 
-use super::{CRITERIA, KEYS, LIMITS, RecipeFile, read, write};
+use super::read::keys;
+use super::{RecipeFile, read, write};
 
 fn bytes(file: &RecipeFile) -> Vec<u8> {
     let mut out = Vec::new();
@@ -35,34 +33,21 @@ fn every_preset_comes_back() {
     }
 }
 
-/// Every choice of every step, one at a time.
+/// Every key of every option, one at a time.
 #[test]
 fn every_choice_comes_back() {
-    let mut recipes: Vec<Recipe> = Vec::new();
-    let base = Recipe::default();
-    recipes.extend(Initial::ALL.iter().map(|&initial| Recipe { initial, ..base }));
-    recipes.extend(Fill::ALL.iter().map(|&fill| Recipe { fill, ..base }));
-    recipes.extend(Prepare::ALL.iter().map(|&prepare| Recipe { prepare, ..base }));
-    recipes.extend(PrepareWhen::ALL.iter().map(|&prepare_when| Recipe { prepare_when, ..base }));
-    recipes.extend(Encroachment::ALL.iter().map(|&encroachment| Recipe { encroachment, ..base }));
-    recipes.extend(Select::ALL.iter().map(|&select| Recipe { select, ..base }));
-    recipes.extend([true, false].map(|until_destroyed| Recipe { until_destroyed, ..base }));
-    recipes.extend(PlacePoint::ALL.iter().map(|&point| Recipe { point, ..base }));
-    recipes.extend(LeppRule::ALL.iter().map(|&lepp_rule| Recipe { lepp_rule, ..base }));
-    recipes.extend(Centroid::ALL.iter().map(|&centroid| Recipe { centroid, ..base }));
-    recipes.extend(ConstrainedSecond::ALL.iter().map(|&constrained_second| Recipe { constrained_second, ..base }));
-    recipes.extend(Terminal::ALL.iter().map(|&terminal| Recipe { terminal, ..base }));
-    recipes.extend(Insert::ALL.iter().map(|&insert| Recipe { insert, ..base }));
-    recipes.extend(Recover::ALL.iter().map(|&recover| Recipe { recover, ..base }));
-    for recipe in recipes {
-        comes_back(&RecipeFile { recipe, ..RecipeFile::default() });
+    for (option, row) in registry() {
+        let mut file = RecipeFile::default();
+        option.set(&mut file, &option.values.of_key(row.key).unwrap()).unwrap();
+        assert_eq!(option.get(&file).unwrap().to_string(), row.key, "{}", option.key);
+        comes_back(&file);
     }
 }
 
 #[test]
 fn numbers_and_names_come_back_bit_for_bit() {
     let numbers = [f64::MIN_POSITIVE, 1e-7, 0.1 + 0.2, 30.0, 1e9, 1.0 / 3.0 * 1e22, f64::MAX];
-    for (number, protect) in numbers.into_iter().zip(Protect::ALL.into_iter().cycle()) {
+    for (number, protect) in numbers.into_iter().zip(Protect::ALL.iter().copied().cycle()) {
         comes_back(&RecipeFile {
             name: Some("quote \" backslash \\ tab \t bell \u{7} delete \u{7f} next line \u{85} ñ".to_owned()),
             protect: Some(protect),
@@ -88,11 +73,17 @@ fn unknown_keys_are_named_with_their_place_and_all_that_are_known() {
     let text = fault("preset = \"sanhueza\"\n  selekt = 1\n");
     assert!(text.starts_with("r.toml:2:3: expected one of the keys "), "{text}");
     assert!(text.ends_with(", found 'selekt'"), "{text}");
-    assert!(KEYS.iter().all(|key| text.contains(key)), "{text}");
+    assert!(keys(None).iter().all(|key| text.contains(key)), "{text}");
     let text = fault("\n[criteria]\nmin-angle = 3\nmax-length = 2\n");
-    assert_eq!(text, format!("r.toml:4:1: expected one of the keys {}, found 'max-length'", CRITERIA.join(", ")));
+    assert_eq!(
+        text,
+        format!("r.toml:4:1: expected one of the keys {}, found 'max-length'", keys(Some("criteria")).join(", "))
+    );
     let text = fault("limits.max-time = 2");
-    assert_eq!(text, format!("r.toml:1:8: expected one of the keys {}, found 'max-time'", LIMITS.join(", ")));
+    assert_eq!(
+        text,
+        format!("r.toml:1:8: expected one of the keys {}, found 'max-time'", keys(Some("limits")).join(", "))
+    );
 }
 
 #[test]
@@ -127,6 +118,23 @@ fn what_is_no_toml_is_named_with_its_place() {
     let deep = "a = ".to_owned() + &"[".repeat(100_000);
     assert!(fault(&deep).starts_with("r.toml:1:"));
     assert!(read("\u{feff}select = \"first\"".as_bytes(), "r.toml").is_ok());
+}
+
+/// The feature `serde` of the library and this reader agree on what a recipe says.
+#[test]
+fn serde_reads_what_is_written_here() {
+    for &preset in Preset::ALL {
+        let bounded = RecipeFile { max_area: Some(0.1 + 0.2), name: Some("\t\"".to_owned()), ..RecipeFile::defaults() };
+        for file in [RecipeFile::of(preset), RecipeFile { preset: Some(preset), recipe: preset.recipe(), ..bounded }] {
+            let text = String::from_utf8(bytes(&file)).unwrap();
+            assert_eq!(toml::from_str::<RecipeFile>(&text).unwrap(), file, "{text}");
+        }
+    }
+    let preset_last = "select = \"first\"\npreset = \"lepp-circumcenter\"\n";
+    assert_eq!(toml::from_str::<RecipeFile>(preset_last).unwrap(), read(preset_last.as_bytes(), "r.toml").unwrap());
+    for text in ["selekt = 1", "select = \"worst\"", "[criteria]\nmin-angle = 61", "[limits]\nmax-vertices = 1.5"] {
+        assert!(toml::from_str::<RecipeFile>(text).is_err() && read(text.as_bytes(), "r.toml").is_err(), "{text}");
+    }
 }
 
 proptest::proptest! {

@@ -3,6 +3,8 @@
 use std::fmt::{self, Write as _};
 use std::io::{self, Write};
 
+use trimalla::refine::{Group, OptionRow, Value};
+
 use super::RecipeFile;
 
 /// Writes a recipe: every step, and what is said about criteria and limits. The same recipe gives the same bytes, and
@@ -15,50 +17,28 @@ pub fn write(out: &mut dyn Write, file: &RecipeFile) -> io::Result<()> {
 }
 
 fn text(file: &RecipeFile) -> String {
-    let recipe = &file.recipe;
-    let mut text = Text(String::from("# A recipe of trimalla; 'trimalla list' explains the keys.\n"));
-    text.pair("name", file.name.as_deref().map(Quoted));
-    text.pair("preset", file.preset.map(|p| Quoted(p.key())));
-    text.pair("initial", Some(Quoted(recipe.initial.key())));
-    text.pair("fill", Some(Quoted(recipe.fill.key())));
-    text.pair("prepare", Some(Quoted(recipe.prepare.key())));
-    text.pair("prepare-when", Some(Quoted(recipe.prepare_when.key())));
-    text.pair("encroachment", Some(Quoted(recipe.encroachment.key())));
-    text.pair("select", Some(Quoted(recipe.select.key())));
-    text.pair("until-destroyed", Some(recipe.until_destroyed));
-    text.pair("point", Some(Quoted(recipe.point.key())));
-    text.pair("lepp-stop", Some(Quoted(recipe.lepp_rule.key())));
-    text.pair("centroid", Some(Quoted(recipe.centroid.key())));
-    text.pair("constrained-second", Some(Quoted(recipe.constrained_second.key())));
-    text.pair("terminal", Some(Quoted(recipe.terminal.key())));
-    text.pair("insert", Some(Quoted(recipe.insert.key())));
-    text.pair("recover", Some(Quoted(recipe.recover.key())));
-    text.pair("protect", file.protect.map(|p| Quoted(p.key())));
-    if file.min_angle_deg.or(file.max_area).or(file.max_aspect_ratio).is_some() {
-        text.heading("criteria");
-        text.pair("min-angle", file.min_angle_deg.map(Number));
-        text.pair("max-area", file.max_area.map(Number));
-        text.pair("max-aspect-ratio", file.max_aspect_ratio.map(Number));
+    let mut text = String::from("# A recipe of trimalla; 'trimalla list' explains the keys.\n");
+    add_pairs(&mut text, None, file);
+    for table in Group::TABLES {
+        if OptionRow::of_table(Some(table)).any(|option| option.get(file).is_some()) {
+            let _ = writeln!(text, "\n[{table}]");
+            add_pairs(&mut text, Some(table), file);
+        }
     }
-    if file.max_vertices.is_some() || file.length_floor.is_some() {
-        text.heading("limits");
-        text.pair("max-vertices", file.max_vertices);
-        text.pair("length-floor", file.length_floor.map(Number));
-    }
-    text.0
+    text
 }
 
-struct Text(String);
-
-impl Text {
-    fn heading(&mut self, name: &str) {
-        let _ = writeln!(self.0, "\n[{name}]");
-    }
-
-    fn pair(&mut self, key: &str, value: Option<impl fmt::Display>) {
-        if let Some(value) = value {
-            let _ = writeln!(self.0, "{key} = {value}");
-        }
+/// A line for each option of a table that is said.
+fn add_pairs(text: &mut String, table: Option<&'static str>, file: &RecipeFile) {
+    for option in OptionRow::of_table(table) {
+        let key = option.key;
+        let _ = match option.get(file) {
+            None => Ok(()),
+            Some(Value::Key(value)) => writeln!(text, "{key} = {}", Quoted(value)),
+            Some(Value::Text(value)) => writeln!(text, "{key} = {}", Quoted(&value)),
+            Some(Value::Number(value)) => writeln!(text, "{key} = {}", Number(value)),
+            Some(value @ (Value::Truth(_) | Value::Count(_))) => writeln!(text, "{key} = {value}"),
+        };
     }
 }
 

@@ -1,7 +1,7 @@
 //! The smallest angle of each triangle and its class of five degrees.
 
 use trimalla::drawing::IndexedMesh;
-use trimalla::geometry::Point;
+use trimalla::geometry::{Point, math};
 
 use super::frame::Frame;
 
@@ -52,7 +52,7 @@ fn smallest_angle_deg([a, b, c]: [Point; 3]) -> f64 {
     let cross = u.0 * v.1 - u.1 * v.0;
     // The two other sides run head to tail through the corner, hence the sign.
     let dot = -(u.0 * v.0 + u.1 * v.1);
-    libm::atan2(cross.abs(), dot).to_degrees()
+    math::atan2(cross.abs(), dot).to_degrees()
 }
 
 #[cfg(test)]

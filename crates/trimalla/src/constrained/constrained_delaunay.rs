@@ -33,6 +33,8 @@ use crate::triangulation::{Fault, Triangulation};
 /// assert!(cdt.half_edge_between(VertexId(0), VertexId(2)).is_some());
 /// # Ok::<(), trimalla::constrained::ConstraintError>(())
 /// ```
+#[doc(alias = "CDT")]
+#[doc(alias = "triangulación Delaunay restringida")]
 #[derive(Clone, Debug)]
 pub struct ConstrainedDelaunay {
     data: ConstrainedTriangulation,
@@ -180,6 +182,9 @@ impl ConstrainedDelaunay {
     /// # Complexity
     /// Expected linear in the edges crossed, and in the degree of either end or those of the vertices on the way,
     /// whichever is less. Stretches that overlapping segments cover on the same line cost nothing.
+    #[doc(alias = "insert_constraint")]
+    #[doc(alias = "add_constraint_edge")]
+    #[doc(alias = "arista restringida")]
     pub fn insert_segment(
         &mut self,
         a: VertexId,
@@ -215,6 +220,7 @@ impl ConstrainedDelaunay {
     ///
     /// Vertices on it stay. Edges that bound a carved domain stay constrained. Returns whether there was anything
     /// to remove.
+    #[doc(alias = "remove_constraint")]
     pub fn remove_segment(&mut self, segment: SegmentId) -> bool {
         self.remove_segment_with(segment, &mut NoJournal)
     }
@@ -324,6 +330,8 @@ impl ConstrainedDelaunay {
     ///
     /// # Complexity
     /// Linear in all faces.
+    #[doc(alias = "remove_exterior")]
+    #[doc(alias = "remove_holes")]
     pub fn carve<J: Journal>(&mut self, keep: &[bool], j: &mut J) -> bool {
         self.edit(j).carve(keep)
     }

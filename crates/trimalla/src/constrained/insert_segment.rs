@@ -17,6 +17,7 @@ use crate::geometry::{Point, Segment};
 use crate::half_edge::{Journal, VertexId};
 
 /// What to do where segments cross inside both.
+#[doc(alias = "intersections")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Crossings {
     /// Refuse, naming every pair.
@@ -25,6 +26,31 @@ pub enum Crossings {
     /// Split both at the crossing point, rounded.
     Split,
 }
+
+impl Crossings {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::Refuse, Self::Split];
+
+    /// The key, as the program spells it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Refuse => "refuse",
+            Self::Split => "split",
+        }
+    }
+
+    /// One line on what it does.
+    #[must_use]
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::Refuse => "names every pair of segments that cross, and stops",
+            Self::Split => "puts a vertex at each crossing and splits both segments",
+        }
+    }
+}
+
+serialized_by_key!(Crossings);
 
 impl<J: Journal> Edit<'_, J> {
     /// Inserts segments, one after the other; with crossings refused, an error names all pairs that cross. After an

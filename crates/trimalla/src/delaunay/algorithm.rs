@@ -114,6 +114,8 @@ impl AlgorithmKey {
     }
 }
 
+serialized_by_key!(AlgorithmKey);
+
 impl fmt::Display for AlgorithmKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.key())

@@ -122,6 +122,8 @@ impl Inserted {
 /// assert_eq!(d.face_count(), 4);
 /// # Ok::<(), trimalla::delaunay::BuildError>(())
 /// ```
+#[doc(alias = "triangulación de Delaunay")]
+#[doc(alias = "Voronoi")]
 #[derive(Clone, Debug)]
 pub struct Delaunay {
     t: Triangulation,

@@ -13,6 +13,9 @@ use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::locate::Locus;
 
 /// What belongs to the domain of a drawing.
+#[doc(alias = "even-odd")]
+#[doc(alias = "holes")]
+#[doc(alias = "dominio")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DomainRule {
     /// As Triangle reads drawings: removes what the outside or a hole seed reaches without crossing a segment.
@@ -56,6 +59,8 @@ impl DomainRule {
         }
     }
 }
+
+serialized_by_key!(DomainRule);
 
 /// Triangulates a drawing, without removing anything.
 ///

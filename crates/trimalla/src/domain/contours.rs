@@ -32,6 +32,8 @@ pub enum ContourOrder {
 ///
 /// # Source
 /// `defineOuterContour` and `addInnerContour` of `[Valenzuela09]`, section 5.1.
+#[doc(alias = "contorno")]
+#[doc(alias = "agujero")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Contours {
     /// The outer contour, counter-clockwise.

@@ -8,7 +8,11 @@ use crate::geometry::Point;
 /// # Shape
 /// Optional columns are either empty or have one entry (or `attributes_per_…` entries) an element.
 /// Input vertices come first, in the caller's order, bit for bit; Steiner points follow.
+#[doc(alias = "triangle mesh")]
+#[doc(alias = "malla")]
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct IndexedMesh {
     /// Vertex coordinates.
     pub points: Vec<Point>,

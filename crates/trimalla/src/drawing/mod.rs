@@ -4,6 +4,8 @@
 //! is checked before it is used, and neither needs a triangulation.
 
 mod error;
+#[cfg(feature = "geo-types")]
+mod from_geo;
 mod indexed;
 mod pslg;
 mod rings;

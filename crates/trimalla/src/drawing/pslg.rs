@@ -4,7 +4,10 @@ use super::error::DrawingError;
 use crate::geometry::Point;
 
 /// A region seed: the region around it gets an attribute and, where given, an area bound.
+#[doc(alias = "región")]
+#[doc(alias = "material")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Region {
     /// A point inside the region.
     pub seed: Point,
@@ -19,7 +22,12 @@ pub struct Region {
 /// # Shape
 /// Marker and attribute columns are empty or have one entry (`attributes_per_point` entries) an element.
 /// A `Pslg` holds what a caller or a file says, unchecked; [`validate`](Self::validate) and triangulation check it.
+#[doc(alias = "planar straight-line graph")]
+#[doc(alias = "polygon")]
+#[doc(alias = "grafo")]
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Pslg {
     /// Input vertices; a vertex is named by its index here, always.
     pub points: Vec<Point>,

@@ -6,6 +6,7 @@ use core::fmt;
 
 /// An angle, kept in radians; prints in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Angle(f64);
 
 impl Angle {

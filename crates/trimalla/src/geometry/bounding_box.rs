@@ -7,6 +7,9 @@ use super::Point;
 /// # Guarantees
 /// Nothing here overflows for corners at ±1e308 except [`width`](Self::width) and [`height`](Self::height), which say
 /// so.
+#[doc(alias = "AABB")]
+#[doc(alias = "bbox")]
+#[doc(alias = "rectángulo")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundingBox {
     /// The corner with the smallest coordinates.

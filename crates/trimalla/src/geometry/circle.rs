@@ -4,6 +4,7 @@ use super::{BoundingBox, Point, Segment};
 
 /// A circle with rounded center and radius.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Circle {
     /// The center.
     pub center: Point,

@@ -27,6 +27,8 @@ pub fn hilbert_key_16(x: u16, y: u16) -> u32 {
 }
 
 /// The key of a cell of the 2^32 by 2^32 grid; a bijection, in which cells of successive keys share a side.
+#[doc(alias = "space-filling curve")]
+#[doc(alias = "BRIO")]
 #[must_use]
 #[inline]
 pub fn hilbert_key_32(x: u32, y: u32) -> u64 {

@@ -1,7 +1,8 @@
 //! Elementary functions with the same bits on every platform, and exact scaling by powers of two.
 //!
 //! The functions of the platform's own library differ in the last bit from one system to the next. These come from the
-//! pinned `libm` crate, compiled from the same source everywhere. `f64::sqrt` is exact and needs no stand-in.
+//! crate `libm`, compiled from the same source everywhere. `f64::sqrt` is exact and needs no stand-in. The test
+//! `elementary` of the laws holds their bits: a release of `libm` that changes one is noticed.
 
 /// The sine of an angle in radians.
 #[must_use]
@@ -71,6 +72,13 @@ pub fn exp(x: f64) -> f64 {
 #[inline]
 pub fn ln(x: f64) -> f64 {
     libm::log(x)
+}
+
+/// The logarithm to the base 10.
+#[must_use]
+#[inline]
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
 }
 
 /// The power of `base` to `exponent`.

@@ -10,6 +10,8 @@ mod box_tree;
 mod circle;
 mod containment;
 mod frame;
+#[cfg(feature = "mint")]
+mod from_mint;
 mod hilbert;
 pub(crate) mod lanes;
 pub mod math;

@@ -5,6 +5,7 @@ use core::ops::{Add, Sub};
 
 /// A point of the plane, in the caller's coordinate units; y points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Point {
     /// Abscissa.
     pub x: f64,
@@ -14,6 +15,7 @@ pub struct Point {
 
 /// A displacement between two points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vector {
     /// Displacement along x.
     pub x: f64,

@@ -9,6 +9,7 @@ use super::{BoundingBox, Point, Strip, Vector, lexicographically_less};
 
 /// A straight segment between two points, which may coincide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment {
     /// The end it starts from.
     pub start: Point,

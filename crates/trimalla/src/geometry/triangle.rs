@@ -7,6 +7,7 @@ use super::{Angle, Circle, Containment, Point, Segment, Vector, lexicographicall
 
 /// A triangle; edge `i` is the one opposite corner `i`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Triangle {
     /// The corners.
     pub corners: [Point; 3],
@@ -81,6 +82,8 @@ impl Triangle {
     /// The index of the longest edge by rounded lengths, the first of equal ones.
     ///
     /// Callers that must not depend on where the corners start break ties by vertex ids.
+    #[doc(alias = "getLongestEdge")]
+    #[doc(alias = "arista más larga")]
     #[must_use]
     pub fn longest_edge(&self) -> usize {
         let lengths = self.local_lengths_sq();
@@ -98,6 +101,8 @@ impl Triangle {
     ///
     /// # Guarantees
     /// Finite for finite corners.
+    #[doc(alias = "barycenter")]
+    #[doc(alias = "centroide")]
     #[must_use]
     pub fn centroid(&self) -> Point {
         let view = View::of(self);
@@ -122,6 +127,7 @@ impl Triangle {
     /// let [a, b, c] = [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]].map(Point::from);
     /// assert_eq!(Triangle::new(a, b, c).incenter(), Point::new(1.0, 1.0));
     /// ```
+    #[doc(alias = "incentro")]
     #[must_use]
     pub fn incenter(&self) -> Point {
         let view = View::of(self);
@@ -139,6 +145,7 @@ impl Triangle {
     /// # Guarantees
     /// `None` if the corners are collinear (exactly), or so nearly that the center is not a finite point. The result
     /// does not depend on the order of the corners.
+    #[doc(alias = "circuncentro")]
     #[must_use]
     pub fn circumcenter(&self) -> Option<Point> {
         let view = View::of(self);

@@ -29,6 +29,9 @@ impl HalfEdge {
 /// # Guarantees
 /// Equality compares every array, dead slots and free lists included: two equal meshes answer every
 /// later operator alike.
+#[doc(alias = "DCEL")]
+#[doc(alias = "doubly connected edge list")]
+#[doc(alias = "halfedge")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct HalfEdgeMesh {
     pub(super) half_edges: Vec<HalfEdge>,

@@ -78,6 +78,7 @@ pub struct Entry {
 }
 
 /// Receives overwritten entries from the setters.
+#[doc(alias = "undo")]
 pub trait Journal {
     /// Whether the journal records anything; if not, setters skip the call.
     const ACTIVE: bool;
@@ -102,6 +103,9 @@ impl Journal for NoJournal {
 pub struct Checkpoint(pub(crate) usize);
 
 /// A journal that records every overwritten entry.
+#[doc(alias = "undo")]
+#[doc(alias = "rollback")]
+#[doc(alias = "deshacer")]
 #[derive(Clone, Debug, Default)]
 pub struct UndoLog {
     entries: Vec<Entry>,

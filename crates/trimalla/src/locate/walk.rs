@@ -44,6 +44,9 @@ impl Triangulation {
     ///
     /// # Complexity
     /// About √n steps on evenly spread points; linear at worst.
+    #[doc(alias = "point location")]
+    #[doc(alias = "find_triangle")]
+    #[doc(alias = "localizar")]
     #[must_use]
     pub fn locate(&self, p: Point) -> Locus {
         let start = (0..self.face_slots()).rev().map(FaceId::from_index).find(|&f| self.is_real(f));

@@ -9,6 +9,8 @@ use crate::geometry::{Angle, Triangle};
 ///
 /// # Source
 /// Computed as `1 / (8 sin(A/2) sin(B/2) sin(C/2))`, which equals the ratio of the radii.
+#[doc(alias = "quality")]
+#[doc(alias = "calidad")]
 #[must_use]
 pub fn aspect_ratio(triangle: &Triangle) -> f64 {
     let half_sines = triangle.angles().map(|a| Angle::from_radians(0.5 * a.radians()).sin());

@@ -53,6 +53,9 @@ impl Default for Bins {
 /// assert_eq!((statistics.edges, statistics.boundary_edges), (5, 4));
 /// assert_eq!(statistics.total_area, 1.0);
 /// ```
+#[doc(alias = "quality")]
+#[doc(alias = "histogram")]
+#[doc(alias = "calidad")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// All vertices.

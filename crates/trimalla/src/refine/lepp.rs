@@ -16,7 +16,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use super::recipe::Row;
+pub use super::recipe::{Centroid, LeppRule};
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::geometry::{Point, Vector, math};
@@ -27,41 +27,9 @@ use crate::triangulation::{Closure, Triangulation};
 /// Areas above this, in the ruler's squared units, lose nothing to underflow when they weigh lengths.
 const LEAST_AREA: f64 = 1e-140;
 
-/// Where a path ends besides at a mutual longest edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LeppRule {
-    /// At every constrained edge, also inside: no point beyond it can improve this side.
-    #[default]
-    StopAtConstraints,
-    /// At the boundary alone: the documents' rule.
-    StopAtBoundary,
-}
-
-impl LeppRule {
-    /// Every choice.
-    pub const ALL: [Self; 2] = [Self::StopAtConstraints, Self::StopAtBoundary];
-
-    /// Its key.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::StopAtConstraints => "constraints",
-            Self::StopAtBoundary => "boundary",
-        }
-    }
-
-    /// Its row in the registry.
-    #[must_use]
-    pub const fn row(self) -> Row {
-        let (summary, source) = match self {
-            Self::StopAtConstraints => ("at any constrained edge: no point beyond it can improve this side", ""),
-            Self::StopAtBoundary => ("at the boundary alone, as in the documents", "Valenzuela09"),
-        };
-        Row { step: 3, option: "lepp-stop", key: self.key(), summary, source }
-    }
-}
-
 /// A longest-edge propagation path.
+#[doc(alias = "longest-edge propagation path")]
+#[doc(alias = "camino de propagación")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lepp {
     /// The triangles, from the first to the last; both terminal ones are included.
@@ -81,40 +49,6 @@ impl Lepp {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.faces.is_empty()
-    }
-}
-
-/// Which centroid of the quadrilateral of two terminal triangles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Centroid {
-    /// Of its area: what reproduces the published counts.
-    #[default]
-    Area,
-    /// The average of its four corners: what the documents describe.
-    Average,
-}
-
-impl Centroid {
-    /// Every choice.
-    pub const ALL: [Self; 2] = [Self::Area, Self::Average];
-
-    /// Its key.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Area => "area",
-            Self::Average => "average",
-        }
-    }
-
-    /// Its row in the registry.
-    #[must_use]
-    pub const fn row(self) -> Row {
-        let (summary, source) = match self {
-            Self::Area => ("of the area of the two triangles", "Valenzuela09"),
-            Self::Average => ("the average of their four corners", "MeshSuite"),
-        };
-        Row { step: 3, option: "centroid", key: self.key(), summary, source }
     }
 }
 
@@ -142,6 +76,8 @@ pub fn edges_by_length(t: &Triangulation, ruler: Ruler, f: FaceId) -> [HalfEdgeI
 ///
 /// # Source
 /// `getLongestEdge` of `[Valenzuela09]`.
+#[doc(alias = "getLongestEdge")]
+#[doc(alias = "arista más larga")]
 #[must_use]
 pub fn longest_edge(t: &Triangulation, ruler: Ruler, f: FaceId) -> HalfEdgeId {
     edges_by_length(t, ruler, f)[2]
@@ -165,6 +101,7 @@ pub fn lepp(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> L
 }
 
 /// The terminal edge of the path of a real face, without the path.
+#[doc(alias = "arista terminal")]
 #[must_use]
 pub fn terminal_edge(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule) -> HalfEdgeId {
     follow(t, ruler, first, rule, |_| {})

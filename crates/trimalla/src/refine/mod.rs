@@ -66,12 +66,13 @@ pub(crate) use engine::recovery::make_conforming;
 pub use engine::start::Start;
 pub use event::{Badness, Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
-pub use lepp::{Centroid, Lepp, LeppRule};
-pub use options::{Criteria, Limits, Missed, OptionError, Protect, RefineOptions};
+pub use lepp::Lepp;
+pub use options::{Criteria, Limits, Missed, OptionError, RefineOptions};
 pub use outlook::Outlook;
 pub use recipe::{
-    ConstrainedSecond, Encroachment, Fill, Initial, Insert, PlacePoint, Prepare, PrepareWhen, Preset, Recipe, Recover,
-    Row, Select, Terminal, UnknownKey, registry,
+    Centroid, ConstrainedSecond, Encroachment, Fill, Group, Initial, Insert, LeppRule, NamedOptions, OPTIONS,
+    OptionRow, PlacePoint, Prepare, PrepareWhen, Preset, Protect, Recipe, Recover, Row, Select, Terminal, UnknownKey,
+    Value, Values, WrongValue, registry,
 };
 pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
 pub use ruler::Ruler;

@@ -1,5 +1,6 @@
 //! What is asked of a refinement, and where it stops.
 
+pub(super) use super::recipe::Protect;
 use super::recipe::{Fill, Preset, Recipe};
 use crate::geometry::{Angle, Triangle, math, triangle_angles_at_least};
 use crate::quality::aspect_ratio;
@@ -7,7 +8,13 @@ use crate::quality::aspect_ratio;
 /// What makes a triangle bad.
 ///
 /// A test of the caller's own goes to [`Refinement::with_test`](super::Refinement::with_test).
+#[doc(alias = "quality")]
+#[doc(alias = "bad triangle")]
+#[doc(alias = "calidad")]
+#[doc(alias = "triángulo malo")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Criteria {
     /// The smallest angle a triangle may have; 0 asks for none.
     pub min_angle: Angle,
@@ -19,11 +26,15 @@ pub struct Criteria {
 
 impl Default for Criteria {
     fn default() -> Self {
-        Self { min_angle: Angle::from_degrees(30.0), max_area: None, max_aspect_ratio: None }
+        let min_angle = Angle::from_degrees(Self::DEFAULT_MIN_ANGLE_DEG);
+        Self { min_angle, max_area: None, max_aspect_ratio: None }
     }
 }
 
 impl Criteria {
+    /// The smallest angle that is asked for where nothing is said, in degrees.
+    pub const DEFAULT_MIN_ANGLE_DEG: f64 = 30.0;
+
     /// The angle that no good triangle falls below: what placement and protecting regions are computed for.
     ///
     /// With s the sine of half the smallest angle, R/2r is least where the two other angles are equal, and then
@@ -40,6 +51,8 @@ impl Criteria {
 
 /// Which bounds a triangle misses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Missed {
     /// An angle is below the bound.
     pub angle: bool,
@@ -63,48 +76,10 @@ impl Criteria {
     }
 }
 
-/// Which segments may not be split.
-///
-/// Protected segments keep the guarantee from holding: triangles beside them may stay bad, and are then listed with
-/// the reason `protected segment`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Protect {
-    /// All may be split.
-    #[default]
-    None,
-    /// Those on the boundary of the domain are kept whole.
-    Boundary,
-    /// All are kept whole.
-    All,
-}
-
-impl Protect {
-    /// Every choice.
-    pub const ALL: [Self; 3] = [Self::None, Self::Boundary, Self::All];
-
-    /// Its key.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Boundary => "boundary",
-            Self::All => "all",
-        }
-    }
-
-    /// One line on what it does.
-    #[must_use]
-    pub const fn summary(self) -> &'static str {
-        match self {
-            Self::None => "all segments may be split",
-            Self::Boundary => "those on the boundary of the domain stay whole",
-            Self::All => "all segments stay whole",
-        }
-    }
-}
-
 /// Where a refinement stops although triangles are still bad.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Limits {
     /// No more vertices than this, the input's included.
     pub max_vertices: usize,
@@ -121,6 +96,8 @@ impl Default for Limits {
 
 /// Everything a refinement is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct RefineOptions {
     /// The five steps.
     pub recipe: Recipe,
@@ -188,22 +165,39 @@ impl RefineOptions {
     /// [`OptionError`] names the option and its value.
     pub fn validate(&self) -> Result<(), OptionError> {
         let degrees = self.criteria.min_angle.degrees();
-        if !(0.0..=60.0).contains(&degrees) {
-            return Err(OptionError::MinAngle(degrees));
-        }
-        match self.criteria.max_area {
-            Some(a) if !(a > 0.0 && a.is_finite()) => return Err(OptionError::MaxArea(a)),
-            _ => {}
-        }
-        match self.criteria.max_aspect_ratio {
-            Some(r) if !(r >= 1.0 && r.is_finite()) => return Err(OptionError::MaxAspectRatio(r)),
-            _ => {}
-        }
-        match self.limits.length_floor {
-            Some(l) if !(l >= 0.0 && l.is_finite()) => Err(OptionError::LengthFloor(l)),
-            _ => Ok(()),
+        let refused = |value: Option<f64>, is_allowed: fn(f64) -> bool| value.filter(|&value| !is_allowed(value));
+        if !is_angle_deg(degrees) {
+            Err(OptionError::MinAngle(degrees))
+        } else if let Some(area) = refused(self.criteria.max_area, is_area) {
+            Err(OptionError::MaxArea(area))
+        } else if let Some(ratio) = refused(self.criteria.max_aspect_ratio, is_aspect_ratio) {
+            Err(OptionError::MaxAspectRatio(ratio))
+        } else if let Some(length) = refused(self.limits.length_floor, is_length) {
+            Err(OptionError::LengthFloor(length))
+        } else {
+            Ok(())
         }
     }
+}
+
+/// Whether a smallest angle of so many degrees can be asked for: the smallest angle of no triangle exceeds 60.
+pub(super) fn is_angle_deg(degrees: f64) -> bool {
+    (0.0..=60.0).contains(&degrees)
+}
+
+/// Whether it is a largest area.
+pub(super) fn is_area(area: f64) -> bool {
+    area > 0.0 && area.is_finite()
+}
+
+/// Whether it is a largest aspect ratio.
+pub(super) fn is_aspect_ratio(ratio: f64) -> bool {
+    ratio >= 1.0 && ratio.is_finite()
+}
+
+/// Whether it is a length floor.
+pub(super) fn is_length(length: f64) -> bool {
+    length >= 0.0 && length.is_finite()
 }
 
 /// An option outside its range, or a triangulation that there is nothing to refine of.

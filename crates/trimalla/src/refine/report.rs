@@ -79,6 +79,8 @@ impl Reason {
     }
 }
 
+serialized_by_key!(Reason, StopReason);
+
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.key())
@@ -101,8 +103,25 @@ pub enum StopReason {
     NoLongerImproves,
 }
 
+impl StopReason {
+    /// Every reason.
+    pub const ALL: [Self; 4] = [Self::Finished, Self::Budget, Self::Cancelled, Self::NoLongerImproves];
+
+    /// The reason in words, as JSON spells it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Finished => "finished",
+            Self::Budget => "budget",
+            Self::Cancelled => "cancelled",
+            Self::NoLongerImproves => "no longer improves",
+        }
+    }
+}
+
 /// A triangle that stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Leftover {
     /// Index among the triangles of the mesh.
     pub triangle: usize,
@@ -114,6 +133,8 @@ pub struct Leftover {
 
 /// What came of a refinement.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
 pub struct Report {
     /// The recipe.
     pub recipe: Recipe,

@@ -21,6 +21,7 @@ pub type Clock = fn() -> u64;
 
 /// Seconds that the parts of a refinement took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StepTimes {
     /// Step 1: subsegments looked at and split, and the free vertices in their way deleted.
     pub prepare: f64,

@@ -7,6 +7,7 @@ impl Triangulation {
     /// The triangles, each rotated to its smallest vertex id, sorted.
     ///
     /// Algorithms, insertion orders and thread counts must agree on it; slots may differ.
+    #[doc(alias = "canonical form")]
     #[must_use]
     pub fn canonical(&self) -> Vec<[VertexId; 3]> {
         let mut list: Vec<_> = self.real_faces().map(|f| rotate_to_smallest(self.face_vertices(f))).collect();

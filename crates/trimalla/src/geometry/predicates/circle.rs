@@ -60,6 +60,9 @@ const CIRCLE_GUARD: f64 = f64::from_bits((1023 - 500) << 52); // 2^-500
 ///
 /// # Source
 /// `[Shewchuk97]`, INCIRCLE.
+#[doc(alias = "incircle")]
+#[doc(alias = "circumcircle test")]
+#[doc(alias = "test del círculo")]
 #[must_use]
 #[inline]
 pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> CircleSide {

@@ -16,6 +16,8 @@ use core::cmp::Ordering;
 ///
 /// # Source
 /// The error analysis is that of orientation: two products of rounded differences and one sum.
+#[doc(alias = "encroached")]
+#[doc(alias = "circunferencia diametral")]
 #[must_use]
 #[inline]
 pub fn in_diametral_disk(a: Point, b: Point, p: Point) -> CircleSide {

@@ -185,6 +185,7 @@ pub fn left_on(a: Point, b: Point, p: Point) -> bool {
 }
 
 /// Tells whether three points lie on one line. Exact.
+#[doc(alias = "colineal")]
 #[must_use]
 #[inline]
 pub fn collinear(a: Point, b: Point, c: Point) -> bool {

@@ -44,6 +44,8 @@ pub fn segments_cross_properly(a: Point, b: Point, c: Point, d: Point) -> bool {
 }
 
 /// Tells what the closed segments `ab` and `cd` have in common. Exact; segments of one point are allowed.
+#[doc(alias = "segment intersection")]
+#[doc(alias = "intersección")]
 #[must_use]
 pub fn segment_contact(a: Point, b: Point, c: Point, d: Point) -> SegmentContact {
     if segments_cross_properly(a, b, c, d) {

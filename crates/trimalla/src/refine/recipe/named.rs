@@ -1,0 +1,111 @@
+//! Options with names: what recipe files, command lines and reports are about.
+
+use super::Recipe;
+use super::choices::{Preset, Protect};
+use super::table::{Group, OPTIONS, OptionRow};
+use super::value::Value;
+use crate::geometry::Angle;
+use crate::refine::options::{Criteria, Limits, RefineOptions};
+
+/// A recipe, and whatever is said about criteria and limits.
+///
+/// [`OPTIONS`] lists its fields with their keys: each can be read and set by that. What is not said is
+/// at its default, or left to whoever refines.
+///
+/// # Examples
+/// ```
+/// use trimalla::refine::{NamedOptions, OPTIONS, Preset, Select, Value};
+///
+/// let mut options = NamedOptions::of(Preset::Circumcenter);
+/// let select = OPTIONS.iter().find(|option| option.key == "select").expect("an option");
+/// assert_eq!(select.get(&options), Some(Value::Key("shortest-edge")));
+/// select.set(&mut options, &select.values.of_key("first").expect("a key"))?;
+/// assert_eq!(options.refine_options().recipe.select, Select::First);
+/// # Ok::<(), trimalla::refine::WrongValue>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NamedOptions {
+    /// What the recipe is called.
+    pub name: Option<String>,
+    /// The preset that it started from; the steps below are complete without it.
+    pub preset: Option<Preset>,
+    /// The five steps.
+    pub recipe: Recipe,
+    /// Which segments may not be split.
+    pub protect: Option<Protect>,
+    /// The smallest angle asked for, in degrees.
+    pub min_angle_deg: Option<f64>,
+    /// The largest area allowed, in squared coordinate units.
+    pub max_area: Option<f64>,
+    /// The largest aspect ratio allowed: circumradius over twice the inradius.
+    pub max_aspect_ratio: Option<f64>,
+    /// The vertex budget.
+    pub max_vertices: Option<usize>,
+    /// The shortest distance allowed between vertices, in coordinate units.
+    pub length_floor: Option<f64>,
+}
+
+impl NamedOptions {
+    /// The recipe of a preset; nothing is said about criteria and limits.
+    #[must_use]
+    pub fn of(preset: Preset) -> Self {
+        Self { preset: Some(preset), recipe: preset.recipe(), ..Self::default() }
+    }
+
+    /// The default preset, with every criterion and limit that has a default value.
+    #[must_use]
+    pub fn defaults() -> Self {
+        Self {
+            protect: Some(Protect::default()),
+            min_angle_deg: Some(Criteria::DEFAULT_MIN_ANGLE_DEG),
+            max_vertices: Some(Limits::default().max_vertices),
+            ..Self::of(Preset::default())
+        }
+    }
+
+    /// Gives criteria, protection and limits of which nothing is said their default values.
+    #[must_use]
+    pub fn with_default_bounds(mut self) -> Self {
+        let defaults = Self::defaults();
+        self.protect = self.protect.or(defaults.protect);
+        self.min_angle_deg = self.min_angle_deg.or(defaults.min_angle_deg);
+        self.max_vertices = self.max_vertices.or(defaults.max_vertices);
+        self
+    }
+
+    /// What a refinement is asked by it; what is not said is at its default.
+    #[must_use]
+    pub fn refine_options(&self) -> RefineOptions {
+        let (criteria, limits) = (Criteria::default(), Limits::default());
+        RefineOptions {
+            recipe: self.recipe,
+            criteria: Criteria {
+                min_angle: self.min_angle_deg.map_or(criteria.min_angle, Angle::from_degrees),
+                max_area: self.max_area,
+                max_aspect_ratio: self.max_aspect_ratio,
+            },
+            protect: self.protect.unwrap_or_default(),
+            limits: Limits {
+                max_vertices: self.max_vertices.unwrap_or(limits.max_vertices),
+                length_floor: self.length_floor,
+            },
+        }
+    }
+
+    /// Every option of the five steps with its value.
+    pub fn steps(&self) -> impl Iterator<Item = (&'static OptionRow, Value)> {
+        let steps = OPTIONS.iter().filter(|option| matches!(option.group, Group::Step(_)));
+        steps.filter_map(|option| Some((option, option.get(self)?)))
+    }
+
+    /// The options of the steps that are not those of the preset, or of the default preset where none is named.
+    pub fn changed_steps(&self) -> impl Iterator<Item = (&'static OptionRow, Value)> {
+        let of_preset = Self::of(self.preset.unwrap_or_default());
+        self.steps().filter(move |(option, value)| option.get(&of_preset).as_ref() != Some(value))
+    }
+
+    /// Takes all steps from a preset. A name that there was is that of other steps.
+    pub fn take_preset(&mut self, preset: Preset) {
+        (self.name, self.preset, self.recipe) = (None, Some(preset), preset.recipe());
+    }
+}
