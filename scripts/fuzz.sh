@@ -3,4 +3,4 @@
 set -eu
 cd "$(dirname "$0")/.."
 cargo build --quiet --release --locked --manifest-path fuzz/Cargo.toml --bin trimalla-fuzz
-exec fuzz/target/release/trimalla-fuzz "$@"
+exec "${CARGO_TARGET_DIR:-fuzz/target}/release/trimalla-fuzz" "$@"
