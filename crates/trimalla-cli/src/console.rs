@@ -44,6 +44,14 @@ pub(crate) fn note(kind: &str, message: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {message}");
 }
 
+/// Prints the messages and hints of a failure, and returns the status to end with.
+pub(crate) fn report(failure: Failure) -> Status {
+    let (messages, hints, status) = failure.into_parts();
+    messages.iter().for_each(|message| note("error", message));
+    hints.iter().for_each(|hint| note("hint", hint));
+    status
+}
+
 /// Writes a line that belongs to the note before it.
 pub(crate) fn note_more(line: impl Display) {
     let _ = writeln!(io::stderr(), "  {line}");
@@ -52,6 +60,13 @@ pub(crate) fn note_more(line: impl Display) {
 fn write_all(mut out: impl Write, text: &str) -> io::Result<()> {
     out.write_all(text.as_bytes())?;
     out.flush()
+}
+
+/// A number in five digits, as short as they allow.
+pub(crate) fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
+    let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
+    if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }
 }
 
 /// A path for messages: control characters in a name shall not reach a terminal.

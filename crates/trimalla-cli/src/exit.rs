@@ -6,8 +6,6 @@ use trimalla::refine::OptionError;
 use trimalla_compare::CompareError;
 use trimalla_io::IoError;
 
-use crate::console;
-
 /// How the program ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
@@ -87,15 +85,9 @@ impl Failure {
         self.messages
     }
 
-    /// Prints messages and hints, and returns the status to end with.
-    pub(crate) fn report(self) -> Status {
-        for message in self.messages {
-            console::note("error", &message);
-        }
-        for hint in self.hints {
-            console::note("hint", &hint);
-        }
-        self.status
+    /// Messages, hints, and the status to end with.
+    pub(crate) fn into_parts(self) -> (Vec<String>, Vec<String>, Status) {
+        (self.messages, self.hints, self.status)
     }
 }
 

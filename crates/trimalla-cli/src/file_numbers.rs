@@ -8,9 +8,8 @@ use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
 
-use crate::console::count;
+use crate::console::{count, short};
 use crate::exit::{Failure, Status};
-use crate::foresight::short;
 use crate::input::Input;
 use crate::records::{Record, Records};
 

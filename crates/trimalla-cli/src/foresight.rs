@@ -5,10 +5,10 @@ use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
 use trimalla::refine::{
-    Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions, Refinement,
+    Beginning, Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions,
 };
 
-use crate::console;
+use crate::console::{self, short};
 use crate::file_numbers::FileNumbers;
 use crate::progress::Watch;
 
@@ -127,8 +127,8 @@ impl Observer for Foresight<'_> {
         }
     }
 
-    fn begins(&mut self, refinement: &mut Refinement) {
-        self.watch.begins(refinement);
+    fn begins(&mut self, begun: &mut dyn Beginning) {
+        self.watch.begins(begun);
     }
 
     fn progress(&mut self, progress: Progress) -> bool {
@@ -146,13 +146,6 @@ impl Observer for Foresight<'_> {
     fn event(&mut self, event: &Event, cdt: &ConstrainedTriangulation) {
         self.watch.event(event, cdt);
     }
-}
-
-/// A number in five digits, as short as they allow.
-pub(crate) fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
-    let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
-    if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }
 }
 
 /// A large number in two digits.

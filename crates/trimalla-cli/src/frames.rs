@@ -7,8 +7,6 @@ use trimalla::geometry::{BoundingBox, Point};
 use trimalla::half_edge::VertexId;
 use trimalla::refine::{Event, Name};
 
-use crate::trace::outcome_key;
-
 /// Width and height of the picture, in pixels.
 const SIZE: f64 = 800.0;
 /// Room around the drawing and for the line of text above it.
@@ -52,7 +50,7 @@ impl<'a> Frame<'a> {
 
     fn title(&self) -> String {
         let Event { number, outcome, inserted, given_up, .. } = self.event;
-        let mut text = format!("step {number}: {}", outcome_key(*outcome));
+        let mut text = format!("step {number}: {}", outcome.key());
         if let Some(why) = self.event.why() {
             let _ = write!(text, ", selected for its {why}");
         }

@@ -9,7 +9,7 @@ use trimalla::refine::{self, Group, NamedOptions, OPTIONS, OptionRow, Overview, 
 use crate::console;
 use crate::exit::Failure;
 use crate::missed::MissedBounds;
-use crate::refining::Outcome;
+use crate::outcome::Outcome;
 
 /// The report of a refinement.
 pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Value {

@@ -24,6 +24,7 @@ mod frames;
 mod input;
 mod json;
 mod missed;
+mod outcome;
 mod outputs;
 mod picks;
 mod progress;
@@ -44,6 +45,6 @@ use clap::Parser as _;
 fn main() -> ExitCode {
     match commands::run(commands::Program::parse()) {
         Ok(status) => status.into(),
-        Err(failure) => failure.report().into(),
+        Err(failure) => console::report(failure).into(),
     }
 }

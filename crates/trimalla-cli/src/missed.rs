@@ -1,9 +1,8 @@
 //! The bounds that leftover triangles miss.
 
 use trimalla::drawing::IndexedMesh;
+use trimalla::geometry::{Point, Triangle};
 use trimalla::refine::{Criteria, Missed, Report};
-
-use crate::text::corners;
 
 /// The bounds that each leftover misses, and how many miss each; one that misses several counts in each.
 #[derive(Debug, Default)]
@@ -38,4 +37,11 @@ impl MissedBounds {
     pub(crate) fn counts(&self) -> [(&'static str, usize); 3] {
         [("angle", self.angle), ("area", self.area), ("aspect ratio", self.aspect_ratio)]
     }
+}
+
+/// The corners of a triangle, if all are there.
+pub(crate) fn corners(mesh: &IndexedMesh, triangle: usize) -> Option<Triangle> {
+    let point = |v: u32| -> Option<Point> { mesh.points.get(v as usize).copied() };
+    let [a, b, c] = *mesh.triangles.get(triangle)?;
+    Some(Triangle::new(point(a)?, point(b)?, point(c)?))
 }

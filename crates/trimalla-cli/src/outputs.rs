@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use trimalla::drawing::{IndexedMesh, Pslg};
@@ -15,7 +14,7 @@ use crate::console::{self, Stream, count, shown};
 use crate::exit::Failure;
 use crate::input::Input;
 use crate::recipe_file::RecipeFileOptions;
-use crate::targets::{Target, directory_of, is_stdout, place_of};
+use crate::targets::{Target, directory_of, is_stdout, or_reader_left, place_of};
 use crate::trace::TraceOptions;
 
 /// The outputs of a run, written all together or not at all.
@@ -219,14 +218,6 @@ impl Drop for MadeFolders {
         for folder in &self.0 {
             let _ = fs::remove_dir(folder); // Fails where there is something in it.
         }
-    }
-}
-
-/// Ignores the error of a standard output whose reader has closed it.
-pub(crate) fn or_reader_left(path: &Path, written: Result<(), IoError>) -> Result<(), IoError> {
-    match written {
-        Err(IoError::Unwritable { source, .. }) if is_stdout(path) && source.kind() == ErrorKind::BrokenPipe => Ok(()),
-        other => other,
     }
 }
 

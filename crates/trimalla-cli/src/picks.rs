@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use clap::Args;
 use trimalla::half_edge::{FaceId, VertexId};
-use trimalla::refine::{Refinement, Select, Value};
+use trimalla::refine::{Beginning, Select, Value};
 
 use crate::console::count;
 use crate::exit::Failure;
@@ -75,8 +75,8 @@ pub(crate) struct Picks {
 
 impl Picks {
     /// Picks the triangles; returns whether all exist, and keeps the failure if not.
-    pub(crate) fn pick(&self, refinement: &mut Refinement) -> bool {
-        let picked = self.faces(refinement).map(|faces| faces.into_iter().all(|f| refinement.pick(f)));
+    pub(crate) fn pick(&self, begun: &mut dyn Beginning) -> bool {
+        let picked = self.faces(begun).map(|faces| faces.into_iter().all(|f| begun.pick(f)));
         picked.unwrap_or_else(|failure| {
             *self.fault.borrow_mut() = Some(failure);
             false
@@ -88,11 +88,11 @@ impl Picks {
         self.fault.borrow_mut().take().map_or(Ok(()), Err)
     }
 
-    fn faces(&self, refinement: &Refinement) -> Result<Vec<FaceId>, Failure> {
+    fn faces(&self, begun: &dyn Beginning) -> Result<Vec<FaceId>, Failure> {
         if self.numbers.is_empty() {
             return Ok(Vec::new());
         }
-        let cdt = refinement.triangulation();
+        let cdt = begun.triangulation();
         let start: Vec<FaceId> = cdt.real_faces().collect();
         let Some(named) = &self.named else {
             return self.numbers.iter().map(|&n| number_in(n, self.first, start.len()).map(|i| start[i])).collect();

@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::constrained::ConstrainedTriangulation;
-use trimalla::refine::{Clock, Event, Observer, Overview, Progress, Refinement};
+use trimalla::refine::{Beginning, Clock, Event, Observer, Overview, Progress};
 
 use crate::console;
 use crate::exit::{Failure, Status};
@@ -124,10 +124,10 @@ impl Watch {
 }
 
 impl Observer for Watch {
-    fn begins(&mut self, refinement: &mut Refinement) {
+    fn begins(&mut self, begun: &mut dyn Beginning) {
         defer_ctrl_c(); // From here on temporary files may be there.
-        self.before.set(Some(refinement.overview()));
-        self.pick_failed = !self.picks.pick(refinement);
+        self.before.set(Some(begun.overview()));
+        self.pick_failed = !self.picks.pick(begun);
     }
 
     fn progress(&mut self, progress: Progress) -> bool {

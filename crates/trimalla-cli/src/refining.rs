@@ -14,6 +14,7 @@ use crate::console;
 use crate::exit::{Failure, Status};
 use crate::input::Input;
 use crate::missed::MissedBounds;
+use crate::outcome::Outcome;
 use crate::outputs::{self, Outputs};
 use crate::progress::{self, Watch};
 use crate::recipe_file;
@@ -43,17 +44,6 @@ pub(crate) struct RefiningOptions {
     /// a tenth slower.
     #[arg(long, help_heading = "Output")]
     details: bool,
-}
-
-/// The outcome of a refinement, its warnings in the numbers of the input.
-pub(crate) struct Outcome {
-    pub(crate) meshed: Meshed,
-    /// Warnings about the input.
-    pub(crate) warnings: Vec<String>,
-    /// Warnings before the work.
-    pub(crate) foreseen: Vec<String>,
-    /// The angle floor in words, if there are small input angles.
-    pub(crate) floor: Option<String>,
 }
 
 /// Makes a mesh, given options and an observer; the last argument silences warnings before the work.

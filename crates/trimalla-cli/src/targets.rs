@@ -175,3 +175,11 @@ pub(crate) fn directory_of(path: &Path) -> &Path {
         _ => Path::new("."),
     }
 }
+
+/// Ignores the error of a standard output whose reader has closed it.
+pub(crate) fn or_reader_left(path: &Path, written: Result<(), IoError>) -> Result<(), IoError> {
+    match written {
+        Err(IoError::Unwritable { source, .. }) if is_stdout(path) && source.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}

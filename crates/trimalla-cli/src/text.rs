@@ -4,14 +4,13 @@ use std::fmt::Write as _;
 
 use trimalla::Meshed;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla::geometry::{Point, Triangle};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, RefineOptions, Report, StopReason};
 use trimalla_compare::facts;
 
 use crate::console::{self, count};
 use crate::input::Input;
-use crate::missed::MissedBounds;
+use crate::missed::{MissedBounds, corners};
 
 /// Lines of a label and a value, in columns.
 #[derive(Debug, Default)]
@@ -165,13 +164,6 @@ fn describe(mesh: &IndexedMesh, first_index: u32, leftover: &Leftover, missed: &
     let ratio = corners.filter(|_| missed.aspect_ratio).map(|c| format!("aspect ratio {:.2}", aspect_ratio(&c)));
     let what = [angle, area, ratio, Some(leftover.reason.to_string())].into_iter().flatten().collect::<Vec<_>>();
     format!("triangle {number}{}: {}", at.unwrap_or_default(), what.join(", "))
-}
-
-/// The corners of a triangle, if all are there.
-pub(crate) fn corners(mesh: &IndexedMesh, triangle: usize) -> Option<Triangle> {
-    let point = |v: u32| -> Option<Point> { mesh.points.get(v as usize).copied() };
-    let [a, b, c] = *mesh.triangles.get(triangle)?;
-    Some(Triangle::new(point(a)?, point(b)?, point(c)?))
 }
 
 /// The smallest and the largest angle of a mesh in degrees; zeros where there is no triangle.

@@ -11,12 +11,12 @@ use serde_json::{Value, json};
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
-use trimalla::refine::{Candidate, Event, Name, StepOutcome};
+use trimalla::refine::{Candidate, Event, Name};
 use trimalla_io::{Draft, IoError, Outputs, Pictures};
 
 use crate::exit::Failure;
 use crate::frames::Frame;
-use crate::outputs::or_reader_left;
+use crate::targets::or_reader_left;
 
 /// What is recorded of every step.
 #[derive(Clone, Debug, Default, Args)]
@@ -135,7 +135,7 @@ fn line(event: &Event) -> String {
     let candidate = |c: &Candidate| json!({ "point": c.point.map(at), "edge": c.edge.as_ref().map(edge), "refused": c.refused.map(|r| r.key()) });
     json!({
         "step": event.number,
-        "outcome": outcome_key(event.outcome),
+        "outcome": event.outcome.key(),
         "subsegment": event.subsegment.as_ref().map(edge),
         "selected": event.selected.as_ref().map(|s| name(&s.0)),
         "why": event.why(),
@@ -150,19 +150,4 @@ fn line(event: &Event) -> String {
         "made": names(&event.made),
     })
     .to_string()
-}
-
-/// How a step ended, in a word.
-pub(crate) fn outcome_key(outcome: StepOutcome) -> &'static str {
-    match outcome {
-        StepOutcome::Prepared => "prepared",
-        StepOutcome::Subsegment => "subsegment",
-        StepOutcome::Filled => "filled",
-        StepOutcome::Triangle => "triangle",
-        StepOutcome::Recovered => "recovered",
-        StepOutcome::Retried => "retried",
-        StepOutcome::Finished => "finished",
-        StepOutcome::Exhausted => "exhausted",
-        StepOutcome::Stalled => "stalled",
-    }
 }

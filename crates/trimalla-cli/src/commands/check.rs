@@ -12,8 +12,8 @@ use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
 use crate::console::{self, count};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
+use crate::missed::corners;
 use crate::renumber::Renumber as _;
-use crate::text::corners;
 
 /// No more faults than this are named one by one.
 const MOST_FAULTS: usize = 50;

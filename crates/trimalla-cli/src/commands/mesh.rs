@@ -9,7 +9,8 @@ use crate::exit::{Failure, STATUSES, Status};
 use crate::file_numbers::FileNumbers;
 use crate::foresight::Foresight;
 use crate::input::read_drawing;
-use crate::refining::{Job, Outcome, RefiningOptions};
+use crate::outcome::Outcome;
+use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
 use crate::{progress, text};
 

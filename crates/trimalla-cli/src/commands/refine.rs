@@ -11,8 +11,9 @@ use crate::console::{count, shown};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing, read_mesh};
+use crate::outcome::Outcome;
 use crate::progress;
-use crate::refining::{Job, Outcome, RefiningOptions};
+use crate::refining::{Job, RefiningOptions};
 use crate::renumber::Renumber as _;
 use crate::repeat::CommandLine;
 

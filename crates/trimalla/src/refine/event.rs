@@ -2,7 +2,7 @@
 //!
 //! Events are made only for those who step; a run notes nothing.
 
-use super::report::Reason;
+use super::reason::Reason;
 use crate::geometry::Point;
 use crate::half_edge::VertexId;
 
@@ -29,6 +29,24 @@ pub enum StepOutcome {
     /// More vertices leave no fewer bad triangles: see
     /// [`StopReason::NoLongerImproves`](super::StopReason::NoLongerImproves).
     Stalled,
+}
+
+impl StepOutcome {
+    /// How the step ended, in a word.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Prepared => "prepared",
+            Self::Subsegment => "subsegment",
+            Self::Filled => "filled",
+            Self::Triangle => "triangle",
+            Self::Recovered => "recovered",
+            Self::Retried => "retried",
+            Self::Finished => "finished",
+            Self::Exhausted => "exhausted",
+            Self::Stalled => "stalled",
+        }
+    }
 }
 
 /// What is wrong with a bad triangle.

@@ -1,7 +1,7 @@
 //! The shortest lengths: what the caller asks, and what rounding leaves room for.
 
 use super::options::RefineOptions;
-use super::report::Reason;
+use super::reason::Reason;
 use super::ruler::Ruler;
 use super::steps::InsertTraits;
 use crate::constrained::ConstrainedTriangulation;

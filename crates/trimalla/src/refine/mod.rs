@@ -42,9 +42,11 @@ mod forecast;
 mod joints;
 mod lattice;
 pub mod lepp;
+mod observer;
 mod options;
 mod outlook;
 mod queue;
+mod reason;
 mod recipe;
 mod report;
 mod ruler;
@@ -61,19 +63,20 @@ mod tests;
 
 pub use bad_triangles::UserTest;
 pub use engine::Refinement;
-pub use engine::overview::Overview;
 pub(crate) use engine::recovery::make_conforming;
 pub use engine::start::Start;
 pub use event::{Badness, Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use lepp::Lepp;
+pub use observer::{Beginning, NoObserver, Observer, Overview, Progress};
 pub use options::{Criteria, Limits, Missed, OptionError, RefineOptions};
 pub use outlook::Outlook;
+pub use reason::{Reason, StopReason};
 pub use recipe::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Group, Initial, Insert, LeppRule, NamedOptions, OPTIONS,
     OptionRow, PlacePoint, Prepare, PrepareWhen, Preset, Protect, Recipe, Recover, Row, Select, Terminal, UnknownKey,
     Value, Values, WrongValue, registry,
 };
-pub use report::{Leftover, NoObserver, Observer, Progress, Reason, Report, StopReason};
+pub use report::{Leftover, Report};
 pub use ruler::Ruler;
 pub use stopwatch::{Clock, StepTimes};

@@ -4,35 +4,20 @@ mod boundary_shortest_edge;
 mod first;
 mod manual;
 mod shortest_edge;
+mod shortest_sq;
 mod smallest_angle;
 mod smallest_circumradius;
 
 use std::sync::Arc;
 
 use super::recipe::{Recipe, Select};
-use super::ruler::Ruler;
-use super::steps::{SelectStep, View};
-use crate::geometry::Point;
-use crate::half_edge::FaceId;
+use super::steps::SelectStep;
 use boundary_shortest_edge::BoundaryShortestEdge;
 use first::First;
 use manual::Manual;
 use shortest_edge::ShortestEdge;
 use smallest_angle::SmallestAngle;
 use smallest_circumradius::SmallestCircumradius;
-
-/// The square of the shortest edge of a face.
-fn shortest_sq(view: View<'_>, face: FaceId) -> f64 {
-    shortest_sq_of(view.ruler, view.cdt.face_points(face))
-}
-
-/// The square of the shortest edge of a triangle: the same number whatever the order of its corners.
-#[inline]
-fn shortest_sq_of(ruler: Ruler, [a, b, c]: [Point; 3]) -> f64 {
-    let [a, b, c] = [a, b, c].map(|p| ruler.vector(Point::default(), p));
-    let lesser = |x: f64, y: f64| if x < y { x } else { y };
-    lesser(lesser((b - a).length_sq(), (c - b).length_sq()), (a - c).length_sq())
-}
 
 /// The step of a recipe.
 pub(super) fn step(recipe: &Recipe) -> Arc<dyn SelectStep + Send + Sync> {

@@ -25,6 +25,58 @@ pub(crate) fn rooms_named(source: &str, depth: usize) -> Vec<String> {
     names
 }
 
+/// A name that a `use` item brings in.
+pub(crate) struct Use {
+    /// The path, name by name, from `crate`, `super`, `self` or a module on.
+    pub(crate) path: Vec<String>,
+    /// Whether the item hands the name on: `pub use`.
+    pub(crate) is_handed_on: bool,
+}
+
+/// The names that the `use` items of a source bring in; those of modules marked `#[cfg(test)]` do not count.
+pub(crate) fn uses(source: &str) -> Vec<Use> {
+    let tokens = without_test_modules(tokens(source));
+    let mut found = Vec::new();
+    for at in (0..tokens.len()).filter(|&at| tokens[at] == "use") {
+        let end = tokens[at..].iter().position(|t| t == ";").map_or(tokens.len(), |length| at + length);
+        // Before it stands `pub`, or `pub(…)`.
+        let is_handed_on = at > 0 && (tokens[at - 1] == "pub" || tokens[at - 1] == ")");
+        let mut paths = Vec::new();
+        add_paths(&tokens[at + 1..end], &[], &mut paths);
+        found.extend(paths.into_iter().map(|path| Use { path, is_handed_on }));
+    }
+    found
+}
+
+/// Adds the paths of a use tree, each with a prefix before it.
+fn add_paths(tree: &[Token], prefix: &[String], paths: &mut Vec<Vec<String>>) {
+    let mut path = prefix.to_vec();
+    for (at, token) in tree.iter().enumerate() {
+        match token.as_str() {
+            ":" => {}
+            "as" => break,
+            "{" => {
+                let mut depth = 0;
+                let mut start = at + 1;
+                for (end, token) in tree.iter().enumerate().skip(at) {
+                    depth += i32::from(token == "{") - i32::from(token == "}");
+                    if depth == 0 || depth == 1 && token == "," {
+                        if start < end {
+                            add_paths(&tree[start..end], &path, paths);
+                        }
+                        start = end + 1;
+                    }
+                    if depth == 0 {
+                        return;
+                    }
+                }
+            }
+            name => path.push(name.to_owned()),
+        }
+    }
+    paths.push(path);
+}
+
 /// The names of modules that a source declares under `#[cfg(test)]` without a body.
 pub(crate) fn test_files(source: &str) -> Vec<String> {
     let tokens = tokens(source);

@@ -5,6 +5,7 @@ mod common;
 
 mod angle_floor;
 mod check_mesh;
+mod circles;
 mod comments;
 mod constrained_edits;
 mod edits;

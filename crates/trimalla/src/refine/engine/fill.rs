@@ -23,8 +23,8 @@
 //! Ours. The lattice is the densest packing, `[FejesToth53]`.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
+use super::filling::{FillStage, FilledPart, Nodes};
 use super::{Refinement, ends_of};
 use crate::delaunay::insertion_order;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
@@ -43,83 +43,6 @@ const CLEARANCE: f64 = 0.65;
 const LONGEST_SQ: f64 = 3.0;
 /// In triangles narrower than this, squared, in spacings, subsegments may be longer.
 const NARROWEST_SQ: f64 = 0.25;
-
-/// How far the filling is.
-#[derive(Clone, Debug, Default)]
-pub(super) enum FillStage {
-    /// Subsegments are halved; lattices begin at a corner of this box.
-    Segments(BoundingBox),
-    /// Nodes go in.
-    Nodes(Box<Nodes>),
-    /// There is nothing to fill, or no more.
-    #[default]
-    Done,
-}
-
-/// The filling before a node was taken.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TakenNode {
-    near: Option<FaceId>,
-    /// The part that the node is in, and the vertex that was known of it.
-    part: u32,
-    known: VertexId,
-}
-
-impl FillStage {
-    /// Takes it back that a node was taken.
-    pub(super) fn put_back(&mut self, node: TakenNode) {
-        if let Self::Nodes(nodes) = self {
-            nodes.done -= 1;
-            nodes.near = node.near;
-            nodes.parts[node.part as usize].known = node.known;
-        }
-    }
-}
-
-/// What goes in.
-#[derive(Clone, Debug)]
-pub(super) struct Nodes {
-    /// Row by row, and the triangle that each is in.
-    points: Arc<[Point]>,
-    part_of: Arc<[u32]>,
-    /// The order of insertion.
-    order: Arc<[u32]>,
-    /// How many of them have had their turn.
-    done: usize,
-    /// The face at the node that went in last.
-    near: Option<FaceId>,
-    parts: Vec<FilledPart>,
-    bounds: BoundingBox,
-}
-
-/// A triangle that is filled.
-#[derive(Clone, Copy, Debug)]
-struct FilledPart {
-    /// The node that went into it last, before the first one a corner.
-    known: VertexId,
-    /// The square of the clearance.
-    clearance_sq: f64,
-}
-
-impl Nodes {
-    /// The next node, and the triangle that it is in.
-    fn take(&mut self) -> Option<(Point, &mut FilledPart)> {
-        let i = *self.order.get(self.done)? as usize;
-        self.done += 1;
-        Some((self.points[i], &mut self.parts[self.part_of[i] as usize]))
-    }
-
-    /// What is to be remembered before the next node is taken.
-    fn next(&self) -> Option<TakenNode> {
-        let i = *self.order.get(self.done)? as usize;
-        let part = self.part_of[i];
-        Some(TakenNode { near: self.near, part, known: self.parts[part as usize].known })
-    }
-
-    fn left(&self) -> usize {
-        self.order.len() - self.done
-    }
-}
 
 impl Refinement {
     /// Where the filling begins.

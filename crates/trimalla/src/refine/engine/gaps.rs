@@ -17,7 +17,7 @@ use crate::geometry::{Point, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
 use crate::refine::joints::{Piece, common_end};
-use crate::refine::report::Reason;
+use crate::refine::reason::Reason;
 use crate::refine::steps::Proposal;
 
 impl Refinement {

@@ -12,133 +12,15 @@
 //!
 //! Old records are dropped when all of them take more memory than was allowed.
 
-use std::collections::{BTreeSet, VecDeque};
-
 use super::Refinement;
-use super::fill::{FillStage, TakenNode};
-use super::parts::{Ledger, SegmentWork};
-use super::split_segments::Encroached;
-use crate::half_edge::{Checkpoint, Entry, FaceId, UndoLog, VertexId};
+use super::parts::Ledger;
+use super::records::{History, Record, StepRecord};
+use crate::half_edge::{Checkpoint, UndoLog};
 use crate::refine::event::StepOutcome;
-use crate::refine::queue::{Changes, Claim, Queue};
-use crate::refine::report::Reason;
-
-/// Bytes that records of steps may take where the caller does not say: a gibibyte.
-const BYTES: usize = 1 << 30;
+use crate::refine::queue::Changes;
 
 /// Bytes that a copy of a refinement takes for each vertex, about.
 const BYTES_A_VERTEX: usize = 128;
-
-/// A triangle, by its slot and its sorted vertices.
-pub(super) type Picked = (FaceId, [VertexId; 3]);
-
-/// What was done, as far as it can be taken back.
-#[derive(Clone)]
-pub(super) struct History {
-    /// Steps made since the history began.
-    steps: u64,
-    /// Steps among the records.
-    recorded: u64,
-    /// The oldest first.
-    records: VecDeque<Record>,
-    /// The step at work.
-    under_way: Option<Box<StepRecord>>,
-    /// What the records take, about, and what they may take.
-    bytes: usize,
-    most_bytes: usize,
-    /// Whether steps of runs are recorded, too.
-    with_runs: bool,
-}
-
-/// How to take something back.
-#[derive(Clone)]
-enum Record {
-    Step(Box<StepRecord>),
-    /// The refinement as it was before the caller changed options, a step or a test.
-    Change(Box<Refinement>),
-}
-
-/// How to take a step back.
-#[derive(Clone)]
-pub(super) struct StepRecord {
-    triangulation: UndoLog,
-    ledger: Ledger,
-    joined: u64,
-    current: Option<Claim>,
-    changes_at_retry: u64,
-    retries: u32,
-    /// How many waited before the step.
-    encroached: usize,
-    picked: usize,
-    given_up: usize,
-    /// What the step took from the front of these lists.
-    split: Option<Encroached>,
-    taken: Vec<Picked>,
-    /// Subsegments that turned out to be unsplittable.
-    unsplittable: Vec<[VertexId; 2]>,
-    /// What was given up, and unsplittable, before a retry.
-    before_retry: Option<Box<Refusals>>,
-    /// The queue before another one took its place, or what the step changed in it.
-    queue: Option<Box<Queue>>,
-    queue_changes: Changes,
-    /// Work on segments before it was changed.
-    segments: Option<Box<SegmentWork>>,
-    filling: Option<FillStage>,
-    node: Option<TakenNode>,
-}
-
-/// Triangles that were given up, and subsegments that cannot be split.
-pub(super) type Refusals = (Vec<([VertexId; 3], Reason)>, BTreeSet<[VertexId; 2]>);
-
-impl Default for History {
-    fn default() -> Self {
-        Self {
-            steps: 0,
-            recorded: 0,
-            records: VecDeque::new(),
-            under_way: None,
-            bytes: 0,
-            most_bytes: BYTES,
-            with_runs: false,
-        }
-    }
-}
-
-impl Record {
-    /// About how many bytes the record takes.
-    fn bytes(&self) -> usize {
-        let step = match self {
-            Self::Step(step) => step,
-            Self::Change(before) => return before.cdt.points().len() * BYTES_A_VERTEX,
-        };
-        let lists = step.triangulation.len() * size_of::<Entry>() + step.queue_changes.bytes();
-        size_of::<StepRecord>() + lists + step.taken.len() * size_of::<Picked>()
-    }
-}
-
-impl History {
-    fn push(&mut self, record: Record) {
-        self.bytes += record.bytes();
-        self.recorded += u64::from(matches!(record, Record::Step(_)));
-        self.records.push_back(record);
-        while self.bytes > self.most_bytes && self.records.len() > 1 {
-            if let Some(oldest) = self.records.pop_front() {
-                self.forget(&oldest);
-            }
-        }
-    }
-
-    fn pop(&mut self) -> Option<Record> {
-        let record = self.records.pop_back()?;
-        self.forget(&record);
-        Some(record)
-    }
-
-    fn forget(&mut self, record: &Record) {
-        self.bytes -= record.bytes();
-        self.recorded -= u64::from(matches!(record, Record::Step(_)));
-    }
-}
 
 impl Refinement {
     /// Records every step from now on, those of [`run`](Self::run) too, so that [`back`](Self::back) can take it back,
@@ -244,7 +126,10 @@ impl Refinement {
     /// Records that the caller is about to change something other than picks.
     pub(super) fn record_change(&mut self) {
         if let Some(mut history) = self.history.take() {
-            history.push(Record::Change(Box::new(self.clone())));
+            history.push(Record::Change {
+                bytes: self.cdt.points().len() * BYTES_A_VERTEX,
+                before: Box::new(self.clone()),
+            });
             self.history = Some(history);
         }
     }
@@ -273,7 +158,7 @@ impl Refinement {
         // Each round takes a record; the last one is a step.
         while let Some(record) = history.pop().filter(|_| has_step) {
             match record {
-                Record::Change(before) => *self = *before,
+                Record::Change { before, .. } => *self = *before,
                 Record::Step(step) => {
                     history.steps -= 1;
                     self.take_back(*step);
@@ -331,42 +216,5 @@ impl Refinement {
                 return outcome;
             }
         }
-    }
-}
-
-impl StepRecord {
-    /// Notes the subsegment that the step splits.
-    pub(super) fn note_split(&mut self, encroached: Encroached) {
-        self.split = Some(encroached);
-    }
-
-    /// Notes a subsegment that the step found to be unsplittable.
-    pub(super) fn note_unsplittable(&mut self, ends: [VertexId; 2]) {
-        self.unsplittable.push(ends);
-    }
-
-    /// Notes a picked triangle that the step took.
-    pub(super) fn note_taken(&mut self, picked: Picked) {
-        self.taken.push(picked);
-    }
-
-    /// Notes what a retry forgets.
-    pub(super) fn note_retry(&mut self, refusals: Refusals) {
-        self.before_retry.get_or_insert(Box::new(refusals));
-    }
-
-    /// Notes the queue that another one takes the place of.
-    pub(super) fn note_queue(&mut self, before: Queue) {
-        self.queue.get_or_insert(Box::new(before));
-    }
-
-    /// Notes how far the filling was.
-    pub(super) fn note_filling(&mut self, before: FillStage) {
-        self.filling.get_or_insert(before);
-    }
-
-    /// Notes the node that the step took.
-    pub(super) fn note_node(&mut self, node: TakenNode) {
-        self.node = Some(node);
     }
 }

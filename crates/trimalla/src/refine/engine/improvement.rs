@@ -17,6 +17,7 @@
 //! refinements with a test of the caller's own, which no forecast knows of.
 
 use super::Refinement;
+use super::parts::Improvement;
 use crate::refine::forecast::forecast_under;
 use crate::refine::options::RefineOptions;
 use crate::refine::recipe::PlacePoint;
@@ -25,25 +26,6 @@ use crate::refine::recipe::PlacePoint;
 const UNPROVED_DEG: f64 = 33.0;
 /// The first count is due at this many times the forecast.
 const FACTOR: f64 = 10.0;
-
-/// When bad triangles are counted next, and how many there were the last time.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Improvement {
-    /// The count is due when the mesh has so many vertices.
-    due: usize,
-    bad: usize,
-}
-
-impl Improvement {
-    /// Nothing is watched.
-    pub(super) const UNWATCHED: Self = Self { due: usize::MAX, bad: usize::MAX };
-
-    /// Whether a count is due.
-    #[inline]
-    pub(super) fn is_due(self, vertices: usize) -> bool {
-        vertices >= self.due
-    }
-}
 
 /// Whether the bound on angles is one that refinements need not meet: incenters meet none.
 fn is_unproved(options: &RefineOptions) -> bool {

@@ -8,8 +8,9 @@ use crate::refine::bad_triangles::sorted;
 use crate::refine::event::Badness;
 use crate::refine::extremes::Extremes;
 use crate::refine::joints::{Piece, common_end};
+use crate::refine::reason::{Reason, StopReason};
 use crate::refine::recipe::Select;
-use crate::refine::report::{Leftover, Reason, Report, StopReason};
+use crate::refine::report::{Leftover, Report};
 use crate::refine::stopwatch::Part;
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 

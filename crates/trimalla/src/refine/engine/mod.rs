@@ -1,6 +1,9 @@
 //! The refinement loop.
 
+mod change;
+mod encroached;
 mod fill;
+mod filling;
 mod gaps;
 mod history;
 mod improvement;
@@ -8,9 +11,11 @@ pub(super) mod insertion;
 mod leftovers;
 mod look;
 pub(super) mod mirror;
+mod mirrored_place;
 mod opening;
-pub(super) mod overview;
+mod overview;
 mod parts;
+mod records;
 pub(super) mod recovery;
 mod split_segments;
 pub(super) mod start;
@@ -27,17 +32,16 @@ use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
 use crate::refine::bad_triangles::{UserTest, sorted};
 use crate::refine::event::StepOutcome;
+use crate::refine::observer::{Beginning, Observer, Overview, Progress};
 use crate::refine::options::{OptionError, RefineOptions};
 use crate::refine::queue::{Patches, Queue};
-use crate::refine::report::{Observer, Progress, Reason, StopReason};
+use crate::refine::reason::{Reason, StopReason};
 use crate::refine::steps::{InsertStep, PointStep, SelectStep, Steps, View};
 use crate::refine::stopwatch::{Clock, Part, Stopwatch};
 use crate::size::TriangleInRegion;
-use fill::FillStage;
-use history::{History, Picked};
-use improvement::Improvement;
-use opening::Opening;
-use parts::{Agenda, Ledger, Problem, Scratch, SegmentWork, Strategy};
+use filling::FillStage;
+use parts::{Agenda, Improvement, Ledger, Opening, Picked, Problem, Scratch, SegmentWork, Strategy};
+use records::History;
 use start::Start;
 
 /// No more rounds than this for triangles that had no room.
@@ -62,7 +66,7 @@ pub struct Refinement {
     ledger: Ledger,
     scratch: Scratch,
     /// How to go back, where somebody may want to.
-    history: Option<History>,
+    history: Option<History<Self>>,
 }
 
 impl fmt::Debug for Refinement {
@@ -423,8 +427,8 @@ impl Refinement {
         None
     }
 
-    /// Picks a triangle to be treated, after those picked before; for the order `manual`. One that is gone by then is
-    /// passed over.
+    /// Beginning a triangle to be treated, after those picked before; for the order `manual`. One that is gone by then
+    /// is passed over.
     ///
     /// Says whether there is such a triangle.
     pub fn pick(&mut self, face: FaceId) -> bool {
@@ -454,6 +458,20 @@ impl Refinement {
             ruler: self.problem.ruler,
             longest_walk: self.strategy.longest_walk,
         }
+    }
+}
+
+impl Beginning for Refinement {
+    fn triangulation(&self) -> &ConstrainedTriangulation {
+        &self.cdt
+    }
+
+    fn overview(&self) -> Overview {
+        Self::overview(self)
+    }
+
+    fn pick(&mut self, face: FaceId) -> bool {
+        Self::pick(self, face)
     }
 }
 

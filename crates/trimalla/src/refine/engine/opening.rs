@@ -10,40 +10,16 @@
 //! Otherwise each slice is a step.
 
 use super::Refinement;
+use super::parts::Opening;
 use crate::constrained::Recovery;
 use crate::refine::event::StepOutcome;
+use crate::refine::observer::Observer;
+use crate::refine::reason::StopReason;
 use crate::refine::recipe::Initial;
-use crate::refine::report::{Observer, StopReason};
 use crate::refine::stopwatch::Part;
 
 /// Edges looked at in one slice.
 const SLICE: usize = 1 << 14;
-
-/// What is to be done next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Opening {
-    /// A mesh that was given is to be flipped until it passes the circle test.
-    #[default]
-    Given,
-    /// Its edges are being flipped.
-    Legalising,
-    /// Segments inside are to be let go.
-    Release,
-    /// They are gone, and edges across them are being flipped.
-    Releasing,
-    /// They are to be split until they are edges.
-    Conform,
-    /// They were split, and are to be let go again.
-    ReleaseAgain,
-    /// They are gone again, and edges across them are being flipped.
-    ReleasingAgain,
-    /// Everything is to be looked at.
-    Look,
-    /// Step 1 changes the triangulation.
-    Prepare,
-    /// The loop is on.
-    Done,
-}
 
 impl Refinement {
     /// Whether the loop is on, or may be.

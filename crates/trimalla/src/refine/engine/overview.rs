@@ -4,18 +4,8 @@ use super::Refinement;
 use crate::geometry::Triangle;
 use crate::refine::bad_triangles::SufficientBounds;
 use crate::refine::extremes::Extremes;
+use crate::refine::observer::Overview;
 use crate::triangulation::corners_of_two;
-
-/// Size and smallest angle of a triangulation under refinement.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Overview {
-    /// Vertices, those of the input that are in no triangle included.
-    pub vertices: usize,
-    /// Triangles.
-    pub triangles: usize,
-    /// The smallest angle in degrees; `None` without a triangle.
-    pub min_angle_deg: Option<f64>,
-}
 
 impl Refinement {
     /// Size and smallest angle of the triangulation as it is now.

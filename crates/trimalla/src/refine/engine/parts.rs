@@ -4,28 +4,28 @@ use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 
-use super::history::Picked;
-use super::improvement::Improvement;
+use super::encroached::Encroached;
 use super::mirror::has_small_wedge;
-use super::opening::Opening;
-use super::recovery::UnderWay;
-use super::split_segments::Encroached;
-use crate::constrained::{ConstrainedTriangulation, Released, Workspace};
+use crate::constrained::{ConstrainedTriangulation, Recovery, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::refine::bad_triangles::Criterion;
 use crate::refine::encroachment::Region;
 use crate::refine::event::Event;
 use crate::refine::floors::Floors;
-use crate::refine::joints::Joints;
+use crate::refine::joints::{Joints, Piece};
 use crate::refine::options::RefineOptions;
 use crate::refine::queue::{Claim, Queue};
+use crate::refine::reason::Reason;
 use crate::refine::recipe::Initial;
-use crate::refine::report::{Reason, Report};
+use crate::refine::report::Report;
 use crate::refine::ruler::Ruler;
 use crate::refine::steps::{InsertTraits, Places, StepTraits, Steps, View};
 use crate::refine::stopwatch::Stopwatch;
 use crate::size::{SizeBounds, SizeField};
+
+/// A triangle, by its slot and its sorted vertices.
+pub(super) type Picked = (FaceId, [VertexId; 3]);
 
 /// What is asked, and what of the input answers depend on. It stays as it is while points go in.
 #[derive(Clone)]
@@ -81,7 +81,12 @@ pub(super) struct Strategy {
 impl Strategy {
     pub(super) fn of(steps: Steps) -> Self {
         let traits = StepTraits::of(&steps);
-        Self { traits, walks_prove_places: false, longest_walk: View::longest_walk(traits.insert), steps }
+        Self {
+            traits,
+            walks_prove_places: false,
+            longest_walk: View::longest_walk(traits.insert.keeps_delaunay),
+            steps,
+        }
     }
 
     /// The same strategy after one of its steps has been exchanged.
@@ -190,4 +195,57 @@ pub(super) struct Scratch {
     pub(super) bad_in_fan: Vec<usize>,
     /// The subsegments beside what is looked at.
     pub(super) beside: Vec<HalfEdgeId>,
+}
+
+/// What is to be done next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Opening {
+    /// A mesh that was given is to be flipped until it passes the circle test.
+    #[default]
+    Given,
+    /// Its edges are being flipped.
+    Legalising,
+    /// Segments inside are to be let go.
+    Release,
+    /// They are gone, and edges across them are being flipped.
+    Releasing,
+    /// They are to be split until they are edges.
+    Conform,
+    /// They were split, and are to be let go again.
+    ReleaseAgain,
+    /// They are gone again, and edges across them are being flipped.
+    ReleasingAgain,
+    /// Everything is to be looked at.
+    Look,
+    /// Step 1 changes the triangulation.
+    Prepare,
+    /// The loop is on.
+    Done,
+}
+
+/// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
+#[derive(Clone, Debug)]
+pub(super) struct UnderWay {
+    pub(super) recovery: Recovery,
+    /// [All pieces](Joints::pieces).
+    pub(super) pieces: Vec<Piece>,
+}
+
+/// When bad triangles are counted next, and how many there were the last time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Improvement {
+    /// The count is due when the mesh has so many vertices.
+    pub(super) due: usize,
+    pub(super) bad: usize,
+}
+
+impl Improvement {
+    /// Nothing is watched.
+    pub(super) const UNWATCHED: Self = Self { due: usize::MAX, bad: usize::MAX };
+
+    /// Whether a count is due.
+    #[inline]
+    pub(super) fn is_due(self, vertices: usize) -> bool {
+        vertices >= self.due
+    }
 }

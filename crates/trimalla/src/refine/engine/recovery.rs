@@ -2,6 +2,7 @@
 
 use super::Refinement;
 use super::mirror::Mirrors;
+use super::parts::UnderWay;
 use crate::constrained::{
     Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, Released, SegmentPlan, SplitLimits,
 };
@@ -11,20 +12,12 @@ use crate::half_edge::{NoJournal, UndoLog};
 use crate::refine::event::InsertedKind;
 use crate::refine::floors::precision_floor;
 use crate::refine::joints::{Joints, Piece};
-use crate::refine::report::StopReason;
+use crate::refine::reason::StopReason;
 use crate::refine::ruler::Ruler;
 use crate::refine::stopwatch::Part;
 
 /// Pieces of segments looked at in one slice.
 const SLICE: usize = 256;
-
-/// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
-#[derive(Clone, Debug)]
-pub(super) struct UnderWay {
-    recovery: Recovery,
-    /// [All pieces](Joints::pieces).
-    pieces: Vec<Piece>,
-}
 
 impl Refinement {
     /// Begins to bring segments back.

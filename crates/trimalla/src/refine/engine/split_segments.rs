@@ -1,5 +1,6 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
+use super::encroached::{Cut, Encroached, Found};
 use super::insertion::Site;
 use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
@@ -7,36 +8,8 @@ use crate::geometry::{CircleSide, Point, in_diametral_disk};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::event::InsertedKind;
 use crate::refine::options::Protect;
-use crate::refine::report::Reason;
+use crate::refine::reason::Reason;
 use crate::refine::steps::Proposal;
-
-/// A subsegment that waits to be split, lower vertex first.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Encroached {
-    ends: [VertexId; 2],
-    /// Split it even if nothing encroaches upon it: it stood in the way of a point.
-    forced: bool,
-    /// What was found when it was queued: it needed the split, and had room.
-    found: Found,
-}
-
-/// What is found about the split of a subsegment; it holds as long as the two triangles beside it stay.
-#[derive(Clone, Copy, Debug)]
-struct Found {
-    half_edge: HalfEdgeId,
-    apexes: [VertexId; 2],
-    /// Whether at its ends other segments join.
-    acute: [bool; 2],
-    cut: Cut,
-}
-
-/// Where a subsegment is split.
-#[derive(Clone, Copy, Debug)]
-struct Cut {
-    point: Point,
-    /// The circle that it lies on around an end, as its number, and whether that end is `dest`.
-    shell: Option<(i16, bool)>,
-}
 
 impl Refinement {
     /// Lets a subsegment wait for its split; says why it never can be split, where it cannot.

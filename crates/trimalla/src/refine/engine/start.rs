@@ -3,14 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::Refinement;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
 use crate::domain::FromMesh;
-use crate::refine::options::{OptionError, RefineOptions};
+use crate::refine::options::RefineOptions;
 use crate::refine::outlook::Outlook;
-use crate::refine::report::Report;
 use crate::size::{ByTriangle, SizeBounds, SizeField};
-use crate::triangulation::Triangulation;
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain
 /// ([`domain::build`](crate::domain::build)), or a mesh that was taken up
@@ -77,40 +74,5 @@ impl From<FromMesh> for Start {
             Some(areas) => start.with_size(ByTriangle::new(areas.triangles, &areas.max_areas)),
             None => start,
         }
-    }
-}
-
-impl Refinement {
-    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria.
-    /// Size fields and a test of the caller's own stay; what was picked does not. [`back`](Self::back) leads to the old
-    /// options, too.
-    ///
-    /// # Errors
-    /// [`OptionError`]; nothing has changed then.
-    ///
-    /// # Complexity
-    /// Linear.
-    pub fn change_options(&mut self, options: RefineOptions) -> Result<(), OptionError> {
-        options.validate()?;
-        self.record_change();
-        self.claim_segments();
-        let nothing = ConstrainedTriangulation::new(Triangulation::default());
-        let start = Start {
-            cdt: std::mem::replace(&mut self.cdt, nothing),
-            work: std::mem::take(&mut self.scratch.work),
-            is_delaunay: self.strategy.traits.insert.keeps_delaunay,
-            fields: self.problem.test.size().fields().to_vec(),
-        };
-        let mut changed = Self::timed(start, options, None)?;
-        changed.ledger.stopwatch = self.ledger.stopwatch;
-        changed.ledger.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.ledger.report) };
-        changed.ledger.insertions = self.ledger.insertions;
-        changed.ledger.steps_told = self.ledger.steps_told;
-        changed.history = self.history.take();
-        *self = match self.problem.test.user_test() {
-            Some(test) => changed.with_user_test(test),
-            None => changed,
-        };
-        Ok(())
     }
 }

@@ -7,7 +7,8 @@ use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
 use crate::refine::bad_triangles::sorted;
 use crate::refine::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
 use crate::refine::lepp::lepp;
-use crate::refine::report::{Observer, Reason};
+use crate::refine::observer::Observer;
+use crate::refine::reason::Reason;
 use crate::refine::steps::Proposal;
 
 impl Refinement {

@@ -14,7 +14,7 @@ use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
 use crate::refine::event::{Badness, InsertedKind};
 use crate::refine::lepp::lepp;
-use crate::refine::report::Reason;
+use crate::refine::reason::Reason;
 use crate::refine::steps::{Places, Plan, Proposal};
 use crate::refine::stopwatch::Part;
 

@@ -6,18 +6,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::value::{Plain, Value};
-
-/// What a key stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// The key, as scripts, the program and reports spell it.
-    pub key: &'static str,
-    /// One line on what it does.
-    pub summary: &'static str,
-    /// Where it comes from, a key of REFERENCES.md; empty for what is ours.
-    pub source: &'static str,
-}
+use super::value::{Plain, Row, Value};
 
 macro_rules! choices {
     ($(#[$doc:meta])* $name:ident, $default:ident, { $($(#[$vdoc:meta])* $variant:ident = $key:literal, $summary:literal, $source:literal;)* }) => {

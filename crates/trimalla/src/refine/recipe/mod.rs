@@ -2,6 +2,7 @@
 
 mod choices;
 mod named;
+mod named_steps;
 #[cfg(feature = "serde")]
 mod serialized;
 mod table;
@@ -11,11 +12,11 @@ use std::fmt;
 
 pub use choices::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Protect, Recover, Row, Select, Terminal, UnknownKey,
+    Preset, Protect, Recover, Select, Terminal, UnknownKey,
 };
 pub use named::NamedOptions;
 pub use table::{Group, OPTIONS, OptionRow, registry};
-pub use value::{Value, Values, WrongValue};
+pub use value::{Row, Value, Values, WrongValue};
 
 /// One choice for each of the five steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,6 @@
 
 use super::Recipe;
 use super::choices::{Preset, Protect};
-use super::table::{Group, OPTIONS, OptionRow};
-use super::value::Value;
 use crate::geometry::Angle;
 use crate::refine::options::{Criteria, Limits, RefineOptions};
 
@@ -90,18 +88,6 @@ impl NamedOptions {
                 length_floor: self.length_floor,
             },
         }
-    }
-
-    /// Every option of the five steps with its value.
-    pub fn steps(&self) -> impl Iterator<Item = (&'static OptionRow, Value)> {
-        let steps = OPTIONS.iter().filter(|option| matches!(option.group, Group::Step(_)));
-        steps.filter_map(|option| Some((option, option.get(self)?)))
-    }
-
-    /// The options of the steps that are not those of the preset, or of the default preset where none is named.
-    pub fn changed_steps(&self) -> impl Iterator<Item = (&'static OptionRow, Value)> {
-        let of_preset = Self::of(self.preset.unwrap_or_default());
-        self.steps().filter(move |(option, value)| option.get(&of_preset).as_ref() != Some(value))
     }
 
     /// Takes all steps from a preset. A name that there was is that of other steps.

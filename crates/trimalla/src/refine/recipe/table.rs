@@ -4,10 +4,10 @@
 
 use super::choices::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Protect, Recover, Row, Select, Terminal, UNTIL_DESTROYED,
+    Preset, Protect, Recover, Select, Terminal, UNTIL_DESTROYED,
 };
 use super::named::NamedOptions;
-use super::value::{Plain as _, Slot as _, Value, Values, WrongValue};
+use super::value::{Plain as _, Row, Slot as _, Value, Values, WrongValue};
 use crate::refine::options::{is_angle_deg, is_area, is_aspect_ratio, is_length};
 
 /// What an option is about, and with that where it stands in recipe files and in help.

@@ -2,7 +2,16 @@
 
 use std::fmt;
 
-use super::choices::Row;
+/// What a key stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The key, as scripts, the program and reports spell it.
+    pub key: &'static str,
+    /// One line on what it does.
+    pub summary: &'static str,
+    /// Where it comes from, a key of REFERENCES.md; empty for what is ours.
+    pub source: &'static str,
+}
 
 /// The value of an [option](super::OptionRow).
 #[derive(Clone, Debug, PartialEq)]

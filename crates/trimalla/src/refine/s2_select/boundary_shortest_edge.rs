@@ -3,7 +3,7 @@
 //! # Source
 //! `[MeshSuite]` 4.3.
 
-use super::shortest_sq;
+use super::shortest_sq::shortest_sq;
 use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, View};
 

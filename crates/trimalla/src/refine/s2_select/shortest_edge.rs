@@ -4,7 +4,7 @@
 //! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at
 //! 30 degrees.
 
-use super::{shortest_sq, shortest_sq_of};
+use super::shortest_sq::{shortest_sq, shortest_sq_of};
 use crate::geometry::Point;
 use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, SelectTraits, View};

@@ -1,6 +1,5 @@
 //! What a step may look at.
 
-use super::insert::InsertTraits;
 use crate::constrained::ConstrainedTriangulation;
 use crate::refine::options::Criteria;
 use crate::refine::ruler::Ruler;
@@ -29,7 +28,7 @@ impl View<'_> {
     const LONGEST_WALK: usize = 1 << 10;
 
     /// How many triangles a walk may cross with that step 4.
-    pub(in crate::refine) fn longest_walk(insert: InsertTraits) -> usize {
-        if insert.keeps_delaunay { usize::MAX } else { Self::LONGEST_WALK }
+    pub(in crate::refine) fn longest_walk(keeps_delaunay: bool) -> usize {
+        if keeps_delaunay { usize::MAX } else { Self::LONGEST_WALK }
     }
 }

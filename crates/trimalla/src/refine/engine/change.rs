@@ -1,0 +1,43 @@
+//! Going on under other options.
+
+use super::Refinement;
+use super::start::Start;
+use crate::constrained::ConstrainedTriangulation;
+use crate::refine::options::{OptionError, RefineOptions};
+use crate::refine::report::Report;
+use crate::triangulation::Triangulation;
+
+impl Refinement {
+    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria.
+    /// Size fields and a test of the caller's own stay; what was picked does not. [`back`](Self::back) leads to the old
+    /// options, too.
+    ///
+    /// # Errors
+    /// [`OptionError`]; nothing has changed then.
+    ///
+    /// # Complexity
+    /// Linear.
+    pub fn change_options(&mut self, options: RefineOptions) -> Result<(), OptionError> {
+        options.validate()?;
+        self.record_change();
+        self.claim_segments();
+        let nothing = ConstrainedTriangulation::new(Triangulation::default());
+        let start = Start {
+            cdt: std::mem::replace(&mut self.cdt, nothing),
+            work: std::mem::take(&mut self.scratch.work),
+            is_delaunay: self.strategy.traits.insert.keeps_delaunay,
+            fields: self.problem.test.size().fields().to_vec(),
+        };
+        let mut changed = Self::timed(start, options, None)?;
+        changed.ledger.stopwatch = self.ledger.stopwatch;
+        changed.ledger.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.ledger.report) };
+        changed.ledger.insertions = self.ledger.insertions;
+        changed.ledger.steps_told = self.ledger.steps_told;
+        changed.history = self.history.take();
+        *self = match self.problem.test.user_test() {
+            Some(test) => changed.with_user_test(test),
+            None => changed,
+        };
+        Ok(())
+    }
+}

@@ -1,0 +1,161 @@
+//! Records of steps: what a step overwrote.
+
+use std::collections::{BTreeSet, VecDeque};
+
+use super::encroached::Encroached;
+use super::filling::{FillStage, TakenNode};
+use super::parts::{Ledger, Picked, SegmentWork};
+use crate::half_edge::{Entry, UndoLog, VertexId};
+use crate::refine::queue::{Changes, Claim, Queue};
+use crate::refine::reason::Reason;
+
+/// Bytes that records of steps may take where the caller does not say: a gibibyte.
+const BYTES: usize = 1 << 30;
+
+/// What was done, as far as it can be taken back.
+#[derive(Clone)]
+pub(super) struct History<R> {
+    /// Steps made since the history began.
+    pub(super) steps: u64,
+    /// Steps among the records.
+    pub(super) recorded: u64,
+    /// The oldest first.
+    pub(super) records: VecDeque<Record<R>>,
+    /// The step at work.
+    pub(super) under_way: Option<Box<StepRecord>>,
+    /// What the records take, about, and what they may take.
+    pub(super) bytes: usize,
+    pub(super) most_bytes: usize,
+    /// Whether steps of runs are recorded, too.
+    pub(super) with_runs: bool,
+}
+
+/// How to take something back.
+#[derive(Clone)]
+pub(super) enum Record<R> {
+    Step(Box<StepRecord>),
+    /// The refinement as it was before the caller changed options, a step or a test.
+    Change {
+        before: Box<R>,
+        bytes: usize,
+    },
+}
+
+/// How to take a step back.
+#[derive(Clone)]
+pub(super) struct StepRecord {
+    pub(super) triangulation: UndoLog,
+    pub(super) ledger: Ledger,
+    pub(super) joined: u64,
+    pub(super) current: Option<Claim>,
+    pub(super) changes_at_retry: u64,
+    pub(super) retries: u32,
+    /// How many waited before the step.
+    pub(super) encroached: usize,
+    pub(super) picked: usize,
+    pub(super) given_up: usize,
+    /// What the step took from the front of these lists.
+    pub(super) split: Option<Encroached>,
+    pub(super) taken: Vec<Picked>,
+    /// Subsegments that turned out to be unsplittable.
+    pub(super) unsplittable: Vec<[VertexId; 2]>,
+    /// What was given up, and unsplittable, before a retry.
+    pub(super) before_retry: Option<Box<Refusals>>,
+    /// The queue before another one took its place, or what the step changed in it.
+    pub(super) queue: Option<Box<Queue>>,
+    pub(super) queue_changes: Changes,
+    /// Work on segments before it was changed.
+    pub(super) segments: Option<Box<SegmentWork>>,
+    pub(super) filling: Option<FillStage>,
+    pub(super) node: Option<TakenNode>,
+}
+
+/// Triangles that were given up, and subsegments that cannot be split.
+pub(super) type Refusals = (Vec<([VertexId; 3], Reason)>, BTreeSet<[VertexId; 2]>);
+
+impl<R> Default for History<R> {
+    fn default() -> Self {
+        Self {
+            steps: 0,
+            recorded: 0,
+            records: VecDeque::new(),
+            under_way: None,
+            bytes: 0,
+            most_bytes: BYTES,
+            with_runs: false,
+        }
+    }
+}
+
+impl<R> Record<R> {
+    /// About how many bytes the record takes.
+    fn bytes(&self) -> usize {
+        let step = match self {
+            Self::Step(step) => step,
+            Self::Change { bytes, .. } => return *bytes,
+        };
+        let lists = step.triangulation.len() * size_of::<Entry>() + step.queue_changes.bytes();
+        size_of::<StepRecord>() + lists + step.taken.len() * size_of::<Picked>()
+    }
+}
+
+impl<R> History<R> {
+    pub(super) fn push(&mut self, record: Record<R>) {
+        self.bytes += record.bytes();
+        self.recorded += u64::from(matches!(record, Record::Step(_)));
+        self.records.push_back(record);
+        while self.bytes > self.most_bytes && self.records.len() > 1 {
+            if let Some(oldest) = self.records.pop_front() {
+                self.forget(&oldest);
+            }
+        }
+    }
+
+    pub(super) fn pop(&mut self) -> Option<Record<R>> {
+        let record = self.records.pop_back()?;
+        self.forget(&record);
+        Some(record)
+    }
+
+    fn forget(&mut self, record: &Record<R>) {
+        self.bytes -= record.bytes();
+        self.recorded -= u64::from(matches!(record, Record::Step(_)));
+    }
+}
+
+impl StepRecord {
+    /// Notes the subsegment that the step splits.
+    pub(super) fn note_split(&mut self, encroached: Encroached) {
+        self.split = Some(encroached);
+    }
+
+    /// Notes a subsegment that the step found to be unsplittable.
+    pub(super) fn note_unsplittable(&mut self, ends: [VertexId; 2]) {
+        self.unsplittable.push(ends);
+    }
+
+    /// Notes a picked triangle that the step took.
+    pub(super) fn note_taken(&mut self, picked: Picked) {
+        self.taken.push(picked);
+    }
+
+    /// Notes what a retry forgets.
+    pub(super) fn note_retry(&mut self, refusals: Refusals) {
+        self.before_retry.get_or_insert(Box::new(refusals));
+    }
+
+    /// Notes the queue that another one takes the place of.
+    pub(super) fn note_queue(&mut self, before: Queue) {
+        self.queue.get_or_insert(Box::new(before));
+    }
+
+    /// Notes how far the filling was.
+    pub(super) fn note_filling(&mut self, before: FillStage) {
+        self.filling.get_or_insert(before);
+    }
+
+    /// Notes the node that the step took.
+    pub(super) fn note_node(&mut self, node: TakenNode) {
+        self.node = Some(node);
+    }
+}
