@@ -24,13 +24,15 @@ pub enum Format {
     Soup,
     /// A mesh for ParaView.
     Vtu,
+    /// A mesh for other programs of geometry.
+    Off,
     /// A picture.
     Svg,
 }
 
 impl Format {
     /// All formats, in the order in which lists show them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Node,
         Self::Ele,
         Self::Poly,
@@ -40,6 +42,7 @@ impl Format {
         Self::MeshSuite,
         Self::Soup,
         Self::Vtu,
+        Self::Off,
         Self::Svg,
     ];
 
@@ -56,6 +59,7 @@ impl Format {
             Self::MeshSuite => "mesh",
             Self::Soup => "soup",
             Self::Vtu => "vtu",
+            Self::Off => "off",
             Self::Svg => "svg",
         }
     }
@@ -73,6 +77,7 @@ impl Format {
             Self::MeshSuite => "a drawing or a mesh in one file (MeshSuite); read and written",
             Self::Soup => "triangles by coordinates (Sanhueza; also read from .txt); read and written",
             Self::Vtu => "a mesh for ParaView (VTK, XML as plain text); written",
+            Self::Off => "triangles for other programs of geometry (Object File Format, plain text); written",
             Self::Svg => "a picture; written",
         }
     }

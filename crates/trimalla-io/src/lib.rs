@@ -1,5 +1,5 @@
 //! File formats of trimalla: [Triangle]'s text formats, `MeshSuite`'s and triangle soups in and out,
-//! ParaView files and pictures out.
+//! ParaView files, OFF and pictures out.
 //!
 //! # What is where
 //!
@@ -31,6 +31,7 @@
 //! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
 //! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
 //! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
+//! | `.off` | Object File Format: vertices and triangles | [`off`] |
 //! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
 //! | `.toml` | a recipe of refinement | [`recipe`] |
 //!
@@ -84,6 +85,7 @@ pub mod meshsuite;
 pub mod neigh;
 pub mod node;
 mod numbers;
+pub mod off;
 pub mod poly;
 mod read;
 pub mod recipe;

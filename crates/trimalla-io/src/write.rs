@@ -11,7 +11,7 @@ use crate::error::IoError;
 use crate::format::{Format, companion};
 use crate::recipe::{self, RecipeFile};
 use crate::svg::SvgOptions;
-use crate::{edge, ele, meshsuite, neigh, node, poly, soup, svg, vtu};
+use crate::{edge, ele, meshsuite, neigh, node, off, poly, soup, svg, vtu};
 
 /// How files are written.
 #[derive(Clone, Debug, PartialEq)]
@@ -205,7 +205,7 @@ impl Outputs {
 }
 
 /// The endings by which [`write_mesh`] knows formats, in words.
-pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu or .svg";
+pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu, .off or .svg";
 const PSLG_ENDINGS: &str = ".poly, .node, .mesh or .svg";
 
 /// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].
@@ -238,6 +238,7 @@ pub fn write_mesh_to(
         Format::MeshSuite => meshsuite::write(out, mesh, options.first_index),
         Format::Soup => soup::write(out, mesh),
         Format::Vtu => vtu::write(out, mesh),
+        Format::Off => off::write(out, mesh),
         Format::Area => Err(io::ErrorKind::Unsupported.into()),
         Format::Svg => svg::draw_mesh(out, mesh, &options.svg),
     }
@@ -264,7 +265,7 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
         Format::Svg => svg::draw_pslg(out, pslg, &options.svg),
         Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
-        Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu => {
+        Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu | Format::Off => {
             Err(io::ErrorKind::Unsupported.into())
         }
     }

@@ -153,6 +153,7 @@ fn others(mesh: &IndexedMesh, first_index: u32, d: &mut Draws<'_>) -> Verdict {
         }
         _ => {
             to_format(Format::Vtu)?;
+            to_format(Format::Off)?;
             to_format(Format::Svg).map(drop)
         }
     }

@@ -51,7 +51,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
         let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {
-            Some(Format::Ele | Format::Edge | Format::Neigh | Format::Soup | Format::Vtu) => {
+            Some(Format::Ele | Format::Edge | Format::Neigh | Format::Soup | Format::Vtu | Format::Off) => {
                 failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
             }
             _ => failure,

@@ -51,6 +51,8 @@ fn conversions() {
     for line in [
         "convert m.ele m.svg",
         "convert m m.neigh",
+        "convert m.ele m.off",
+        "mesh square.poly -q -o s.off",
         "convert m.ele n.ele",
         "convert square.poly p.poly",
         "convert square p.svg",
@@ -59,8 +61,13 @@ fn conversions() {
         assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("", ""), "{line}");
     }
     assert_eq!(scratch.read("n.ele").lines().nth(1), Some("1 1 2 3"));
-    let run = scratch.run("convert square.poly square.neigh").expect(4);
-    run.says("hint: a drawing has no triangles; 'trimalla triangulate' makes them");
+    for off in ["m.off", "s.off"] {
+        assert!(scratch.read(off).starts_with("OFF\n"), "{off}");
+    }
+    for line in ["convert square.poly square.neigh", "convert square.poly square.off"] {
+        let run = scratch.run(line).expect(4);
+        run.says("hint: a drawing has no triangles; 'trimalla triangulate' makes them");
+    }
 }
 
 #[test]

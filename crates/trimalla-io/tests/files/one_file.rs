@@ -1,4 +1,4 @@
-//! Formats of one file: area bounds, `MeshSuite`, soups, ParaView.
+//! Formats of one file: area bounds, `MeshSuite`, soups, ParaView, OFF.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 #![allow(clippy::print_stderr, reason = "a skipped test says so")]
 
@@ -179,6 +179,39 @@ fn vtu_text() {
     let mut bytes = Vec::new();
     write_mesh_to(&mut bytes, Format::Vtu, &hard_mesh(), &WriteOptions::default()).unwrap();
     assert!(!String::from_utf8(bytes).unwrap().contains("NaN"));
+}
+
+#[test]
+fn off_text() {
+    let points = [(0.0, -0.0), (1.0, 5e-324), (0.0, 0.1), (1.0, 1e300)].map(|(x, y)| Point::new(x, y));
+    let mesh = IndexedMesh {
+        points: points.into(),
+        triangles: vec![[0, 1, 2], [2, 1, 3]],
+        segments: vec![[0, 1]],
+        ..IndexedMesh::default()
+    };
+    let text = |mesh: &IndexedMesh| {
+        let mut bytes = Vec::new();
+        write_mesh_to(&mut bytes, Format::Off, mesh, &WriteOptions::default()).map(|()| String::from_utf8(bytes))
+    };
+    let expected = "OFF\n4 2 0\n0 -0 0\n1 5e-324 0\n0 0.1 0\n1 1e300 0\n3 0 1 2\n3 2 1 3\n";
+    assert_eq!(text(&mesh).unwrap().unwrap(), expected);
+    assert_eq!(text(&IndexedMesh::default()).unwrap().unwrap(), "OFF\n0 0 0\n");
+    let refused = |mesh: &IndexedMesh| text(mesh).unwrap_err().kind();
+    let without_vertex = IndexedMesh { triangles: vec![[0, 1, 4]], ..mesh.clone() };
+    assert_eq!(refused(&without_vertex), std::io::ErrorKind::InvalidInput);
+    let not_finite = IndexedMesh { points: [f64::NAN; 4].map(|x| Point::new(x, 0.0)).into(), ..mesh };
+    assert_eq!(refused(&not_finite), std::io::ErrorKind::InvalidInput);
+}
+
+/// A mesh has an .off file, a drawing has none; its ending alone says the format.
+#[test]
+fn off_paths() {
+    let dir = scratch("off_paths");
+    write_mesh(dir.join("grid.OFF"), &grid(2), &WriteOptions::default()).unwrap();
+    let text = fs::read_to_string(dir.join("grid.OFF")).unwrap();
+    assert_eq!(text.lines().count(), 2 + grid(2).points.len() + grid(2).triangles.len());
+    assert!(write_pslg(dir.join("drawing.off"), &hard_pslg(), &WriteOptions::default()).is_err());
 }
 
 /// Leaves files for `tests/vtu_meshio.py`, which a person runs.
