@@ -7,7 +7,7 @@ use crate::refine::options::{Criteria, Limits, RefineOptions};
 
 /// A recipe, and whatever is said about criteria and limits.
 ///
-/// [`OPTIONS`] lists its fields with their keys: each can be read and set by that. What is not said is
+/// [`OPTIONS`](super::OPTIONS) lists its fields with their keys: each can be read and set by that. What is not said is
 /// at its default, or left to whoever refines.
 ///
 /// # Examples
