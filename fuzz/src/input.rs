@@ -24,7 +24,8 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
-use trimalla_io::{RecipeFile, poly, recipe};
+use trimalla::refine::NamedOptions;
+use trimalla_io::{poly, recipe};
 use trimalla_testkit::generators::SplitMix64;
 
 use crate::draws::Draws;
@@ -56,7 +57,7 @@ pub struct Case {
     /// How it is read.
     pub domain: DomainOptions,
     /// How it is refined.
-    pub recipe: RecipeFile,
+    pub recipe: NamedOptions,
     /// The step at which the observer cancels.
     pub cancel: Option<u64>,
     /// Changes.
@@ -145,7 +146,7 @@ impl Case {
     /// A drawing with everything else at its default.
     #[must_use]
     pub fn of(drawing: Pslg) -> Self {
-        let (domain, recipe) = (DomainOptions::default(), RecipeFile::default());
+        let (domain, recipe) = (DomainOptions::default(), NamedOptions::default());
         Self { drawing, domain, recipe, cancel: None, edits: Vec::new(), more: 0 }
     }
 
@@ -168,7 +169,7 @@ impl Case {
         self.edits.iter().for_each(|edit| {
             let _ = writeln!(head, "# edit {}", edit.to_text());
         });
-        let plain = lines_of(&self.recipe.preset.map(RecipeFile::of).unwrap_or_default());
+        let plain = lines_of(&self.recipe.preset.map(NamedOptions::of).unwrap_or_default());
         let told = |line: &String| line.starts_with("preset") || !plain.contains(line);
         lines_of(&self.recipe).iter().filter(|l| told(l)).for_each(|line| {
             let _ = writeln!(head, "# recipe {line}");
@@ -203,7 +204,7 @@ impl Case {
 }
 
 /// A recipe as lines, without comments.
-fn lines_of(recipe: &RecipeFile) -> Vec<String> {
+fn lines_of(recipe: &NamedOptions) -> Vec<String> {
     let mut toml = Vec::new();
     let _ = recipe::write(&mut toml, recipe);
     let text = String::from_utf8_lossy(&toml).into_owned();

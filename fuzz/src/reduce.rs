@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
-use trimalla_io::{RecipeFile, recipe};
+use trimalla::refine::NamedOptions;
+use trimalla_io::recipe;
 
 use crate::input::{Case, Edit, FileCase, Input};
 
@@ -183,7 +184,7 @@ fn lines_of_recipe(best: &mut Input, fails: Fails<'_>) {
         let text = cut(&lines(best), at, at + 1).join("\n");
         // The budget stays: the default one is millions of vertices.
         let max_vertices = case(best).recipe.max_vertices;
-        let with_budget = |recipe: RecipeFile| RecipeFile { max_vertices, ..recipe };
+        let with_budget = |recipe: NamedOptions| NamedOptions { max_vertices, ..recipe };
         let candidate = recipe::read(text.as_bytes(), "less").map(with_budget);
         match candidate.map(|recipe| drawn(Case { recipe, ..case(best) })) {
             Ok(candidate) if candidate != *best && fails(&candidate) => *best = candidate,

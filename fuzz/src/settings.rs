@@ -9,8 +9,8 @@ use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
 use trimalla::drawing::Pslg;
+use trimalla::refine::NamedOptions;
 use trimalla::refine::{Group, OptionRow, Protect, registry};
-use trimalla_io::RecipeFile;
 use trimalla_io::recipe;
 
 use crate::draws::Draws;
@@ -61,7 +61,7 @@ pub fn recipe_text(d: &mut Draws<'_>) -> String {
 
 /// A recipe with bounds and limits that suit a drawing, small enough for thousands of runs a second.
 #[must_use]
-pub fn recipe(d: &mut Draws<'_>, drawing: &Pslg) -> RecipeFile {
+pub fn recipe(d: &mut Draws<'_>, drawing: &Pslg) -> NamedOptions {
     let text = recipe_text(d);
     let mut file = recipe::read(text.as_bytes(), "drawn").expect("the registry's keys are those of recipes");
     file.min_angle_deg = Some(if d.once_in(4) { d.range(0.0, 40.0) } else { d.pick(&ANGLES_DEG) });

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
+use trimalla::refine::NamedOptions;
 use trimalla::refine::steps::Steps;
 use trimalla::refine::{Preset, RefineOptions};
-use trimalla_io::RecipeFile;
 
 use crate::peer::Peer;
 
@@ -15,7 +15,7 @@ type Change = dyn Fn(&RefineOptions, &mut Steps) + Send + Sync;
 #[derive(Clone)]
 pub struct Contender {
     pub(crate) label: String,
-    pub(crate) file: RecipeFile,
+    pub(crate) file: NamedOptions,
     own: Option<Own>,
     peer: Option<Peer>,
 }
@@ -31,19 +31,19 @@ impl Contender {
     /// A preset.
     #[must_use]
     pub fn of(preset: Preset) -> Self {
-        Self::of_recipe(preset.key(), RecipeFile::of(preset))
+        Self::of_recipe(preset.key(), NamedOptions::of(preset))
     }
 
     /// A recipe, the title of its column, and its bounds and limits; its angle is that of the row.
     #[must_use]
-    pub fn of_recipe(label: impl Into<String>, file: RecipeFile) -> Self {
+    pub fn of_recipe(label: impl Into<String>, file: NamedOptions) -> Self {
         Self { label: label.into(), file, own: None, peer: None }
     }
 
     /// Triangle, in processes of its own. It gets the angle of the row and the vertex budget, no other bounds.
     #[must_use]
     pub fn of_peer(peer: Peer) -> Self {
-        Self { peer: Some(peer), ..Self::of_recipe("Triangle", RecipeFile::default()) }
+        Self { peer: Some(peer), ..Self::of_recipe("Triangle", NamedOptions::default()) }
     }
 
     /// Gives it another title.

@@ -1,9 +1,10 @@
 //! What is run: drawings, contenders, angles, limits.
 
 use trimalla::drawing::Pslg;
+use trimalla::refine::NamedOptions;
 use trimalla::refine::RefineOptions;
 use trimalla::{DomainOptions, triangulate};
-use trimalla_io::{Format, RecipeFile, WriteOptions, recipe, write_pslg_to};
+use trimalla_io::{Format, WriteOptions, recipe, write_pslg_to};
 
 use crate::contender::Contender;
 use crate::error::CompareError;
@@ -200,7 +201,7 @@ impl Task<'_> {
     /// A number for everything that decides the outcome but the machine, in hexadecimal digits (FNV-1a, 64 bits).
     pub(crate) fn digest(&self) -> String {
         let mut recipe_text = Vec::new();
-        let file = RecipeFile { name: None, preset: None, ..self.contender.file.clone() };
+        let file = NamedOptions { name: None, preset: None, ..self.contender.file.clone() };
         let _ = recipe::write(&mut recipe_text, &file); // Memory takes all.
         let rest = format!(
             "{}\0{:?}\0{:x}\0{}\0{:x}",

@@ -103,7 +103,6 @@ pub use error::{Fault, Ignored, IoError, Note, Place};
 pub use format::Format;
 pub use numbers::VertexRange;
 pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
-pub use recipe::RecipeFile;
 pub use svg::SvgOptions;
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,

@@ -27,8 +27,5 @@ mod write;
 pub use read::{read, read_file};
 pub use write::write;
 
-/// What a recipe file holds: the five steps, and whatever it says about criteria and limits.
-pub use trimalla::refine::NamedOptions as RecipeFile;
-
 #[cfg(test)]
 mod tests;

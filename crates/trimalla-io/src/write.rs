@@ -9,9 +9,10 @@ use crate::atomic::{Draft, Group, Pictures};
 use crate::columns::Points;
 use crate::error::IoError;
 use crate::format::{Format, companion};
-use crate::recipe::{self, RecipeFile};
+use crate::recipe;
 use crate::svg::SvgOptions;
 use crate::{edge, ele, meshsuite, neigh, node, off, poly, soup, svg, vtu};
+use trimalla::refine::NamedOptions;
 
 /// How files are written.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +135,7 @@ impl Outputs {
     ///
     /// # Errors
     /// [`IoError::Unwritable`].
-    pub fn add_recipe(&mut self, path: impl AsRef<Path>, file: &RecipeFile) -> Result<(), IoError> {
+    pub fn add_recipe(&mut self, path: impl AsRef<Path>, file: &NamedOptions) -> Result<(), IoError> {
         self.group.add(path.as_ref(), |out| recipe::write(out, file))
     }
 

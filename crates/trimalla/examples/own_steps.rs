@@ -15,7 +15,8 @@ use trimalla::locate::Locus;
 use trimalla::quality::against_input;
 use trimalla::refine::lepp::longest_edge;
 use trimalla::refine::steps::{
-    InsertStep, Places, Plan, PointStep, PrepareStep, Proposal, RecoverStep, SelectStep, StepEdit, Steps, View,
+    InsertStep, Places, Plan, PointStep, PrepareStep, Proposal, RecoverStep, RecoverTraits, SelectStep, StepEdit,
+    Steps, View,
 };
 use trimalla::refine::{NoObserver, RefineOptions, Refinement};
 
@@ -119,8 +120,8 @@ impl InsertStep for FirstRing {
 pub(crate) struct CompleteRecovery;
 
 impl RecoverStep for CompleteRecovery {
-    fn locks_segments(&self) -> bool {
-        false
+    fn traits(&self) -> RecoverTraits {
+        RecoverTraits { locks_segments: false, restores_segments: true }
     }
 
     fn recover(&self, edit: &mut dyn StepEdit) {

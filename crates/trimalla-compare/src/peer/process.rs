@@ -47,7 +47,7 @@ pub(super) fn run(
             let _ = to_child.as_mut().map(|pipe| pipe.write_all(input.as_bytes()));
             drop(to_child);
             let mut answer = Vec::new();
-            let _ = from_child.map(|pipe| pipe.take(LONGEST).read_to_end(&mut answer));
+            let _ = from_child.map(|pipe| pipe.take(LONGEST + 1).read_to_end(&mut answer));
             let _ = sender.send(answer);
         });
         loop {
@@ -55,7 +55,7 @@ pub(super) fn run(
                 return killed(&mut child);
             }
             match receiver.recv_timeout(TICK) {
-                Ok(answer) => return ended(&mut child, answer),
+                Ok(answer) => return ended(&mut child, answer, || is_cancelled() || start.elapsed() >= limit),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return killed(&mut child),
             }
@@ -63,12 +63,15 @@ pub(super) fn run(
     })
 }
 
-/// Waits for a process that has closed its standard output.
-fn ended(child: &mut Child, answer: Vec<u8>) -> io::Result<Ended> {
-    if answer.len() as u64 >= LONGEST {
-        return killed(child);
+/// Waits for a process that has closed its standard output, as long as it may run.
+fn ended(child: &mut Child, answer: Vec<u8>, is_over: impl Fn() -> bool) -> io::Result<Ended> {
+    while answer.len() as u64 <= LONGEST && !is_over() {
+        if let Some(status) = child.try_wait()? {
+            return Ok(if status.success() { Ended::Answered(answer) } else { Ended::Failed });
+        }
+        thread::sleep(TICK);
     }
-    Ok(if child.wait()?.success() { Ended::Answered(answer) } else { Ended::Failed })
+    killed(child)
 }
 
 /// Ends a process; it may have ended by itself meanwhile.

@@ -8,9 +8,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use trimalla::refine::{Group, OptionRow, Value, Values};
 
-use super::RecipeFile;
 use crate::bytes::read_bytes;
 use crate::error::{Fault, IoError, Place, quote};
+use trimalla::refine::NamedOptions;
 
 /// The key that stands for all steps.
 const PRESET: &str = "preset";
@@ -22,7 +22,7 @@ const LARGEST: u64 = 1 << 20;
 ///
 /// # Errors
 /// [`IoError::Missing`], [`IoError::Unreadable`], and those of [`read`].
-pub fn read_file(path: impl AsRef<Path>) -> Result<RecipeFile, IoError> {
+pub fn read_file(path: impl AsRef<Path>) -> Result<NamedOptions, IoError> {
     let path = path.as_ref();
     read(&read_bytes(path, LARGEST)?, &path.to_string_lossy())
 }
@@ -46,7 +46,7 @@ pub fn read_file(path: impl AsRef<Path>) -> Result<RecipeFile, IoError> {
 /// assert_eq!(fault.to_string(), "worst.toml:1:12: expected one of larger, last, found 'first'");
 /// # Ok::<(), trimalla_io::IoError>(())
 /// ```
-pub fn read(bytes: &[u8], name: &str) -> Result<RecipeFile, IoError> {
+pub fn read(bytes: &[u8], name: &str) -> Result<NamedOptions, IoError> {
     let source = Source { bytes, name };
     let text = str::from_utf8(bytes).map_err(|error| {
         let at = error.valid_up_to();
@@ -71,8 +71,8 @@ struct Source<'a> {
 
 impl Source<'_> {
     /// The preset first, wherever it stands: it would replace every step. A name is the file's own.
-    fn recipe(self, table: &DeTable<'_>) -> Result<RecipeFile, IoError> {
-        let mut file = RecipeFile::default();
+    fn recipe(self, table: &DeTable<'_>) -> Result<NamedOptions, IoError> {
+        let mut file = NamedOptions::default();
         let entries = self.entries(table, None)?;
         let (presets, others): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(key, ..)| *key == PRESET);
         for (key, _, value) in presets.into_iter().chain(others) {
@@ -91,7 +91,7 @@ impl Source<'_> {
     /// Sets the option with a key that is known.
     fn option(
         self,
-        file: &mut RecipeFile,
+        file: &mut NamedOptions,
         table: Option<&'static str>,
         key: &str,
         given: &Spanned<DeValue<'_>>,

@@ -3,16 +3,17 @@
 use trimalla::refine::{Preset, Protect, Recipe, Select, registry};
 
 use super::read::keys;
-use super::{RecipeFile, read, write};
+use super::{read, write};
+use trimalla::refine::NamedOptions;
 
-fn bytes(file: &RecipeFile) -> Vec<u8> {
+fn bytes(file: &NamedOptions) -> Vec<u8> {
     let mut out = Vec::new();
     write(&mut out, file).unwrap();
     out
 }
 
 /// Fails unless the recipe comes back, and its bytes with it.
-fn comes_back(file: &RecipeFile) {
+fn comes_back(file: &NamedOptions) {
     let text = bytes(file);
     let again = read(&text, "again.toml").unwrap();
     assert_eq!(&again, file, "{}", String::from_utf8_lossy(&text));
@@ -25,9 +26,9 @@ fn fault(text: &str) -> String {
 
 #[test]
 fn every_preset_comes_back() {
-    comes_back(&RecipeFile::default());
+    comes_back(&NamedOptions::default());
     for &preset in Preset::ALL {
-        comes_back(&RecipeFile::of(preset));
+        comes_back(&NamedOptions::of(preset));
         let by_key = read(format!("preset = \"{preset}\"").as_bytes(), "p.toml").unwrap();
         assert_eq!(by_key.recipe, preset.recipe());
     }
@@ -37,7 +38,7 @@ fn every_preset_comes_back() {
 #[test]
 fn every_choice_comes_back() {
     for (option, row) in registry() {
-        let mut file = RecipeFile::default();
+        let mut file = NamedOptions::default();
         option.set(&mut file, &option.values.of_key(row.key).unwrap()).unwrap();
         assert_eq!(option.get(&file).unwrap().to_string(), row.key, "{}", option.key);
         comes_back(&file);
@@ -48,7 +49,7 @@ fn every_choice_comes_back() {
 fn numbers_and_names_come_back_bit_for_bit() {
     let numbers = [f64::MIN_POSITIVE, 1e-7, 0.1 + 0.2, 30.0, 1e9, 1.0 / 3.0 * 1e22, f64::MAX];
     for (number, protect) in numbers.into_iter().zip(Protect::ALL.iter().copied().cycle()) {
-        comes_back(&RecipeFile {
+        comes_back(&NamedOptions {
             name: Some("quote \" backslash \\ tab \t bell \u{7} delete \u{7f} next line \u{85} ñ".to_owned()),
             protect: Some(protect),
             min_angle_deg: Some(number.min(60.0)),
@@ -56,7 +57,7 @@ fn numbers_and_names_come_back_bit_for_bit() {
             max_aspect_ratio: Some(number.max(1.0)),
             max_vertices: Some(usize::MAX),
             length_floor: Some(number),
-            ..RecipeFile::of(Preset::LeppCentroid)
+            ..NamedOptions::of(Preset::LeppCentroid)
         });
     }
 }
@@ -124,16 +125,19 @@ fn what_is_no_toml_is_named_with_its_place() {
 #[test]
 fn serde_reads_what_is_written_here() {
     for &preset in Preset::ALL {
-        let bounded = RecipeFile { max_area: Some(0.1 + 0.2), name: Some("\t\"".to_owned()), ..RecipeFile::defaults() };
-        for file in [RecipeFile::of(preset), RecipeFile { preset: Some(preset), recipe: preset.recipe(), ..bounded }] {
+        let bounded =
+            NamedOptions { max_area: Some(0.1 + 0.2), name: Some("\t\"".to_owned()), ..NamedOptions::defaults() };
+        for file in
+            [NamedOptions::of(preset), NamedOptions { preset: Some(preset), recipe: preset.recipe(), ..bounded }]
+        {
             let text = String::from_utf8(bytes(&file)).unwrap();
-            assert_eq!(toml::from_str::<RecipeFile>(&text).unwrap(), file, "{text}");
+            assert_eq!(toml::from_str::<NamedOptions>(&text).unwrap(), file, "{text}");
         }
     }
     let preset_last = "select = \"first\"\npreset = \"lepp-circumcenter\"\n";
-    assert_eq!(toml::from_str::<RecipeFile>(preset_last).unwrap(), read(preset_last.as_bytes(), "r.toml").unwrap());
+    assert_eq!(toml::from_str::<NamedOptions>(preset_last).unwrap(), read(preset_last.as_bytes(), "r.toml").unwrap());
     for text in ["selekt = 1", "select = \"worst\"", "[criteria]\nmin-angle = 61", "[limits]\nmax-vertices = 1.5"] {
-        assert!(toml::from_str::<RecipeFile>(text).is_err() && read(text.as_bytes(), "r.toml").is_err(), "{text}");
+        assert!(toml::from_str::<NamedOptions>(text).is_err() && read(text.as_bytes(), "r.toml").is_err(), "{text}");
     }
 }
 
@@ -144,11 +148,11 @@ proptest::proptest! {
         preset in 0..Preset::ALL.len(),
         edits in proptest::collection::vec((0..400_usize, proptest::option::of(0..=255_u8), 0..3_u8), 0..4),
     ) {
-        let mut text = bytes(&RecipeFile {
+        let mut text = bytes(&NamedOptions {
             min_angle_deg: Some(31.5),
             max_vertices: Some(1000),
             name: Some("a".to_owned()),
-            ..RecipeFile::of(Preset::ALL[preset])
+            ..NamedOptions::of(Preset::ALL[preset])
         });
         for (at, byte, how) in edits {
             let at = at.min(text.len() - 1);

@@ -5,18 +5,18 @@ use std::io::{self, Write};
 
 use trimalla::refine::{Group, OptionRow, Value};
 
-use super::RecipeFile;
+use trimalla::refine::NamedOptions;
 
 /// Writes a recipe: every step, and what is said about criteria and limits. The same recipe gives the same bytes, and
 /// [`read`](super::read()) gives the same recipe.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut dyn Write, file: &RecipeFile) -> io::Result<()> {
+pub fn write(out: &mut dyn Write, file: &NamedOptions) -> io::Result<()> {
     out.write_all(text(file).as_bytes())
 }
 
-fn text(file: &RecipeFile) -> String {
+fn text(file: &NamedOptions) -> String {
     let mut text = String::from("# A recipe of trimalla; 'trimalla list' explains the keys.\n");
     add_pairs(&mut text, None, file);
     for table in Group::TABLES {
@@ -29,7 +29,7 @@ fn text(file: &RecipeFile) -> String {
 }
 
 /// A line for each option of a table that is said.
-fn add_pairs(text: &mut String, table: Option<&'static str>, file: &RecipeFile) {
+fn add_pairs(text: &mut String, table: Option<&'static str>, file: &NamedOptions) {
     for option in OptionRow::of_table(table) {
         let key = option.key;
         let _ = match option.get(file) {

@@ -45,7 +45,7 @@ impl Triangulation {
 
     /// The floating-point [`walk_within`](Self::walk_within): the face at which it ends, proved. `None` where rounding
     /// leaves the answer open, or where a constrained edge or the end of the domain is in the way.
-    pub(crate) fn walk_within_by_sight(&self, start: FaceId, p: Point) -> Option<FaceId> {
+    pub(crate) fn float_walk_within(&self, start: FaceId, p: Point) -> Option<FaceId> {
         let [a, b, _] = self.vertices_in_slot(start)?.map(|v| self.points.get(v.index()));
         let (mut a, mut b) = (*a?, *b?);
         let mut e = start.half_edge(0);
@@ -108,7 +108,7 @@ mod tests {
                         open += 1;
                     }
                 }
-                if let Some(f) = t.walk_within_by_sight(start, p) {
+                if let Some(f) = t.float_walk_within(start, p) {
                     assert!(holds(f), "{p} from {start}");
                     said += 1;
                 }
@@ -122,7 +122,7 @@ mod tests {
         let t = Delaunay::new(&near_lines()).expect("finite");
         let beyond = FaceId::from_index(t.face_slots() + 7);
         assert_eq!(t.float_walk(beyond, Point::new(1.0, 1.0)), Err(beyond));
-        assert_eq!(t.walk_within_by_sight(beyond, Point::new(1.0, 1.0)), None);
+        assert_eq!(t.float_walk_within(beyond, Point::new(1.0, 1.0)), None);
         assert_eq!(t.locate_from(beyond, Point::new(1e3, 1e3)), t.locate(Point::new(1e3, 1e3)));
     }
 }

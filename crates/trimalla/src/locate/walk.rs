@@ -74,7 +74,7 @@ impl Triangulation {
     /// takes does not depend on slots.
     #[must_use]
     pub fn walk_within(&self, start: FaceId, p: Point) -> Walk {
-        let arrived = self.walk_within_by_sight(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
+        let arrived = self.float_walk_within(start, p).map(|f| Walk::Arrived(Locus::Face(f)));
         // Without a bound of its own the walk ends.
         arrived.or_else(|| self.walk_within_exactly(start, p, usize::MAX)).unwrap_or(Walk::Arrived(Locus::Nowhere))
     }

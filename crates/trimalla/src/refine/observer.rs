@@ -39,7 +39,7 @@ pub trait Beginning {
     /// Linear.
     fn overview(&self) -> Overview;
 
-    /// Beginning a triangle to be treated after those picked before; says whether there is such a triangle.
+    /// Picks a triangle to be treated after those picked before; says whether there is such a triangle.
     fn pick(&mut self, face: FaceId) -> bool;
 }
 

@@ -454,6 +454,11 @@ impl Queue {
         None
     }
 
+    /// About how many bytes it takes.
+    pub(super) fn bytes(&self) -> usize {
+        self.looks.len() * size_of::<u32>() + self.len * size_of::<Waiting>()
+    }
+
     /// How many wait, those that are gone included.
     pub(super) fn len(&self) -> usize {
         self.len

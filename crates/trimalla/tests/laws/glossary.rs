@@ -52,9 +52,6 @@ const REPLACED: [(&str, &str); 5] = [
     ("patience", "priority, or timeout"),
 ];
 
-/// Here only the first of them is replaced.
-const STILL_WITH_IMAGES: &str = "crates/trimalla/src/refine";
-
 #[test]
 fn every_public_type_is_in_the_glossary_or_has_a_plain_name() {
     let named = names_in_the_glossary();
@@ -100,8 +97,7 @@ fn words_that_have_a_standard_term_are_not_used() {
     }
     let mut found = Vec::new();
     for (file, text) in texts.iter().filter(|(file, _)| !file.ends_with("laws/glossary.rs")) {
-        let is_exempt = file.starts_with(root().join(STILL_WITH_IMAGES));
-        for (word, instead) in &REPLACED[..if is_exempt { 1 } else { REPLACED.len() }] {
+        for (word, instead) in REPLACED {
             found.extend(lines_with(word, text).map(|line| format!("{}:{line}: {word}: {instead}", file.display())));
         }
     }

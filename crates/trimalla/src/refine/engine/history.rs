@@ -155,15 +155,17 @@ impl Refinement {
     pub fn back(&mut self) -> bool {
         let Some(mut history) = self.history.take() else { return false };
         let has_step = history.recorded > 0;
+        let mut is_back = !has_step;
         // Each round takes a record; the last one is a step.
-        while let Some(record) = history.pop().filter(|_| has_step) {
-            match record {
-                Record::Change { before, .. } => *self = *before,
-                Record::Step(step) => {
+        while !is_back {
+            match history.pop() {
+                Some(Record::Change { before, .. }) => *self = *before,
+                Some(Record::Step(step)) => {
                     history.steps -= 1;
                     self.take_back(*step);
-                    break;
+                    is_back = true;
                 }
+                None => is_back = true,
             }
         }
         self.history = Some(history);

@@ -31,6 +31,13 @@ impl Site {
     }
 }
 
+/// What the vertex is whose cavity was found.
+#[derive(Clone, Copy, Debug)]
+enum Fan {
+    Free,
+    Split(SplitCavity, Provenance),
+}
+
 /// A vertex that is in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inserted {
@@ -84,40 +91,42 @@ impl Refinement {
     #[inline(always)] // Before each insertion.
     fn insert_fan(&mut self, site: Site) -> Result<Inserted, Refused> {
         let cavity = &mut self.scratch.cavity;
-        let split = match site {
-            Site::Free(point, locus) => self.cdt.find_cavity(cavity, point, locus).then_some(None),
-            Site::Edge(h, point, _) => self.cdt.find_split(cavity, h, point).ok().map(Some),
+        let fan = match site {
+            Site::Free(point, locus) => self.cdt.find_cavity(cavity, point, locus).then_some(Fan::Free),
+            Site::Edge(h, point, provenance) => {
+                self.cdt.find_split(cavity, h, point).ok().map(|found| Fan::Split(found, provenance))
+            }
         };
-        let Some(split) = split else { return Err(Refused::NoRoom) };
+        let Some(fan) = fan else { return Err(Refused::NoRoom) };
         let (crowds, marks) = self.look_at_rim(site.point());
         if crowds {
             return Err(Refused::Crowded);
         }
         self.ledger.insertions += 1;
-        if marks != 0 && split.is_none() && self.minds_encroachment() {
+        if marks != 0 && matches!(fan, Fan::Free) && self.minds_encroachment() {
             let encroached = self.encroached_on_rim(site.point());
             if !encroached.is_empty() {
                 return Err(Refused::Encroaches(encroached));
             }
         }
-        Ok(self.fill(site, split))
+        Ok(self.fill(site.point(), fan))
     }
 
     /// Fills the cavity in the scratch. Nothing takes the vertex back, so it is noted in the log only where somebody
     /// wants to know what the step changed.
     #[inline(always)] // Before each insertion.
-    fn fill(&mut self, site: Site, split: Option<SplitCavity>) -> Inserted {
+    fn fill(&mut self, point: Point, fan: Fan) -> Inserted {
         let Scratch { work, log, cavity, is_recorded, .. } = &mut self.scratch;
         if *is_recorded || self.ledger.event.is_some() {
-            fill(&mut self.cdt.edit(work, log), cavity, site, split)
+            fill(&mut self.cdt.edit(work, log), cavity, point, fan)
         } else {
-            fill(&mut self.cdt.edit(work, &mut NoJournal), cavity, site, split)
+            fill(&mut self.cdt.edit(work, &mut NoJournal), cavity, point, fan)
         }
     }
 
     /// Puts a free vertex into the cavity in the scratch.
     pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
-        self.fill(Site::Free(point, Locus::Face(FaceId(0))), None).vertex
+        self.fill(point, Fan::Free).vertex
     }
 
     /// Whether a vertex on the rim of the cavity in the scratch is closer to a point than the length floor allows, and
@@ -204,15 +213,12 @@ impl Refinement {
 
 /// Fills a cavity that was just found.
 #[inline(always)] // Before each insertion.
-fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, site: Site, split: Option<SplitCavity>) -> Inserted {
-    match (site, split) {
-        (Site::Edge(_, point, provenance), Some(found)) => {
+fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, point: Point, fan: Fan) -> Inserted {
+    match fan {
+        Fan::Free => Inserted { vertex: edit.fill_cavity(cavity, point, Provenance::Free), changed: Changed::Fan },
+        Fan::Split(found, provenance) => {
             let (vertex, is_fan) = edit.fill_split(cavity, found, point, provenance);
             Inserted { vertex, changed: if is_fan { Changed::Fan } else { Changed::Star } }
-        }
-        _ => {
-            let vertex = edit.fill_cavity(cavity, site.point(), Provenance::Free);
-            Inserted { vertex, changed: Changed::Fan }
         }
     }
 }

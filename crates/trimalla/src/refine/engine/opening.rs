@@ -46,13 +46,16 @@ impl Refinement {
         {
             self.segments.opening = Opening::Release;
         }
-        if self.segments.opening == Opening::Release && !is_conforming && self.strategy.steps.recover.locks_segments() {
+        if self.segments.opening == Opening::Release
+            && !is_conforming
+            && self.strategy.steps.recover.traits().locks_segments
+        {
             self.segments.opening = Opening::Look;
         }
         if self.segments.opening == Opening::Conform && !is_conforming {
             self.segments.opening = Opening::Look;
         }
-        if self.segments.opening == Opening::ReleaseAgain && self.strategy.steps.recover.locks_segments() {
+        if self.segments.opening == Opening::ReleaseAgain && self.strategy.steps.recover.traits().locks_segments {
             self.segments.opening = Opening::Look;
         }
     }

@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, VecDeque};
 use super::encroached::Encroached;
 use super::filling::{FillStage, TakenNode};
 use super::parts::{Ledger, Picked, SegmentWork};
+use crate::constrained::Released;
 use crate::half_edge::{Entry, UndoLog, VertexId};
 use crate::refine::queue::{Changes, Claim, Queue};
 use crate::refine::reason::Reason;
@@ -90,12 +91,10 @@ impl<R> Default for History<R> {
 impl<R> Record<R> {
     /// About how many bytes the record takes.
     fn bytes(&self) -> usize {
-        let step = match self {
-            Self::Step(step) => step,
-            Self::Change { bytes, .. } => return *bytes,
-        };
-        let lists = step.triangulation.len() * size_of::<Entry>() + step.queue_changes.bytes();
-        size_of::<StepRecord>() + lists + step.taken.len() * size_of::<Picked>()
+        match self {
+            Self::Step(step) => step.bytes(),
+            Self::Change { bytes, .. } => *bytes,
+        }
     }
 }
 
@@ -124,6 +123,23 @@ impl<R> History<R> {
 }
 
 impl StepRecord {
+    /// About how many bytes the record takes, with its lists.
+    fn bytes(&self) -> usize {
+        let refusals = self.before_retry.as_ref().map_or(0, |refusals| {
+            refusals.0.len() * size_of::<([VertexId; 3], Reason)>() + refusals.1.len() * size_of::<[VertexId; 2]>()
+        });
+        let segments = self.segments.as_ref().map_or(0, |segments| {
+            size_of::<SegmentWork>() + (segments.released.len() + segments.lost.len()) * size_of::<Released>()
+        });
+        size_of::<Self>()
+            + self.triangulation.len() * size_of::<Entry>()
+            + self.queue_changes.bytes()
+            + self.queue.as_ref().map_or(0, |queue| queue.bytes())
+            + self.taken.len() * size_of::<Picked>()
+            + refusals
+            + segments
+    }
+
     /// Notes the subsegment that the step splits.
     pub(super) fn note_split(&mut self, encroached: Encroached) {
         self.split = Some(encroached);

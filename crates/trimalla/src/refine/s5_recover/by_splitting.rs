@@ -3,15 +3,15 @@
 //! # Source
 //! `[MeshSuite]` 2.6.1.
 
-use crate::refine::steps::{Bring, RecoverStep, StepEdit};
+use crate::refine::steps::{Bring, RecoverStep, RecoverTraits, StepEdit};
 
 /// Step 5, `by-splitting`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BySplitting;
 
 impl RecoverStep for BySplitting {
-    fn locks_segments(&self) -> bool {
-        false
+    fn traits(&self) -> RecoverTraits {
+        RecoverTraits { locks_segments: false, restores_segments: true }
     }
 
     fn recover(&self, edit: &mut dyn StepEdit) {

@@ -3,15 +3,15 @@
 //! # Source
 //! `[MeshSuite]` 2.6.2, by the edge insertion of `[Vigo97]`.
 
-use crate::refine::steps::{Bring, RecoverStep, StepEdit};
+use crate::refine::steps::{Bring, RecoverStep, RecoverTraits, StepEdit};
 
 /// Step 5, `complete`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Complete;
 
 impl RecoverStep for Complete {
-    fn locks_segments(&self) -> bool {
-        false
+    fn traits(&self) -> RecoverTraits {
+        RecoverTraits { locks_segments: false, restores_segments: true }
     }
 
     fn recover(&self, edit: &mut dyn StepEdit) {

@@ -3,14 +3,14 @@
 //! # Source
 //! `[Vigo97]` section 4.
 
-use crate::refine::steps::RecoverStep;
+use crate::refine::steps::{RecoverStep, RecoverTraits};
 
 /// Step 5, `whole-edge`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WholeEdge;
 
 impl RecoverStep for WholeEdge {
-    fn locks_segments(&self) -> bool {
-        true
+    fn traits(&self) -> RecoverTraits {
+        RecoverTraits { locks_segments: true, restores_segments: true }
     }
 }

@@ -19,7 +19,7 @@ pub use insert::{InsertStep, InsertTraits, Plan};
 pub use point::{PointStep, PointTraits};
 pub use prepare::PrepareStep;
 pub use proposal::{Places, Proposal};
-pub use recover::RecoverStep;
+pub use recover::{RecoverStep, RecoverTraits};
 pub use select::{SelectStep, SelectTraits};
 pub use step_edit::{Bring, StepEdit};
 pub use view::View;

@@ -37,7 +37,7 @@ impl Proposal {
             return None;
         }
         // Most walks meet no segment, and rounding leaves nothing open.
-        if let Some(f) = view.cdt.walk_within_by_sight(from, point) {
+        if let Some(f) = view.cdt.float_walk_within(from, point) {
             return Some(Self::Free { point, locus: Locus::Face(f) });
         }
         Self::towards_exactly(view, from, point)

@@ -2,12 +2,21 @@
 
 use super::step_edit::StepEdit;
 
+/// What a step 5 says of itself, once for a whole refinement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RecoverTraits {
+    /// Segments inside are locked while points go in: no flip and no cavity crosses them.
+    pub locks_segments: bool,
+    /// No segment is missing when a refinement has finished.
+    pub restores_segments: bool,
+}
+
 /// Step 5: what becomes of segments inside the domain.
 ///
 /// The boundary of the domain, and segments that part two regions, are always locked.
 pub trait RecoverStep {
-    /// Whether segments inside are locked while points go in: no flip and no cavity crosses them.
-    fn locks_segments(&self) -> bool;
+    /// What the step says of itself.
+    fn traits(&self) -> RecoverTraits;
 
     /// Changes the triangulation when no triangle is bad any more, or the refinement ends.
     ///
