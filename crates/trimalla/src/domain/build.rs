@@ -155,9 +155,13 @@ fn carved(
     let mut kept: Vec<bool> = removed.into_iter().map(|r| !r).collect();
     // Ghosts are outside by every rule, and nothing is in slots that are free.
     cdt.free_faces().iter().for_each(|f| kept[f.index()] = false);
-    warnings.extend(nearest_outside(&cdt, &kept));
+    let removed = kept.iter().enumerate().filter(|(_, is_kept)| !**is_kept).map(|(f, _)| FaceId::from_index(f));
+    let removed: Vec<FaceId> = removed.filter(|&f| cdt.is_real(f)).collect();
+    warnings.extend(nearest_outside(&cdt, &removed));
     cdt.edit(&mut NoJournal).carve_real(&kept);
-    warnings.extend(left_out(&cdt, pslg));
+    if !removed.is_empty() || pslg.segment_markers.iter().any(|&marker| marker != 0) {
+        warnings.extend(left_out(&cdt, pslg));
+    }
     regions::assign(&mut cdt.edit(&mut NoJournal), &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))
 }

@@ -90,7 +90,7 @@ impl ConstrainedTriangulation {
         let mut places = vec![0_usize; count + 2];
         let mut found = Vec::new();
         // A loop instead of `collect`: the nested iterators would compile to a state machine.
-        self.marked_edges().for_each(|h| {
+        self.for_each_marked_edge(|h| {
             let segment = self.first_segment_of(h).map_or(count, |segment| segment.index());
             places[segment + 1] += 1;
             found.push((segment, h));

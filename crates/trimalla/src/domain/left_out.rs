@@ -57,7 +57,7 @@ impl Found {
         let mut found = Self { is_there: vec![false; n], is_hidden: vec![false; n], first_hidden: None };
         // Edges of one span are parts of the same segments, which are computed: so once for each span.
         let mut spans = Vec::new();
-        cdt.marked_edges().for_each(|h| match cdt.listed_segments(cdt.mark(h)) {
+        cdt.for_each_marked_edge(|h| match cdt.listed_segments(cdt.mark(h)) {
             Some(list) => found.look_at_class(list, pslg),
             None => spans.push(cdt.mark(h)),
         });

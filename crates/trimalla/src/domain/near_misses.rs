@@ -18,18 +18,20 @@ const NARROW: f64 = 1e-6;
 /// The nearest two features that nearly touch: a vertex, and another one or a segment, that no segment joins, with
 /// their distance; of equally near ones those of the lowest vertices.
 ///
-/// They are the corners of one of the faces that are not kept, or a corner and the side opposite.
+/// They are the corners of one of the faces outside, or a corner and the side opposite.
 ///
 /// # Complexity
-/// Linear in the faces.
-pub(super) fn nearest_outside(cdt: &ConstrainedTriangulation, kept: &[bool]) -> Option<Warning> {
+/// Linear in the faces outside, and in the vertices where there are any.
+pub(super) fn nearest_outside(cdt: &ConstrainedTriangulation, outside: &[FaceId]) -> Option<Warning> {
+    if outside.is_empty() {
+        return None;
+    }
     let bounds = BoundingBox::of_finite(cdt.points().iter().copied())?;
     let scale = math::power_of_two_scale(bounds.largest_coordinate());
     let extent = ((bounds.max.x - bounds.min.x) * scale).max((bounds.max.y - bounds.min.y) * scale);
     let limit = NARROW * extent / scale;
     let limit_sq = limit * limit;
-    let outside = (0..kept.len()).filter(|&f| !kept[f]).map(FaceId::from_index);
-    let narrow = outside.filter(|&f| cdt.is_real(f) && is_narrow(cdt, limit_sq, f));
+    let narrow = outside.iter().copied().filter(|&f| is_narrow(cdt, limit_sq, f));
     let found = narrow.flat_map(FaceId::half_edges).filter_map(|h| near_miss(cdt, scale, h));
     let found = found.filter(|near| near.distance < NARROW * extent);
     let less = |a: &NearMiss, b: &NearMiss| {

@@ -3,6 +3,15 @@
 use super::half_edges::{HalfEdge, HalfEdgeMesh};
 use super::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 
+/// So many faces are tested for marks at once.
+const BLOCK: usize = 8;
+
+/// Whether the faces of a block may have a mark: a full one is tested, the last one of a mesh may be short.
+#[inline(always)] // In loops over all marked edges.
+fn may_have_mark(block: &[[u32; 3]]) -> bool {
+    <&[[u32; 3]; BLOCK]>::try_from(block).map_or(true, |full| full.as_flattened().iter().fold(0, |all, m| all | m) != 0)
+}
+
 impl HalfEdgeMesh {
     /// Both half-edges of every finite edge, oldest slot first; on the boundary the outer one lies in a ghost face.
     ///
@@ -34,13 +43,28 @@ impl HalfEdgeMesh {
     pub fn marked_edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
         // Most faces have no mark at all.
         let faces = self.mark.iter().enumerate().filter(|(_, marks)| marks[0] | marks[1] | marks[2] != 0);
-        faces.flat_map(|(f, marks)| {
-            let f = FaceId::from_index(f);
-            let [x, y, z] = self.face(f);
-            let corners = [[x, y, z], [y, z, x], [z, x, y]].into_iter().zip(f.half_edges()).zip(*marks);
-            let marked = corners.filter(|(_, mark)| *mark != 0).map(|(side, _)| side);
-            marked.filter(|&(corners, h)| self.is_named_by(corners, h)).map(|(_, h)| h)
-        })
+        faces.flat_map(|(f, marks)| self.marked_edges_of(FaceId::from_index(f), *marks))
+    }
+
+    /// Calls `each` with every one of the [`marked_edges`](Self::marked_edges): faster than the iterator, as blocks of
+    /// faces without a mark are passed at once.
+    pub(crate) fn for_each_marked_edge(&self, mut each: impl FnMut(HalfEdgeId)) {
+        for (b, block) in self.mark.chunks(BLOCK).enumerate().filter(|(_, block)| may_have_mark(block)) {
+            for (i, &marks) in block.iter().enumerate() {
+                if marks != [0; 3] {
+                    self.marked_edges_of(FaceId::from_index(b * BLOCK + i), marks).for_each(&mut each);
+                }
+            }
+        }
+    }
+
+    /// Those edges of a face, with these marks, that it names.
+    #[inline(always)] // In loops over all marked edges.
+    fn marked_edges_of(&self, f: FaceId, marks: [u32; 3]) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
+        let [x, y, z] = self.face(f);
+        let corners = [[x, y, z], [y, z, x], [z, x, y]].into_iter().zip(f.half_edges()).zip(marks);
+        let marked = corners.filter(|(_, mark)| *mark != 0).map(|(side, _)| side);
+        marked.filter(|&(corners, h)| self.is_named_by(corners, h)).map(|(_, h)| h)
     }
 
     /// Whether a half-edge is the one by which [`edges`](Self::edges) names its edge.

@@ -415,7 +415,9 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            self.mark = vec![[0; 3]; self.face_slots()];
+            // Written rather than taken as zeroed memory: pages of that are mapped twice, at the first read and at the
+            // first write.
+            self.mark.resize(self.face_slots(), [0; 3]);
             if J::ACTIVE {
                 j.note(columns::MARKS_ADDED, 0, 0);
             }

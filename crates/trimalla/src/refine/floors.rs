@@ -29,12 +29,11 @@ pub(super) struct Floors {
 
 impl Floors {
     pub(super) fn of(
-        cdt: &ConstrainedTriangulation,
+        (cdt, bounds): (&ConstrainedTriangulation, Option<BoundingBox>),
         options: &RefineOptions,
         ruler: Ruler,
         insert: InsertTraits,
     ) -> Self {
-        let bounds = cdt.bounding_box();
         let (floor, floor_reason) = length_floor(bounds, options, ruler);
         let precision = precision_floor(bounds, ruler);
         let floors = Self {

@@ -46,17 +46,21 @@ impl Joints {
     /// # Complexity
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
     pub(super) fn of(cdt: &ConstrainedTriangulation) -> Self {
+        Self::along(cdt, &marked_edges(cdt))
+    }
+
+    /// [`of`](Self::of) for a caller that has all marked edges.
+    pub(super) fn along(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId]) -> Self {
         let mut sorted = Vec::new();
-        // Edge by edge the nested iterators would be a machine of states.
-        cdt.marked_edges().for_each(|h| {
-            let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { return };
+        for &h in marked {
+            let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { continue };
             let ends = cdt.segments()[segment.index()];
             for vertex in [cdt.origin(h), cdt.dest(h)] {
                 if !ends.contains(&vertex) && ends_pieces(cdt, vertex) {
                     sorted.push(Joint { segment, t: cdt.parameter(segment, vertex), vertex });
                 }
             }
-        });
+        }
         sorted.sort_unstable_by(|a, b| {
             a.segment.cmp(&b.segment).then(a.t.total_cmp(&b.t)).then_with(|| a.vertex.cmp(&b.vertex))
         });
@@ -130,6 +134,14 @@ impl Joints {
         let on_segment = |joint: Option<&Joint>| joint.filter(|j| j.segment == segment).map(|j| j.vertex);
         [on_segment(at.checked_sub(1).and_then(|i| self.sorted.get(i))), on_segment(self.sorted.get(at))]
     }
+}
+
+/// The marked edges, to be walked through more than once: most of what finding them costs is the faces without any.
+pub(super) fn marked_edges(cdt: &ConstrainedTriangulation) -> Vec<HalfEdgeId> {
+    let mut marked = Vec::new();
+    // A loop instead of `collect`: the nested iterators would compile to a state machine.
+    cdt.for_each_marked_edge(|h| marked.push(h));
+    marked
 }
 
 /// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet

@@ -96,16 +96,8 @@ impl BucketRow {
     const BUCKETS: usize = 64;
 
     /// The buckets, which are made where there are none yet.
-    #[inline]
     fn buckets_mut(&mut self) -> &mut [Bucket; Self::BUCKETS] {
         self.buckets.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Bucket::default())))
-    }
-
-    /// Adds a triangle to a bucket.
-    #[inline]
-    fn put(&mut self, claim: Claim, bucket: usize) {
-        self.buckets_mut()[bucket].claims.push(claim);
-        self.occupied |= 1 << bucket;
     }
 
     /// Takes one from the lowest bucket where anything waits; the bucket, too.
@@ -232,9 +224,26 @@ impl Queue {
     #[inline]
     pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, priority: f64) {
         let bucket = Self::bucket_of(priority);
+        // Nothing follows the call, so that nothing has to be kept across it.
         if self.record.is_some() {
-            self.note_push(face, patch, bucket);
+            self.note_and_push(cdt, face, patch, bucket)
+        } else {
+            self.add(cdt, face, patch, bucket)
         }
+    }
+
+    /// Adds a triangle and notes what that changes.
+    #[cold]
+    #[inline(never)]
+    fn note_and_push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, bucket: u32) {
+        self.note_look(face);
+        let is_here = patch == self.present;
+        self.note(if is_here { Change::Added { bucket } } else { Change::AddedElsewhere { patch: patch as u32 } });
+        self.add(cdt, face, patch, bucket);
+    }
+
+    #[inline(always)] // For each bad triangle.
+    fn add(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, bucket: u32) {
         let waiting = Waiting { claim: self.claim_unnoted(cdt, face), bucket };
         self.len += 1;
         if patch == self.present {
@@ -242,16 +251,6 @@ impl Queue {
         } else {
             self.elsewhere[patch].push(waiting);
         }
-    }
-
-    /// Notes what adding a triangle changes.
-    #[cold]
-    #[inline(never)]
-    fn note_push(&mut self, face: FaceId, patch: usize, bucket: u32) {
-        self.note_look(face);
-        let is_here = patch == self.present;
-        let patch = patch as u32;
-        self.note(if is_here { Change::Added { bucket } } else { Change::AddedElsewhere { patch } });
     }
 
     #[inline]
@@ -263,12 +262,24 @@ impl Queue {
 
     #[inline]
     fn put_into_bucket(&mut self, Waiting { claim, bucket }: Waiting) {
-        let (row, bucket) = Self::place_of(bucket);
+        let (row, number) = Self::place_of(bucket);
+        self.lowest = self.lowest.min(row);
+        let Some(BucketRow { occupied, buckets: Some(buckets) }) = self.rows.get_mut(row) else {
+            return self.put_into_new_row(claim, row, number);
+        };
+        *occupied |= 1 << number;
+        buckets[number].claims.push(claim);
+    }
+
+    /// Adds a triangle to a bucket of a row that has no room yet.
+    #[cold]
+    #[inline(never)]
+    fn put_into_new_row(&mut self, claim: Claim, row: usize, number: usize) {
         if row >= self.rows.len() {
             self.rows.resize_with(row + 1, BucketRow::default);
         }
-        self.rows[row].put(claim, bucket);
-        self.lowest = self.lowest.min(row);
+        self.rows[row].buckets_mut()[number].claims.push(claim);
+        self.rows[row].occupied |= 1 << number;
     }
 
     /// Goes on to the next patch in which anything waits; says whether there is one.

@@ -71,11 +71,9 @@ impl Refinement {
     /// The plan of step 4 for a place; the faces it lists are in the scratch.
     #[inline(always)] // Before each insertion.
     pub(super) fn plan(&mut self, place: Proposal) -> Plan {
-        let mut faces = std::mem::take(&mut self.scratch.planned);
-        faces.clear();
-        let plan = self.strategy.steps.insert.plan(self.view(), place, &mut faces);
-        self.scratch.planned = faces;
-        plan
+        self.scratch.planned.clear();
+        let view = self.problem.view(&self.cdt, &self.strategy);
+        self.strategy.steps.insert.plan(view, place, &mut self.scratch.planned)
     }
 
     /// Carries out a plan. Where the point strategy keeps clear of segments, a free vertex encroaches upon none.

@@ -21,6 +21,10 @@ struct Looker<'a> {
     is_manual: bool,
     /// The cavity that was filled, where there was one.
     cavity: &'a Cavity,
+    /// The numbers of the bad triangles of its fan.
+    bad: &'a mut Vec<usize>,
+    /// The subsegments beside what was looked at.
+    beside: &'a mut Vec<HalfEdgeId>,
     queue: &'a mut Queue,
     joined: &'a mut u64,
 }
@@ -86,31 +90,33 @@ impl Looker<'_> {
     ///        f ─ a
     /// ```
     #[inline(never)]
-    fn look_at_fan(&mut self, v: VertexId, p: Point, bad: &mut Vec<usize>, subsegments: &mut Vec<HalfEdgeId>) {
+    fn look_at_fan(&mut self, v: VertexId, p: Point) {
         let cavity = self.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
         self.queue.note_looks(faces);
-        bad.clear();
+        self.bad.clear();
         let (mut first, mut turn, mut lowest, mut newest, mut marks) = (0, 0, VertexId::INFINITE, v, 0);
         let (bounds, mut spoke) = (self.uniform_bounds(), Side::new(p, starts[0]));
         for (k, ((&face, edge), ends)) in faces.iter().zip(rim).zip(starts.windows(2)).enumerate() {
-            (first, turn, lowest) = if edge.from < lowest { (k, bad.len(), edge.from) } else { (first, turn, lowest) };
+            (first, turn, lowest) =
+                if edge.from < lowest { (k, self.bad.len(), edge.from) } else { (first, turn, lowest) };
             newest = newest.max(edge.from);
             marks |= edge.mark | edge.spoke;
             let next = Side::new(p, ends[1]);
             let corners = [p, ends[0], ends[1]];
             let is_bad = bounds.is_bad(corners, [spoke, next]);
             let is_bad = is_bad.unwrap_or_else(|| self.view.cdt.is_real(face) && self.is_bad(face, corners));
-            push_if(bad, k, is_bad);
+            push_if(self.bad, k, is_bad);
             self.queue.pass_unnoted(face);
             spoke = next;
         }
         // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
         if v == newest {
             let patch = self.queue.patch_at(p);
-            for i in turn..turn + bad.len() {
-                let k = bad[if i < bad.len() { i } else { i - bad.len() }];
+            let count = self.bad.len();
+            for i in turn..turn + count {
+                let k = self.bad[if i < count { i } else { i - count }];
                 self.queue_bad(faces[k], [p, starts[k], starts[k + 1]], patch);
             }
         } else {
@@ -118,17 +124,19 @@ impl Looker<'_> {
             faces[first..].iter().chain(&faces[..first]).copied().filter(real).for_each(|f| self.look_at(f));
         }
         if marks != 0 {
-            self.add_subsegments_of_fan(subsegments);
+            self.add_subsegments_of_fan();
         }
     }
 
     /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
     #[inline(never)]
-    fn add_subsegments_of_fan(&self, subsegments: &mut Vec<HalfEdgeId>) {
+    fn add_subsegments_of_fan(&mut self) {
         let cavity = self.cavity;
         for (face, edge) in cavity.faces().iter().zip(cavity.rim()) {
-            push_if(subsegments, face.half_edge(0), edge.mark != 0);
-            push_if(subsegments, face.half_edge(2), edge.spoke != 0);
+            if edge.mark | edge.spoke != 0 {
+                push_if(self.beside, face.half_edge(0), edge.mark != 0);
+                push_if(self.beside, face.half_edge(2), edge.spoke != 0);
+            }
         }
     }
 }
@@ -136,17 +144,13 @@ impl Looker<'_> {
 impl Refinement {
     fn looker(&mut self) -> Looker<'_> {
         Looker {
-            view: View {
-                cdt: &self.cdt,
-                criteria: &self.problem.options.criteria,
-                size: self.problem.test.size(),
-                ruler: self.problem.ruler,
-                longest_walk: self.strategy.longest_walk,
-            },
+            view: self.problem.view(&self.cdt, &self.strategy),
             test: &self.problem.test,
             select: self.strategy.steps.select.as_ref(),
             is_manual: self.strategy.traits.select.is_manual,
             cavity: &self.scratch.cavity,
+            bad: &mut self.scratch.bad_in_fan,
+            beside: &mut self.scratch.beside,
             queue: &mut self.agenda.queue,
             joined: &mut self.agenda.joined,
         }
@@ -171,28 +175,25 @@ impl Refinement {
         // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
         let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
         spokes.rotate_left(first);
-        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         for &spoke in &spokes {
             let is_real = self.cdt.is_real(spoke.face());
             if is_real {
                 self.look_at_bad(spoke.face());
             }
-            subsegments.extend(self.cdt.is_marked(spoke).then_some(spoke));
-            subsegments.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
+            let beside = &mut self.scratch.beside;
+            beside.extend(self.cdt.is_marked(spoke).then_some(spoke));
+            beside.extend((is_real && self.cdt.is_marked(spoke.next())).then_some(spoke.next()));
         }
-        self.queue_encroached_of(&mut subsegments);
-        (self.scratch.spokes, self.scratch.beside) = (spokes, subsegments);
+        self.scratch.spokes = spokes;
+        self.queue_encroached_beside();
         self.ledger.stopwatch.enter(before);
     }
 
     /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
     pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
         let before = self.ledger.stopwatch.enter(Part::Select);
-        let mut bad = std::mem::take(&mut self.scratch.bad_in_fan);
-        let mut subsegments = std::mem::take(&mut self.scratch.beside);
-        self.looker().look_at_fan(v, p, &mut bad, &mut subsegments);
-        self.queue_encroached_of(&mut subsegments);
-        (self.scratch.bad_in_fan, self.scratch.beside) = (bad, subsegments);
+        self.looker().look_at_fan(v, p);
+        self.queue_encroached_beside();
         self.ledger.stopwatch.enter(before);
     }
 
@@ -204,30 +205,29 @@ impl Refinement {
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
     pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
         let before = self.ledger.stopwatch.enter(Part::Select);
-        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         for &f in faces {
             self.look_at_bad(f);
-            subsegments.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
+            self.scratch.beside.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
-        self.queue_encroached_of(&mut subsegments);
-        self.scratch.beside = subsegments;
+        self.queue_encroached_beside();
         self.ledger.stopwatch.enter(before);
     }
 
-    /// Queues those that need a split, in the order of their vertices, whatever the order of faces was; empties the
-    /// list.
+    /// Queues those subsegments beside what was looked at that need a split, in the order of their vertices, whatever
+    /// the order of faces was; empties the list.
     #[inline(always)] // After each insertion, and most are near no subsegment.
-    fn queue_encroached_of(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
-        if !subsegments.is_empty() {
-            self.queue_encroached_among(subsegments);
+    fn queue_encroached_beside(&mut self) {
+        if !self.scratch.beside.is_empty() {
+            self.queue_encroached_among();
         }
     }
 
     #[inline(never)]
-    fn queue_encroached_among(&mut self, subsegments: &mut Vec<HalfEdgeId>) {
+    fn queue_encroached_among(&mut self) {
         if !self.strategy.steps.prepare.is_lasting() {
-            return subsegments.clear();
+            return self.scratch.beside.clear();
         }
+        let mut subsegments = std::mem::take(&mut self.scratch.beside);
         let before = self.ledger.stopwatch.enter(Part::Prepare);
         subsegments.retain(|&h| self.needs_split(h));
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
@@ -236,6 +236,7 @@ impl Refinement {
             // One that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);
         }
+        self.scratch.beside = subsegments;
         self.ledger.stopwatch.enter(before);
     }
 

@@ -15,7 +15,7 @@
 
 use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
-use crate::half_edge::VertexId;
+use crate::half_edge::{HalfEdgeId, VertexId};
 use crate::refine::joints::{Joints, Piece, common_end};
 use crate::refine::ruler::Ruler;
 
@@ -32,20 +32,18 @@ const SHELL_SINE_SQ: f64 = 0.75;
 ///
 /// # Complexity
 /// Linear in the segments, the marked edges, and the degrees of the vertices where two of those meet.
-pub(super) fn has_small_wedge(cdt: &ConstrainedTriangulation, ruler: Ruler) -> bool {
+pub(super) fn has_small_wedge(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId], ruler: Ruler) -> bool {
     if cdt.segments().iter().flatten().any(|&v| !cdt.is_used(v)) {
         return true;
     }
     let (mut ends, mut shared) = (vec![0_u8; cdt.points().len()], Vec::new());
-    cdt.marked_edges().for_each(|h| {
-        for v in [cdt.origin(h), cdt.dest(h)] {
-            let count = &mut ends[v.index()];
-            *count = count.saturating_add(1);
-            if *count == 2 {
-                shared.push(v);
-            }
+    for v in marked.iter().flat_map(|&h| [cdt.origin(h), cdt.dest(h)]) {
+        let count = &mut ends[v.index()];
+        *count = count.saturating_add(1);
+        if *count == 2 {
+            shared.push(v);
         }
-    });
+    }
     shared.into_iter().any(|v| is_small_wedge_at(cdt, ruler, v))
 }
 

@@ -143,7 +143,8 @@ impl Refinement {
 
     /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked
     /// at.
-    pub(super) fn begin(&mut self, bounds: Option<BoundingBox>) {
+    pub(super) fn begin(&mut self) {
+        let bounds = self.problem.bounds;
         let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
         let queue = self.empty_queue(bounds, expected);
         self.replace_queue(queue);
@@ -205,7 +206,7 @@ impl Refinement {
         self.strategy.steps.select = Arc::new(select);
         self.strategy = self.strategy.renewed();
         if self.is_open() {
-            self.begin(self.cdt.bounding_box());
+            self.begin();
         }
         self
     }
@@ -451,13 +452,7 @@ impl Refinement {
     }
 
     pub(super) fn view(&self) -> View<'_> {
-        View {
-            cdt: &self.cdt,
-            criteria: &self.problem.options.criteria,
-            size: self.problem.test.size(),
-            ruler: self.problem.ruler,
-            longest_walk: self.strategy.longest_walk,
-        }
+        self.problem.view(&self.cdt, &self.strategy)
     }
 }
 

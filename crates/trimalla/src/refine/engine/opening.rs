@@ -115,7 +115,7 @@ impl Refinement {
             }
             Opening::Prepare => self.prepare_by_step(),
             _ => {
-                self.begin(self.cdt.bounding_box());
+                self.begin();
                 self.prepare_by_step();
             }
         }

@@ -8,12 +8,13 @@ use super::encroached::Encroached;
 use super::mirror::has_small_wedge;
 use crate::constrained::{ConstrainedTriangulation, Recovery, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
+use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::refine::bad_triangles::Criterion;
 use crate::refine::encroachment::Region;
 use crate::refine::event::Event;
 use crate::refine::floors::Floors;
-use crate::refine::joints::{Joints, Piece};
+use crate::refine::joints::{Joints, Piece, marked_edges};
 use crate::refine::options::RefineOptions;
 use crate::refine::queue::{Claim, Queue};
 use crate::refine::reason::Reason;
@@ -35,6 +36,8 @@ pub(super) struct Problem {
     pub(super) test: Criterion,
     /// What encroaches upon a subsegment.
     pub(super) region: Region,
+    /// The box around the vertices, which no point leaves that goes in.
+    pub(super) bounds: Option<BoundingBox>,
     pub(super) ruler: Ruler,
     pub(super) floors: Floors,
     /// Where segments are split into pieces.
@@ -52,17 +55,34 @@ impl Problem {
         options: RefineOptions,
         insert: InsertTraits,
     ) -> Self {
-        let ruler = Ruler::for_box(cdt.bounding_box());
+        let bounds = cdt.bounding_box();
+        let ruler = Ruler::for_box(bounds);
+        let marked = marked_edges(cdt);
         let size = SizeBounds::new(options.criteria.max_area, cdt, fields);
         Self {
             test: Criterion::new(&options.criteria, size),
             region: Region::new(options.recipe.encroachment, &options.criteria),
-            floors: Floors::of(cdt, &options, ruler, insert),
-            joints: Joints::of(cdt),
-            has_small_wedge: has_small_wedge(cdt, ruler),
+            floors: Floors::of((cdt, bounds), &options, ruler, insert),
+            joints: Joints::along(cdt, &marked),
+            has_small_wedge: has_small_wedge(cdt, &marked, ruler),
             is_as_given: !is_delaunay && options.recipe.initial == Initial::Given,
+            bounds,
             ruler,
             options,
+        }
+    }
+}
+
+impl Problem {
+    /// What the steps are shown of a triangulation.
+    #[inline(always)] // Several times for each triangle treated.
+    pub(super) fn view<'a>(&'a self, cdt: &'a ConstrainedTriangulation, strategy: &Strategy) -> View<'a> {
+        View {
+            cdt,
+            criteria: &self.options.criteria,
+            size: self.test.size(),
+            ruler: self.ruler,
+            longest_walk: strategy.longest_walk,
         }
     }
 }

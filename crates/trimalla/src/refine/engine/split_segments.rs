@@ -60,7 +60,7 @@ impl Refinement {
     pub(super) fn queue_all_encroached(&mut self) {
         let mut found = Vec::new();
         // Not collected: edge by edge the nested iterators would be a machine of states.
-        self.cdt.marked_edges().for_each(|h| {
+        self.cdt.for_each_marked_edge(|h| {
             if self.needs_split(h) {
                 found.push((ends_of(&self.cdt, h), h));
             }

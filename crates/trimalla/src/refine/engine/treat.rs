@@ -15,7 +15,7 @@ use crate::locate::Locus;
 use crate::refine::event::{Badness, InsertedKind};
 use crate::refine::lepp::lepp;
 use crate::refine::reason::Reason;
-use crate::refine::steps::{Places, Plan, Proposal};
+use crate::refine::steps::{Plan, Proposal};
 use crate::refine::stopwatch::Part;
 
 impl Refinement {
@@ -25,45 +25,45 @@ impl Refinement {
             return Err(reason);
         }
         self.count_path(face);
-        let mut places = std::mem::take(&mut self.scratch.places);
-        places.clear();
+        self.scratch.places.clear();
         self.ledger.newest = None;
-        self.strategy.steps.point.propose(self.view(), face, &mut places);
+        let view = self.problem.view(&self.cdt, &self.strategy);
+        self.strategy.steps.point.propose(view, face, &mut self.scratch.places);
         self.ledger.stopwatch.enter(Part::Insert);
         // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never
         // will.
         let is_kept = self.strategy.traits.insert.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
         // Nothing changes until one is taken, so that the loci stay right.
-        let taken = places.proposals().iter().position(|&place| {
+        for number in 0..self.scratch.places.proposals().len() {
+            let place = self.scratch.places.proposals()[number];
             let tried = self.try_place(place);
             self.note_candidate(place, tried);
-            tried.map_err(|reason| refused = reason).is_ok()
-        });
-        let outcome = match taken {
-            Some(number) => {
-                self.put_others(&places, number);
-                Ok(())
+            match tried {
+                Err(reason) => refused = reason,
+                Ok(()) => {
+                    self.put_others(number);
+                    return Ok(());
+                }
             }
-            None => Err(self.reason_of_refused_places(places.proposals(), refused)),
-        };
-        self.scratch.places = places;
-        outcome
+        }
+        Err(self.reason_of_refused_places(self.scratch.places.proposals(), refused))
     }
 
     /// Inserts the points that go in together with a place that was taken, if a vertex is there now.
     #[inline(always)] // Nearly always there are none.
-    fn put_others(&mut self, places: &Places, number: usize) {
-        if places.together_with(number).next().is_some() {
-            self.put_points_after(self.ledger.newest, places.together_with(number));
+    fn put_others(&mut self, number: usize) {
+        if self.scratch.places.together_with(number).next().is_some() {
+            self.put_points_after(self.ledger.newest, number);
         }
     }
 
-    /// Inserts points one after the other, each where a walk from the vertex before leads.
+    /// Inserts these points one after the other, each where a walk from the vertex before leads.
     #[cold]
     #[inline(never)]
-    fn put_points_after(&mut self, first: Option<VertexId>, points: impl Iterator<Item = Point>) {
+    fn put_points_after(&mut self, first: Option<VertexId>, number: usize) {
         let Some(mut from) = first else { return };
+        let points: Vec<Point> = self.scratch.places.together_with(number).collect();
         for point in points {
             let Some(h) = self.cdt.outgoing(from).filter(|_| !self.is_exhausted()) else { return };
             let face = if self.cdt.is_real(h.face()) { h.face() } else { self.cdt.twin(h).face() };
