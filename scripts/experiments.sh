@@ -148,6 +148,22 @@ picture() { # a mesh by lepp-circumcenter, with its command: drawing, angle, nam
     printf '%s at %s degrees: %s.\n\n    trimalla mesh %s --algorithm lepp-circumcenter --min-angle %s -o %s.svg\n\n![%s at %s degrees](experiments/%s.svg)\n\n' \
         "$4" "$2" "$counts" "$(basename "$1")" "$2" "$3" "$4" "$2" "$3"
 }
+row_of_pictures() { # pictures beside each other, each with a word above it: NAME WORD NAME WORD ...
+    head='|' rule='|' row='|'
+    while [ $# -gt 0 ]; do
+        head="$head $2 |" rule="$rule---|" row="$row ![$2](experiments/$1.svg) |"
+        shift 2
+    done
+    printf '%s\n%s\n%s\n\n' "$head" "$rule" "$row"
+}
+before_and_after() { # a mesh as it is and refined as in Sanhueza's tests: file, prefix of the pictures
+    "${CARGO_TARGET_DIR:-target}/release/trimalla" convert "$1" "$out/$2-0.svg" >/dev/null
+    for angle in 10 15 20; do
+        "${CARGO_TARGET_DIR:-target}/release/trimalla" refine "$1" --algorithm sanhueza --min-angle "$angle" --quiet \
+            -o "$out/$2-$angle.svg" >/dev/null
+    done
+    row_of_pictures "$2-0" original "$2-10" "10°" "$2-15" "15°" "$2-20" "20°"
+}
 terminals() { # a row each angle: runs that ended with the larger and with the last terminal triangle, and how their vertices compare where both did
     printf '| angle | circumcenter, larger | circumcenter, last | vertices | off-center, larger | off-center, last | vertices |\n'
     printf '|---:|---:|---:|---:|---:|---:|---:|\n'
@@ -341,8 +357,34 @@ TEXT
 
 He says that most paths have two or three triangles, and that the length tends to two. The first is so here: those two lengths make half of the paths at
 10 degrees, and three fifths at 15 and 20. The mean falls from three to 2.5, and no further.
+
+His slides show four tests, each mesh as it was and refined at 10, 15 and 20 degrees. The first is the file above:
+
 TEXT
+        before_and_after "$soup" sanhueza-1
+        cat <<'TEXT'
+The files of the other three are not to be found. Three of the random sets above, triangulated, stand in for them:
+
+TEXT
+        for number in 1 2 3; do
+            "${CARGO_TARGET_DIR:-target}/release/trimalla" triangulate "$temporary/random-0$number.node" --quiet \
+                -o "$temporary/set.ele" >/dev/null
+            before_and_after "$temporary/set.ele" "sanhueza-$((number + 1))"
+        done
     fi
+    cat <<'TEXT'
+
+## Vigo's five polygons
+
+What `[Vigo97]` shows in its figure 9, and the square of its table 1: drawings of our own with the counts of the paper, the square smaller. Each is
+triangulated by `trimalla triangulate data/vigo/NAME.poly`.
+
+TEXT
+    for name in 9a 9b 9c 9d square; do
+        "${CARGO_TARGET_DIR:-target}/release/trimalla" triangulate "data/vigo/$name.poly" --quiet -o "$out/vigo-$name.svg" >/dev/null
+    done
+    row_of_pictures vigo-9a "9a, a simple polygon" vigo-9b "9b, with points inside" vigo-9c "9c, long edges that part points"
+    row_of_pictures vigo-9d "9d, nine holes" vigo-square "the square"
     if [ -f "$a" ] && [ -f "$published" ]; then
         cat <<'TEXT'
 

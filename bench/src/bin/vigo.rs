@@ -1,10 +1,14 @@
-//! Table 1 of `[Vigo97]` again: how long vertices take, and how long the edges between them.
+//! Table 1 of `[Vigo97]` again: how long vertices take, and how long the edges between them. With the name of a folder:
+//! writes the drawings there.
 //!
 //! The shapes are ours, with the counts of figures 9a to 9d and of the square; figure 9e is left out, for no drawing
 //! has its counts (346 vertices, 249 of them on a boundary, give 786 edges and 3 more a hole, not 756). The square has
 //! 30 797 edges: the 30 298 that the paper prints contradict Euler's formula.
 
 use std::f64::consts::TAU;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
 use std::time::Instant;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
@@ -20,6 +24,30 @@ use trimalla_bench::workloads::{polar, ring};
 type Row = (&'static str, Pslg, [usize; 3]);
 
 fn main() -> Outcome<()> {
+    match std::env::args().nth(1) {
+        Some(folder) => write_drawings(Path::new(&folder)),
+        None => write_table(),
+    }
+}
+
+/// Writes the drawings that the pictures of docs/experiments.md show, the square smaller than in the table.
+fn write_drawings(folder: &Path) -> Outcome<()> {
+    let drawings = [
+        ("9a", with_points(star(33), 0)),
+        ("9b", with_points(star(31), 45)),
+        ("9c", with_points(comb(47), 51)),
+        ("9d", plate()),
+        ("square", square(144)),
+    ];
+    for (name, drawing) in drawings {
+        let mut out = BufWriter::new(File::create(folder.join(name).with_extension("poly"))?);
+        trimalla_io::poly::write_pslg(&mut out, &drawing, 0)?;
+        out.flush()?;
+    }
+    Ok(())
+}
+
+fn write_table() -> Outcome<()> {
     println!(
         "| shape | vertices | edges given | edges of the triangulation | vertices, ms | edges, ms | together, ms |"
     );

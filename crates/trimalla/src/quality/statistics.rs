@@ -33,6 +33,8 @@ impl Default for Bins {
 
 /// Counts and measures of a mesh.
 ///
+/// One field for each figure: they are read one by one, and parts would only be in the way.
+///
 /// # Units
 /// Lengths in coordinate units, areas in squared ones; histograms in degrees.
 ///

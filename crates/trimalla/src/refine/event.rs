@@ -136,6 +136,8 @@ pub struct InsertedVertex {
 pub type Name = [VertexId; 3];
 
 /// What a step did.
+///
+/// One field for each kind of change that a step may bring about, most of them empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Event {
     /// The number of the step, from 1.

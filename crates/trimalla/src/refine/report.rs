@@ -19,6 +19,8 @@ pub struct Leftover {
 }
 
 /// What came of a refinement.
+///
+/// One field for each figure of the printed report.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]

@@ -27,7 +27,8 @@ fn no_line_of_a_comment_is_wider_than_code() {
     assert!(wide.is_empty(), "{wide:#?}");
 }
 
-fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+/// Adds the Rust files below a folder.
+pub(crate) fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
         if path.is_dir() {

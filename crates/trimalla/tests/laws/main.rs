@@ -11,6 +11,7 @@ mod constrained_edits;
 mod edits;
 mod elementary;
 mod features;
+mod fields;
 mod fill;
 mod forecast;
 mod glossary;

@@ -43,6 +43,8 @@ pub(super) enum Record<R> {
 }
 
 /// How to take a step back.
+///
+/// One field for each thing that a step may overwrite, whichever part of the refinement holds it.
 #[derive(Clone)]
 pub(super) struct StepRecord {
     pub(super) triangulation: UndoLog,

@@ -19,6 +19,8 @@ pub use table::{Group, OPTIONS, OptionRow, registry};
 pub use value::{Row, Value, Values, WrongValue};
 
 /// One choice for each of the five steps.
+///
+/// One field for each option of the recipe: a row of [`OPTIONS`] each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
