@@ -23,7 +23,8 @@
 //!
 //! 1. Before the outside is removed, every triangle outside with a boundary edge is tested. If one has an angle below
 //!    [`THIN`], the boundary [may be thin](is_thin_outside), and every split needs the proof.
-//! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it.
+//! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it, and splits less than a third of that
+//!    from an end.
 //!
 //! ```text
 //!      a ─────────────── c    outside G        A pocket: the boundary a–b–c bends by rounding, as the side of a drawing that
@@ -39,7 +40,7 @@
 //! * Vertices that split S, or a boundary edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a
 //!   boundary edge lies within 16 u of its input segment, a computed point within 2, and each of the 26 halvings down
 //!   to `SHORT_ULPS` adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a
-//!   third of `SHORT_ULPS` from the ends of their subsegments.
+//!   third of `SHORT_ULPS` from the ends of their subsegments, or had a proof.
 //! * Seen from o, 64 u across S shift a place along S by less than 64 u ÷ (`THIN` ÷ 3), about 10⁷ u. That is less than
 //!   half of the third of `SHORT_ULPS`, 2.2 · 10⁷ u. So from o the vertices along S are seen in their order, in front
 //!   of o: what bends beyond S stays in the triangle of o and S, where nothing else comes.
@@ -108,8 +109,13 @@ impl Outside {
     /// Whether a split of the boundary edge between two points needs a proof. Once some did, all do, so that the
     /// triangles stay those beside the boundary.
     fn needs_proof(&self, [a, b]: [Point; 2]) -> bool {
-        let is_long = |from: f64, to: f64| (to - from).abs() >= self.short;
-        self.is_thin || self.faces.is_some() || !(is_long(a.x, b.x) || is_long(a.y, b.y))
+        self.is_thin || self.faces.is_some() || !are_apart(a, b, self.short)
+    }
+
+    /// Whether a split of that edge at a point needs a proof: near an end it does, too.
+    fn needs_proof_at(&self, [a, b]: [Point; 2], p: Point) -> bool {
+        let near = self.short / 3.0;
+        self.needs_proof([a, b]) || !are_apart(a, p, near) || !are_apart(p, b, near)
     }
 
     /// Replaces the state, through the journal; the triangles are not recorded, as they can be made again.
@@ -167,6 +173,12 @@ impl Outside {
             faces.log.clear();
         }
     }
+}
+
+/// Whether two points are at least so far apart, in x or in y.
+#[inline]
+fn are_apart(p: Point, q: Point, distance: f64) -> bool {
+    (p.x - q.x).abs() >= distance || (p.y - q.y).abs() >= distance
 }
 
 /// The length below which the boundary edges of a triangulation are split with proof only.
@@ -382,7 +394,7 @@ impl ConstrainedTriangulation {
     /// Whether the outside allows a vertex at `p` to split an edge; always, if the edge is inside the domain.
     #[inline]
     pub(super) fn outside_allows(&mut self, h: HalfEdgeId, p: Point) -> bool {
-        let is_sure = self.closure() != Closure::Domain || !self.outside().needs_proof(self.edge_points(h));
+        let is_sure = self.closure() != Closure::Domain || !self.outside().needs_proof_at(self.edge_points(h), p);
         is_sure || self.is_split_proved_outside(h, p)
     }
 

@@ -57,6 +57,20 @@ fn boundaries_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
     }
 }
 
+/// Splits of long edges were thought to be far from the ends, where no angle outside is thinner than rounding.
+#[test]
+fn a_split_near_the_end_of_a_long_edge_does_not_cross_beside_a_thin_angle() {
+    let drawing = issue("split-near-the-end-beside-a-thin-angle");
+    for &preset in Preset::ALL {
+        for most in [27, 60, 300] {
+            let options = RefineOptions::of(preset).with_max_vertices(most);
+            let (mesh, _) = refined_by_any(&drawing, DomainRule::Nesting, options);
+            let again = refine_mesh(&mesh, None, &options.with_max_vertices(most + 60)).expect("a mesh of our own");
+            assert_eq!(check_mesh(&again.mesh), []);
+        }
+    }
+}
+
 /// The same boundary read from a mesh, without its outside.
 #[test]
 fn boundaries_of_a_mesh_read_again_do_not_cross() {
