@@ -52,6 +52,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
+//! | `conformance` | `refine::conformance`: the suites that prove a strategy of the caller's own |
 //! | `serde` | `Serialize` and `Deserialize` for options, criteria, recipes, reports, [`Pslg`], [`IndexedMesh`], points and what they are made of; [`NamedOptions`](refine::NamedOptions) as recipe files have them |
 //! | `mint` | conversions of [`Point`] and [`Vector`](geometry::Vector) from and to those of `mint` |
 //! | `geo-types` | points, rings and polygons of `geo-types` as [`Point`] and [`Pslg`]; meshes as its triangles |

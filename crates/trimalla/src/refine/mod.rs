@@ -32,6 +32,7 @@
 
 mod bad_triangles;
 mod chains;
+#[cfg(any(test, feature = "conformance"))]
 pub mod conformance;
 mod encroachment;
 mod engine;

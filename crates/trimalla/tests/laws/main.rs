@@ -20,6 +20,7 @@ mod layers;
 mod library_errors;
 mod operators;
 mod options;
+#[cfg(feature = "conformance")]
 mod own_steps;
 mod predicates;
 mod quality;
