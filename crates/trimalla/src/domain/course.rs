@@ -231,6 +231,30 @@ impl Course {
         self.strip.reach().map(|reach| 2.0 * reach)
     }
 
+    /// How far a point of the strip whose foot lies between the ends may be off the box of the segment, in x and in y,
+    /// and as much again.
+    ///
+    /// Far more than [`reach`](Self::reach) only where the strip is wider than the segment is long:
+    ///
+    /// ```text
+    ///      a ─┐            p differs from a point of the line by no more than the strip allows, and its foot
+    ///         f            f lies between the ends; but that point of the line is beyond b.
+    ///         └─ b
+    ///      p
+    /// ```
+    pub(crate) fn reach_around(&self) -> [f64; 2] {
+        let [w, h] = self.reach();
+        let Segment { start: a, end: b } = self.segment;
+        let along = [(b.x - a.x).abs(), (b.y - a.y).abs()];
+        let longest = along[0].max(along[1]);
+        if longest == 0.0 || !longest.is_finite() {
+            return [w, h];
+        }
+        let [x, y] = along.map(|d| d / longest);
+        let beyond = (w * x + h * y) / (x * x + y * y);
+        [w + x * beyond, h + y * beyond]
+    }
+
     /// Whether two points are no farther apart, in each coordinate, than the strip is wide: which of two such vertices
     /// of the strip comes first along the segment is in doubt.
     pub(crate) fn are_close(&self, p: Point, q: Point) -> bool {

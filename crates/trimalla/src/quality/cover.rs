@@ -332,7 +332,7 @@ impl<'a> Cover<'a> {
     /// The boundary edges that may come near a course.
     fn boundary_near(&self, course: &Course) -> Vec<[u32; 2]> {
         let Boundary { edges, places } = self.boundary.get_or_init(|| Boundary::of(self.mesh, self.sides));
-        let near = places.near(course.segment(), course.reach());
+        let near = places.near(course.segment(), course.reach_around());
         near.into_iter().map(|i| edges[i as usize]).collect()
     }
 }

@@ -54,6 +54,16 @@ fn few_vertices() -> RefineOptions {
     RefineOptions { limits: Limits { max_vertices: 100, ..Limits::default() }, ..RefineOptions::default() }
 }
 
+/// The boundary beside a segment was looked for in the box of the segment alone.
+#[test]
+fn a_segment_shorter_than_its_strip_is_wide_may_be_outside() {
+    let drawing = issue("strip-wider-than-its-segment");
+    let (mesh, _) = refined(&drawing, DomainRule::Nesting, few_vertices());
+    assert_eq!(against_input(&mesh, &drawing).faults, []);
+    let again = refine_mesh(&mesh, Some(&drawing), &few_vertices()).expect("a mesh of the drawing");
+    assert_eq!(against_input(&again.mesh, &drawing).faults, []);
+}
+
 #[test]
 fn a_segment_over_many_decades_keeps_its_chain() {
     let drawing = issue("segment-over-decades");
