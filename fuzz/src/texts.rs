@@ -85,7 +85,7 @@ fn valid(d: &mut Draws<'_>, format: &str) -> Vec<u8> {
     }
     bytes.clear();
     let mesh =
-        trimalla::triangulate(&drawing, &settings::domain(d)).map_or_else(|_| IndexedMesh::default(), |made| made.0);
+        trimalla::triangulate(&drawing, &settings::domain(d)).map_or_else(|_| IndexedMesh::default(), |made| made.mesh);
     let _ = trimalla_io::write_mesh_to(&mut bytes, known, &mesh, &options);
     bytes
 }

@@ -69,7 +69,7 @@ fn timed_refine(drawing: &Pslg, key: &str, angle: f64, area: f64) -> Outcome<Mea
         refine = refine.with_max_area(area);
     }
     let (result, measured) = measure(|| mesh(drawing, &MeshOptions { refine, ..MeshOptions::default() }))?;
-    let (mesh, report) = result?;
+    let trimalla::Meshed { mesh, report, .. } = result?;
     if !report.complete() {
         return Err(format!("triangles stayed bad: {:?}", report.reasons()).into());
     }

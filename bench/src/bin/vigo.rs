@@ -110,7 +110,7 @@ fn times(drawing: &Pslg) -> Outcome<[f64; 2]> {
 
 /// Edges of the triangulation inside the drawing.
 fn edges(drawing: &Pslg) -> Outcome<usize> {
-    let (mesh, _) = triangulate(drawing, &DomainOptions::default())?;
+    let mesh = triangulate(drawing, &DomainOptions::default())?.mesh;
     let mut edges: Vec<[u32; 2]> = mesh
         .triangles
         .iter()

@@ -92,7 +92,7 @@ impl fmt::Display for BarChart {
 ///
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();
 /// let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
-/// let (mesh, report) = trimalla::mesh(&pslg, &MeshOptions::default())?;
+/// let trimalla::Meshed { mesh, report, .. } = trimalla::mesh(&pslg, &MeshOptions::default())?;
 /// let charts = bars::of_report(&Statistics::of(&mesh), &report);
 /// assert!(charts.iter().any(|chart| chart.title == "insertions by kind"));
 /// # Ok::<(), trimalla::Error>(())

@@ -75,19 +75,19 @@ fn first_of(faults: &[InputFault]) -> String {
 ///
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();
 /// let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
-/// let (mesh, report) = trimalla::mesh(&pslg, &trimalla::MeshOptions::default())?;
-/// assert!(report.complete() && report.min_angle_deg >= 30.0);
-/// # assert!(mesh.triangles.len() > 2);
+/// let made = trimalla::mesh(&pslg, &trimalla::MeshOptions::default())?;
+/// assert!(made.report.complete() && made.report.min_angle_deg >= 30.0);
+/// assert!(made.mesh.triangles.len() > 2 && made.warnings.is_empty());
 /// # Ok::<(), trimalla::Error>(())
 /// ```
 #[doc(alias = "generate_mesh")]
 #[doc(alias = "malla")]
 #[doc(alias = "mallado")]
-pub fn mesh(pslg: &Pslg, options: &MeshOptions) -> Result<(IndexedMesh, Report), Error> {
-    mesh_with(pslg, options, &mut NoObserver).map(|meshed| (meshed.mesh, meshed.report))
+pub fn mesh(pslg: &Pslg, options: &MeshOptions) -> Result<Meshed, Error> {
+    mesh_with(pslg, options, &mut NoObserver)
 }
 
-/// What [`mesh_with`] returns.
+/// A refined mesh, and what is to be said of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The mesh.
@@ -155,7 +155,7 @@ fn refined(
 ///
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [0.0, 3.0]].map(Point::from).to_vec();
 /// let drawing = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
-/// let (coarse, _) = trimalla::mesh(&drawing, &trimalla::MeshOptions::default())?;
+/// let coarse = trimalla::mesh(&drawing, &trimalla::MeshOptions::default())?.mesh;
 /// let finer = RefineOptions::default().with_max_area(0.05);
 /// let fine = trimalla::refine_mesh(&coarse, Some(&drawing), &finer)?;
 /// assert!(fine.report.complete() && fine.mesh.points.len() > coarse.points.len());
@@ -198,6 +198,15 @@ pub fn refine_mesh_with(
     Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
 }
 
+/// A triangulation without refinement, and what is to be said of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangulated {
+    /// The triangulation.
+    pub mesh: IndexedMesh,
+    /// What is unusual in the drawing, though it could be triangulated.
+    pub warnings: Vec<Warning>,
+}
+
 /// The conforming Delaunay triangulation of a drawing's domain: segments, those of boundaries among them, are split
 /// until they are edges of the Delaunay triangulation of all vertices.
 ///
@@ -212,15 +221,12 @@ pub fn refine_mesh_with(
 /// `[MeshSuite]` 2.6.1.
 #[doc(alias = "conforming Delaunay")]
 #[doc(alias = "triangulación Delaunay conforme")]
-pub fn triangulate_conforming(
-    pslg: &Pslg,
-    options: &DomainOptions,
-) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
+pub fn triangulate_conforming(pslg: &Pslg, options: &DomainOptions) -> Result<Triangulated, DomainError> {
     let &DomainOptions { rule, crossings, algorithm } = options;
     let max_vertices = Limits::default().max_vertices;
     let split = |cdt: &mut ConstrainedDelaunay| make_conforming(cdt, max_vertices);
     let (cdt, warnings) = domain::build_conforming(pslg, rule, crossings, algorithm, split)?;
-    Ok((cdt.into_indexed(pslg), warnings))
+    Ok(Triangulated { mesh: cdt.into_indexed(pslg), warnings })
 }
 
 /// Triangulates a drawing and keeps its domain; no vertex is added but where segments cross.
@@ -229,7 +235,7 @@ pub fn triangulate_conforming(
 /// [`DomainError`].
 #[doc(alias = "triangular")]
 #[doc(alias = "triangulación")]
-pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<(IndexedMesh, Vec<Warning>), DomainError> {
+pub fn triangulate(pslg: &Pslg, options: &DomainOptions) -> Result<Triangulated, DomainError> {
     let (cdt, warnings) = domain::build_exactly(pslg, options.rule, options.crossings, options.algorithm)?;
-    Ok((cdt.into_indexed(pslg), warnings))
+    Ok(Triangulated { mesh: cdt.into_indexed(pslg), warnings })
 }

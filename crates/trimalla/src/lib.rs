@@ -6,9 +6,9 @@
 //! use trimalla::{MeshOptions, Pslg, mesh};
 //!
 //! let drawing = Pslg::of_ring([[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
-//! let (mesh, report) = mesh(&drawing, &MeshOptions::default())?;
-//! println!("{} triangles, no angle below {:.1} degrees", mesh.triangles.len(), report.min_angle_deg);
-//! # assert!(report.complete());
+//! let made = mesh(&drawing, &MeshOptions::default())?;
+//! println!("{} triangles, no angle below {:.1} degrees", made.mesh.triangles.len(), made.report.min_angle_deg);
+//! # assert!(made.report.complete());
 //! # Ok::<(), trimalla::Error>(())
 //! ```
 //!
@@ -84,8 +84,8 @@ pub use constrained::{ConstrainedDelaunay, Crossings};
 pub use delaunay::Delaunay;
 pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
-    DomainOptions, Error, MeshOptions, Meshed, mesh, mesh_with, refine_mesh, refine_mesh_with, triangulate,
-    triangulate_conforming,
+    DomainOptions, Error, MeshOptions, Meshed, Triangulated, mesh, mesh_with, refine_mesh, refine_mesh_with,
+    triangulate, triangulate_conforming,
 };
 
 pub use geometry::Point;

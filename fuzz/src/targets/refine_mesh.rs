@@ -61,13 +61,13 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
 fn given_mesh(case: &Case, d: &mut Draws<'_>) -> Option<IndexedMesh> {
     let drawing = Pslg { regions: Vec::new(), ..case.drawing.clone() };
     if d.once_in(2) {
-        return trimalla::triangulate(&drawing, &case.domain).ok().map(|made| made.0);
+        return trimalla::triangulate(&drawing, &case.domain).ok().map(|made| made.mesh);
     }
     let mut refine = case.recipe.refine_options();
     refine.limits.max_vertices = drawing.points.len() + d.below(30);
     refine.recipe.insert = d.pick(&[Insert::Flip, Insert::Cavity, Insert::Partition]);
     refine.recipe.recover = trimalla::refine::Recover::WholeEdge;
-    trimalla::mesh(&drawing, &MeshOptions { domain: case.domain, refine }).ok().map(|made| made.0)
+    trimalla::mesh(&drawing, &MeshOptions { domain: case.domain, refine }).ok().map(|made| made.mesh)
 }
 
 fn areas_of(mesh: &IndexedMesh, d: &mut Draws<'_>) -> Vec<Option<f64>> {

@@ -29,7 +29,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     drawing(&case.drawing, first_index)?;
     recipe_file(case)?;
     let options = MeshOptions { domain: case.domain, refine: case.recipe.refine_options() };
-    let Ok((mesh, report)) = trimalla::mesh(&case.drawing, &options) else {
+    let Ok(trimalla::Meshed { mesh, report, .. }) = trimalla::mesh(&case.drawing, &options) else {
         tally.refused += 1;
         return Ok(());
     };

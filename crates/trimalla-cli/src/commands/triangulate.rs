@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use clap::Args;
+use trimalla::Triangulated;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::Warning;
-use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::drawing::Pslg;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
@@ -56,7 +56,7 @@ impl Kind {
         }
     }
 
-    fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<(IndexedMesh, Vec<Warning>), Failure> {
+    fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<Triangulated, Failure> {
         let names = FileNumbers::of(drawing);
         match self {
             Self::Constrained(algorithm) => {
@@ -102,7 +102,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let stream = outputs.report_stream(&options.report)?;
     let names = FileNumbers::of(&drawing);
     let start = Instant::now();
-    let (mesh, warnings) = options.algorithm.make(&drawing, &options.drawing)?;
+    let Triangulated { mesh, warnings } = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();
     progress::begin_writing()?;
     let warnings = drawing.notes.iter().cloned().chain(warnings.iter().map(|w| names.warning(w)));

@@ -149,7 +149,7 @@ fn attributes_of_a_linear_function_stay_linear() {
         refine: crate::refine::RefineOptions::default().with_max_area(0.2),
         ..crate::MeshOptions::default()
     };
-    let (mesh, _) = crate::mesh(&pslg, &options).expect("a mesh");
+    let mesh = crate::mesh(&pslg, &options).expect("a mesh").mesh;
     assert!(mesh.points.len() > 100);
     for (p, row) in mesh.points.iter().zip(mesh.point_attributes.chunks(2)) {
         assert!((row[0] - height(*p)[0]).abs() < 1e-12 && row[1] == 7.0, "{p}: {row:?}");

@@ -54,7 +54,7 @@ impl From<&LineString<f64>> for Pslg {
 ///     interiors: [[(x: 3.0, y: 3.0), (x: 6.0, y: 3.0), (x: 6.0, y: 6.0), (x: 3.0, y: 6.0)]],
 /// );
 /// let nested = DomainOptions { rule: DomainRule::Nesting, ..DomainOptions::default() };
-/// let (mesh, _) = triangulate(&Pslg::from(&frame), &nested)?;
+/// let mesh = triangulate(&Pslg::from(&frame), &nested)?.mesh;
 /// let triangles: Vec<geo_types::Triangle<f64>> = mesh.geo_triangles().collect();
 /// assert_eq!(triangles.len(), 8);
 /// # Ok::<(), trimalla::domain::DomainError>(())

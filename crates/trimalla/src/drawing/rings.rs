@@ -33,7 +33,7 @@ impl Pslg {
     /// let hole = vec![[3.0, 3.0], [6.0, 3.0], [6.0, 6.0], [3.0, 6.0]];
     /// let drawing = Pslg::of_rings([outline, hole]);
     /// let nested = DomainOptions { rule: DomainRule::Nesting, ..DomainOptions::default() };
-    /// let (mesh, _) = triangulate(&drawing, &nested)?;
+    /// let mesh = triangulate(&drawing, &nested)?.mesh;
     /// assert_eq!(mesh.triangles.len(), 8);
     /// # Ok::<(), trimalla::domain::DomainError>(())
     /// ```

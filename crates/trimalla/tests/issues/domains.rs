@@ -29,11 +29,12 @@ fn circles_not_empty(mesh: &IndexedMesh) -> usize {
 #[test]
 fn a_conforming_triangulation_conforms_at_the_boundary() {
     let drawing = issue("conforming-boundary");
-    let (constrained, _) = triangulate(&drawing, &options(DomainRule::Seeds)).expect("a domain");
+    let constrained = triangulate(&drawing, &options(DomainRule::Seeds)).expect("a domain").mesh;
     assert!(circles_not_empty(&constrained) > 0, "the drawing asks for a split");
     let mut last = 0;
     for rule in DomainRule::ALL {
-        let (mesh, warnings) = triangulate_conforming(&drawing, &options(rule)).expect("a domain");
+        let trimalla::Triangulated { mesh, warnings } =
+            triangulate_conforming(&drawing, &options(rule)).expect("a domain");
         assert_eq!((check_mesh(&mesh), warnings), (vec![], vec![]));
         assert_eq!(circles_not_empty(&mesh), 0, "{rule:?}");
         assert!(mesh.points.len() > drawing.points.len() && mesh.points.len() < 20, "{}", mesh.points.len());
@@ -48,7 +49,7 @@ fn a_conforming_triangulation_conforms_at_the_boundary() {
             .collect(),
         ..drawing
     };
-    let (mesh, _) = triangulate_conforming(&turned, &options(DomainRule::Seeds)).expect("a domain");
+    let mesh = triangulate_conforming(&turned, &options(DomainRule::Seeds)).expect("a domain").mesh;
     assert_eq!((check_mesh(&mesh), circles_not_empty(&mesh)), (vec![], 0));
     assert!(mesh.points.len() <= last + 4, "{}", mesh.points.len());
 }
@@ -59,7 +60,7 @@ fn nesting_takes_the_seeds_of_its_own_holes() {
     let drawing = issue("nesting-seeded-hole");
     let area = |holes: &[[f64; 2]]| {
         let seeded = Pslg { holes: holes.iter().map(|&h| h.into()).collect(), ..drawing.clone() };
-        let (mesh, warnings) = triangulate(&seeded, &options(DomainRule::Nesting))?;
+        let trimalla::Triangulated { mesh, warnings } = triangulate(&seeded, &options(DomainRule::Nesting))?;
         let corners = |t: &[u32; 3]| t.map(|v| mesh.points[v as usize]);
         let doubled: f64 = mesh.triangles.iter().map(corners).map(|[a, b, c]| (b - a).cross(c - a)).sum();
         Ok::<_, DomainError>((doubled / 2.0, warnings))

@@ -278,12 +278,12 @@ fn what_is_called_forced_has_an_input_angle_below_the_bound() {
 #[test]
 fn conforming_triangulations_end_at_tiny_crossings() {
     let options = DomainOptions { rule: DomainRule::Hull, crossings: Crossings::Split, ..DomainOptions::default() };
-    let (mesh, _) = triangulate_conforming(&issue("conforming-at-a-tiny-crossing"), &options).expect("a domain");
+    let mesh = triangulate_conforming(&issue("conforming-at-a-tiny-crossing"), &options).expect("a domain").mesh;
     assert!(mesh.points.len() < 100, "{}", mesh.points.len());
     for meeting in Meeting::ALL {
         for exponent in 0..14 {
             let [whole, _] = meeting.drawings(3.0 / 10_f64.powi(exponent));
-            let (mesh, _) = triangulate_conforming(&whole, &options).expect("a domain");
+            let mesh = triangulate_conforming(&whole, &options).expect("a domain").mesh;
             assert!(mesh.points.len() < 300, "{meeting:?}, {exponent}: {}", mesh.points.len());
         }
     }

@@ -22,7 +22,7 @@ mod serde {
     fn drawings_meshes_and_reports_come_back() {
         let drawing = drawing();
         let options = MeshOptions { refine: RefineOptions::of(Preset::LeppCentroid), ..MeshOptions::default() };
-        let (mesh, report) = mesh(&drawing, &options).expect("a mesh");
+        let trimalla::Meshed { mesh, report, .. } = mesh(&drawing, &options).expect("a mesh");
         assert!(mesh.points.len() > drawing.points.len() && !mesh.segment_markers.is_empty());
         comes_back(&drawing);
         comes_back::<IndexedMesh>(&mesh);

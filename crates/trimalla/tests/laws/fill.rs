@@ -60,7 +60,8 @@ fn comb(teeth: u8) -> Pslg {
 }
 
 fn meshed(drawing: &Pslg, refine: RefineOptions) -> (IndexedMesh, Report) {
-    let (mesh, report) = mesh(drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a sound drawing");
+    let trimalla::Meshed { mesh, report, .. } =
+        mesh(drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a sound drawing");
     assert_eq!(report.stop, StopReason::Finished);
     (mesh, report)
 }
@@ -177,7 +178,7 @@ fn above_30_degrees_nothing_is_filled() {
     let options = bounded(31.0, 1e-3);
     assert_eq!(meshed(&square(1.0), options).0, meshed(&square(1.0), unfilled(options)).0);
     let by_ratio = bounded(0.0, 1e-3).with_max_aspect_ratio(1.29);
-    let made = |refine| mesh(&square(1.0), &MeshOptions { refine, ..MeshOptions::default() }).expect("meshed").0;
+    let made = |refine| mesh(&square(1.0), &MeshOptions { refine, ..MeshOptions::default() }).expect("meshed").mesh;
     assert_eq!(made(by_ratio), made(unfilled(by_ratio)));
 }
 
@@ -216,7 +217,7 @@ fn a_lattice_beyond_the_budget_is_not_begun() {
     let drawing = square(1.0);
     for area in [1e-9, 1e-80, 1e-300, f64::MIN_POSITIVE, 5e-324] {
         let options = RefineOptions::default().with_max_area(area).with_max_vertices(300);
-        let (_, report) = mesh(&drawing, &MeshOptions { refine: options, ..MeshOptions::default() }).expect("meshed");
+        let report = mesh(&drawing, &MeshOptions { refine: options, ..MeshOptions::default() }).expect("meshed").report;
         assert_eq!(report.stop, StopReason::Budget, "{area}");
         assert!(report.vertices <= 300 && report.leftovers.len() > 10, "{area}: {}", report.vertices);
     }

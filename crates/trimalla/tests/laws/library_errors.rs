@@ -242,7 +242,8 @@ fn extreme_options_end() {
         floor(f64::MAX),
     ];
     for refine in extreme {
-        let (mesh, report) = mesh(&square(), &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh");
+        let trimalla::Meshed { mesh, report, .. } =
+            mesh(&square(), &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh");
         assert!(mesh.points.len() <= BUDGET, "{refine:?}: {} vertices", mesh.points.len());
         assert_eq!(check_mesh(&mesh), [], "{refine:?}");
         assert_eq!(report.vertices, mesh.points.len());
@@ -327,7 +328,7 @@ fn options() -> impl Strategy<Value = MeshOptions> {
 
 /// Meshes a drawing; whatever comes out is sound.
 fn soundly(pslg: &Pslg, options: &MeshOptions) -> Result<bool, TestCaseError> {
-    let Ok((mesh, report)) = mesh(pslg, options) else { return Ok(false) };
+    let Ok(trimalla::Meshed { mesh, report, .. }) = mesh(pslg, options) else { return Ok(false) };
     prop_assert!(pslg.points.iter().all(|p| p.is_finite()), "a mesh of points that are not finite");
     let (cdt, _) = domain::build(pslg, options.domain.rule, options.domain.crossings, options.domain.algorithm)
         .expect("it was built before");

@@ -296,7 +296,7 @@ fn the_drawing_tells_segments_and_free_vertices_apart() {
     let points = [[0.0, 0.0], [3.0, 1.0], [1.0, 3.0]].map(Point::from).to_vec();
     let regions = vec![Region { seed: Point::new(1.0, 1.0), attribute: 7.0, max_area: Some(0.05) }];
     let drawing = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 0]], regions, ..Pslg::default() };
-    let (mesh, report) = trimalla::mesh(&drawing, &MeshOptions::default()).unwrap();
+    let Meshed { mesh, report, .. } = trimalla::mesh(&drawing, &MeshOptions::default()).unwrap();
     assert!(report.complete() && report.segments_split > 0);
     let with = from_mesh(&mesh, &[], Some(&drawing)).unwrap().cdt;
     assert_eq!(with.segments().len(), 3);

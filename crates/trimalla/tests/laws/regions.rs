@@ -125,7 +125,8 @@ fn every_region_keeps_its_own() {
     for &preset in Preset::ALL.iter().filter(|p| !matches!(p, Preset::LeppBisection | Preset::Sanhueza)) {
         for degrees in [20.0, 30.0] {
             let refine = RefineOptions::of(preset).with_min_angle_deg(degrees).with_max_vertices(20_000);
-            let (mesh, report) = mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh");
+            let trimalla::Meshed { mesh, report, .. } =
+                mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh");
             let name = format!("{preset} at {degrees}");
             if preset != Preset::LeppMidpoint {
                 assert!(report.complete(), "{name}: {:?}", report.reasons());
@@ -141,7 +142,7 @@ fn protected_segments_are_not_split() {
     for &preset in Preset::ALL {
         let refine =
             RefineOptions::of(preset).with_min_angle_deg(20.0).with_max_vertices(3000).with_protect(Protect::All);
-        let (mesh, _) = mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh");
+        let mesh = mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh").mesh;
         let mut ours: Vec<[u32; 2]> = mesh.segments.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         ours.sort_unstable();
         let parted = drawing.segments.iter().map(|&[a, b]| [a.min(b), a.max(b)]);

@@ -91,7 +91,7 @@ fn fields_stay_when_options_change() {
 
 #[test]
 fn areas_of_given_triangles_come_with_the_mesh() {
-    let (mesh, _) = trimalla::triangulate(&square(), &trimalla::DomainOptions::default()).unwrap();
+    let mesh = trimalla::triangulate(&square(), &trimalla::DomainOptions::default()).unwrap().mesh;
     let areas = vec![Some(0.01); mesh.triangles.len()];
     let taken = from_mesh(&mesh, &areas, None).unwrap();
     let cdt = refined(taken.clone().into(), RefineOptions::default());

@@ -172,7 +172,7 @@ fn the_family_of_triangle_is_clean_by_the_shared_checker() {
             refine: RefineOptions::default().with_min_angle_deg(TRIANGLE_BOUND_DEG),
             ..MeshOptions::default()
         };
-        let (mesh, report) = match mesh(&input.pslg, &options) {
+        let trimalla::Meshed { mesh, report, .. } = match mesh(&input.pslg, &options) {
             Ok(done) => done,
             Err(e) => {
                 assert_eq!(input.name, "box.poly", "{e}");

@@ -39,7 +39,7 @@ fn faults_of(drawing: &Pslg, degrees: f64, points_a_side: usize, far: bool) -> V
     let turned = if far { moved_to_utm(&turned) } else { turned };
     let fine = resampled(&turned, points_a_side);
     let options = MeshOptions { refine: RefineOptions::default().with_max_vertices(400_000), ..MeshOptions::default() };
-    let (mesh, report) = match mesh(&fine, &options) {
+    let trimalla::Meshed { mesh, report, .. } = match mesh(&fine, &options) {
         Ok(done) => done,
         Err(e) => return vec![format!("refused: {e}")],
     };
