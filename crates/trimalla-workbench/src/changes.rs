@@ -1,0 +1,328 @@
+//! What one command has overwritten, and how it is put back.
+
+use trimalla::constrained::{ConstrainedDelaunay, Edit};
+use trimalla::delaunay::Inserted;
+use trimalla::drawing::Pslg;
+use trimalla::geometry::Point;
+use trimalla::half_edge::{Checkpoint, Entry, UndoLog, VertexId};
+use trimalla::refine::NamedOptions;
+
+use crate::error::CommandError;
+use crate::mesh::{AtRest, Mesh};
+use crate::messages::{Interface, MessageKind};
+use crate::state::State;
+
+/// One thing that was overwritten.
+#[derive(Debug)]
+pub(crate) enum Change {
+    /// Everything was replaced; this was there before.
+    Whole(Box<State>),
+    /// A point joined the drawing.
+    Point,
+    /// A segment joined the drawing.
+    Segment,
+    /// The outer contour was given.
+    Outer,
+    /// A hole was given.
+    Inner,
+    /// A vertex got this name.
+    Named(u32),
+    /// A name was taken from a vertex.
+    Unnamed(u32, VertexId),
+    /// The options were these.
+    Options(Box<NamedOptions>),
+    /// The selection was this.
+    Selection(Vec<[u32; 3]>),
+    /// The triangulation was changed; whether it was known to be constrained Delaunay before.
+    Mesh { log: UndoLog, before: Checkpoint, was_delaunay: bool },
+    /// A refinement made a step.
+    Step,
+}
+
+impl Change {
+    /// Puts back what was overwritten.
+    pub(crate) fn undo(self, state: &mut State) {
+        match self {
+            Self::Whole(before) => *state = *before,
+            Self::Point => drop(state.input.drawing.points.pop()),
+            Self::Segment => drop(state.input.drawing.segments.pop()),
+            Self::Outer => state.input.outer = None,
+            Self::Inner => drop(state.input.inner.pop()),
+            Self::Named(name) => drop(state.names.remove(name)),
+            Self::Unnamed(name, v) => state.names.add(name, v),
+            Self::Options(before) => state.options = *before,
+            Self::Selection(before) => state.selection = before,
+            Self::Mesh { mut log, before, was_delaunay } => {
+                if let Some(Mesh::AtRest(at_rest)) = &mut state.mesh {
+                    at_rest.t.rollback(&mut log, before);
+                    at_rest.is_delaunay = was_delaunay;
+                }
+            }
+            Self::Step => {
+                if let Some(Mesh::Refining(refinement)) = &mut state.mesh {
+                    refinement.back();
+                }
+            }
+        }
+    }
+
+    /// About how many bytes the record takes.
+    pub(crate) fn bytes(&self) -> usize {
+        let own = size_of::<Self>();
+        match self {
+            Self::Whole(state) => own + state.bytes(),
+            Self::Mesh { log, .. } => own + log.len() * size_of::<Entry>(),
+            Self::Selection(before) => own + size_of_val(before.as_slice()),
+            // What the refinement itself keeps for a step, as measured: see `examples/history_cost.rs` of the library.
+            Self::Step => own + 2_000,
+            _ => own,
+        }
+    }
+}
+
+impl State {
+    /// About how many bytes it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        let drawn = size_of_val(self.input.drawing.points.as_slice());
+        // Measured for refined meshes: 73 bytes a vertex, and the names.
+        let meshed = self.mesh.as_ref().map_or(0, |mesh| 120 * mesh.triangulation().points().len());
+        drawn + meshed
+    }
+}
+
+/// A command at work: it changes the document through these methods, each of which records what it overwrites.
+pub(crate) struct Work<'a> {
+    state: &'a mut State,
+    changes: Vec<Change>,
+    pub(crate) interface: &'a mut dyn Interface,
+}
+
+impl<'a> Work<'a> {
+    pub(crate) fn new(state: &'a mut State, interface: &'a mut dyn Interface) -> Self {
+        Self { state, changes: Vec::new(), interface }
+    }
+
+    /// The document as it is.
+    pub(crate) fn state(&self) -> &State {
+        self.state
+    }
+
+    /// What was overwritten.
+    pub(crate) fn into_changes(self) -> Vec<Change> {
+        self.changes
+    }
+
+    /// Takes all changes back.
+    pub(crate) fn take_back(self) {
+        self.changes.into_iter().rev().for_each(|change| change.undo(self.state));
+    }
+
+    /// Says something to the user.
+    pub(crate) fn say(&mut self, text: impl AsRef<str>) {
+        self.interface.message(MessageKind::Information, text.as_ref());
+    }
+
+    /// Replaces everything.
+    pub(crate) fn replace(&mut self, state: State) {
+        let before = std::mem::replace(self.state, state);
+        self.changes.push(Change::Whole(Box::new(before)));
+        self.interface.reset();
+    }
+
+    /// Replaces the triangulation; vertices get names by their numbers, or keep those they have.
+    pub(crate) fn replace_mesh(&mut self, mesh: Mesh) {
+        let state = State { mesh: Some(mesh), ..self.state.clone_without_mesh() };
+        self.replace(state);
+        self.name_vertices();
+    }
+
+    /// Adds a point to the drawing, under a name.
+    pub(crate) fn add_point(&mut self, name: u32, p: Point) {
+        let v = VertexId::from_index(self.state.input.drawing.points.len());
+        self.state.input.drawing.points.push(p);
+        self.changes.push(Change::Point);
+        self.name(name, v);
+    }
+
+    /// Adds a segment to the drawing.
+    pub(crate) fn add_segment(&mut self, ends: [VertexId; 2]) {
+        self.state.input.drawing.segments.push(ends.map(|v| v.0));
+        self.changes.push(Change::Segment);
+    }
+
+    /// Sets the outer contour; there was none.
+    pub(crate) fn set_outer(&mut self, ring: Vec<VertexId>) {
+        self.state.input.outer = Some(ring);
+        self.changes.push(Change::Outer);
+    }
+
+    /// Adds a hole.
+    pub(crate) fn add_inner(&mut self, ring: Vec<VertexId>) {
+        self.state.input.inner.push(ring);
+        self.changes.push(Change::Inner);
+    }
+
+    /// Names a vertex.
+    pub(crate) fn name(&mut self, name: u32, v: VertexId) {
+        self.state.names.add(name, v);
+        self.changes.push(Change::Named(name));
+    }
+
+    /// Changes the options.
+    pub(crate) fn set_options(&mut self, options: NamedOptions) {
+        let before = std::mem::replace(&mut self.state.options, options);
+        self.changes.push(Change::Options(Box::new(before)));
+    }
+
+    /// Changes the selection.
+    pub(crate) fn select(&mut self, selection: Vec<[u32; 3]>) {
+        let before = std::mem::replace(&mut self.state.selection, selection);
+        self.changes.push(Change::Selection(before));
+    }
+
+    /// The vertex that a name stands for.
+    pub(crate) fn vertex(&self, name: u32) -> Result<VertexId, CommandError> {
+        self.state.vertex(name)
+    }
+
+    /// Stops the refinement at work, if there is one: the triangulation stays as it is.
+    fn stop_refinement(&mut self) {
+        if let Some(mesh @ Mesh::Refining(_)) = &self.state.mesh {
+            let stopped = mesh.stopped();
+            self.replace_mesh(stopped);
+        }
+    }
+
+    /// Changes the triangulation through its journal; `keeps_delaunay` says whether one that is constrained Delaunay
+    /// is so afterwards. New vertices get the next names.
+    pub(crate) fn edit<T>(
+        &mut self,
+        keeps_delaunay: bool,
+        act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<T, CommandError>,
+    ) -> Result<T, CommandError> {
+        let done = self.change(keeps_delaunay, act)?;
+        self.name_vertices();
+        Ok(done)
+    }
+
+    /// [`edit`](Self::edit) that inserts a vertex, which gets a given name.
+    pub(crate) fn insert(
+        &mut self,
+        name: u32,
+        act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<Inserted, CommandError>,
+    ) -> Result<Inserted, CommandError> {
+        let inserted = self.change(true, act)?;
+        self.name(name, inserted.vertex());
+        self.name_vertices();
+        Ok(inserted)
+    }
+
+    fn change<T>(
+        &mut self,
+        keeps_delaunay: bool,
+        act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<T, CommandError>,
+    ) -> Result<T, CommandError> {
+        self.stop_refinement();
+        let Some(Mesh::AtRest(at_rest)) = &mut self.state.mesh else {
+            return Err(CommandError::nothing_triangulated());
+        };
+        let AtRest { t, work, is_delaunay } = &mut **at_rest;
+        let mut log = UndoLog::new();
+        let (before, was_delaunay) = (log.checkpoint(), *is_delaunay);
+        match act(&mut t.edit(work, &mut log)) {
+            Ok(done) => {
+                *is_delaunay &= keeps_delaunay;
+                self.changes.push(Change::Mesh { log, before, was_delaunay });
+                self.interface.update();
+                Ok(done)
+            }
+            Err(error) => {
+                t.rollback(&mut log, before);
+                Err(error)
+            }
+        }
+    }
+
+    /// Changes a constrained Delaunay triangulation; one that is not is made so first.
+    pub(crate) fn edit_delaunay<T>(
+        &mut self,
+        act: impl FnOnce(&mut ConstrainedDelaunay, &mut UndoLog, &dyn Interface) -> Result<T, CommandError>,
+    ) -> Result<T, CommandError> {
+        self.stop_refinement();
+        let Some(Mesh::AtRest(at_rest)) = &self.state.mesh else { return Err(CommandError::nothing_triangulated()) };
+        if !at_rest.is_delaunay {
+            let legalised = Mesh::of_delaunay(at_rest.t.clone().into());
+            self.replace_mesh(legalised);
+        }
+        let Some(Mesh::AtRest(at_rest)) = self.state.mesh.take() else {
+            return Err(CommandError::nothing_triangulated());
+        };
+        let AtRest { t, work, is_delaunay } = *at_rest;
+        let (mut cdt, mut log) = (ConstrainedDelaunay::from(t), UndoLog::new());
+        let before = log.checkpoint();
+        let done = act(&mut cdt, &mut log, self.interface);
+        if done.is_err() {
+            cdt.rollback(&mut log, before);
+        }
+        self.state.mesh = Some(Mesh::AtRest(Box::new(AtRest { t: cdt.into(), work, is_delaunay })));
+        let done = done?;
+        self.changes.push(Change::Mesh { log, before, was_delaunay: is_delaunay });
+        self.name_vertices();
+        self.interface.update();
+        Ok(done)
+    }
+
+    /// Makes one more step of the refinement at work; `None` where there is none.
+    pub(crate) fn step(&mut self) -> Option<trimalla::refine::Event> {
+        let Some(Mesh::Refining(refinement)) = &mut self.state.mesh else { return None };
+        let before = refinement.steps_made();
+        let event = refinement.step();
+        if refinement.steps_made() > before {
+            self.changes.push(Change::Step);
+        }
+        self.name_vertices();
+        self.interface.update();
+        Some(event)
+    }
+
+    /// Gives every vertex that is in use a name, and takes the names of those that are gone.
+    pub(crate) fn name_vertices(&mut self) {
+        let State { mesh: Some(mesh), names, .. } = &*self.state else { return };
+        let t = mesh.triangulation();
+        let input = self.state.input.drawing.points.len();
+        let is_gone = |v: VertexId| v.index() >= t.points().len() || v.index() >= input && !t.is_used(v);
+        let gone: Vec<(u32, VertexId)> = names.all().filter(|&(_, v)| is_gone(v)).collect();
+        let new: Vec<VertexId> = t.used_vertices().filter(|&v| names.name(v).is_none()).collect();
+        for (name, v) in gone {
+            self.state.names.remove(name);
+            self.changes.push(Change::Unnamed(name, v));
+        }
+        for v in new {
+            self.name(self.state.names.next(), v);
+        }
+    }
+}
+
+impl State {
+    /// Everything but the triangulation.
+    pub(crate) fn clone_without_mesh(&self) -> Self {
+        Self {
+            input: self.input.clone(),
+            mesh: None,
+            names: self.names.clone(),
+            options: self.options.clone(),
+            selection: self.selection.clone(),
+        }
+    }
+
+    /// The vertex that a name stands for.
+    pub(crate) fn vertex(&self, name: u32) -> Result<VertexId, CommandError> {
+        let v = self.names.vertex(name).ok_or_else(|| CommandError::new(format!("there is no vertex {name}")))?;
+        Ok(self.mesh.as_ref().map_or(v, |mesh| mesh.triangulation().representative(v)))
+    }
+
+    /// The drawing that a mesh is written with.
+    pub(crate) fn drawing(&self) -> &Pslg {
+        &self.input.drawing
+    }
+}

@@ -1,0 +1,102 @@
+//! `LEPP`.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::geometry::Triangle;
+use trimalla::half_edge::{FaceId, UndoLog, VertexId};
+use trimalla::refine::{Centroid, LeppRule};
+
+use super::terminal::face_of;
+use super::{Act, CommandRow, Deed};
+use crate::arguments::Arguments;
+use crate::changes::Work;
+use crate::error::CommandError;
+use crate::messages::Interface;
+
+pub(super) const ROW: CommandRow = CommandRow {
+    name: "LEPP",
+    arguments: "ANGLE [CEN|MID]",
+    summary: "refines by longest-edge propagation paths until no angle is below a bound",
+    help: "The triangle with the smallest angle comes first, and each choice inserts one point. The path runs up to the \
+           boundary. CEN, where nothing is said, inserts the centroid of the two triangles at the terminal edge, weighed \
+           by area; MID the middle of the edge. A constrained terminal edge is halved instead, and so is a constrained \
+           second-longest edge of a terminal triangle. The command ends after as many vertices as 'Set max-vertices' \
+           allows.",
+    parse: |arguments| {
+        let word = arguments.word("an angle in degrees")?;
+        let angle = crate::arguments::number_of(word, "an angle in degrees")?;
+        if !(0.0..60.0).contains(&angle) {
+            return Err(word.fault("an angle from 0 to less than 60 degrees can be asked for"));
+        }
+        let keys = [("CEN", Some(Centroid::Area)), ("MID", None)];
+        let word = arguments.next();
+        let centroid = word.map_or(Ok(Some(Centroid::Area)), |word| Arguments::key(word, &keys))?;
+        Deed::edit(Lepp { angle, centroid })
+    },
+};
+
+struct Lepp {
+    angle: f64,
+    centroid: Option<Centroid>,
+}
+
+impl Act for Lepp {
+    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+        let most = work.state().options.refine_options().limits.max_vertices;
+        let [inserted, left] = work.edit_delaunay(|cdt, log, interface| self.refine(cdt, log, most, interface))?;
+        let why = if left > 0 { ", for which rounding or the vertex budget leaves no room" } else { "" };
+        work.say(format!(
+            "{inserted} vertices were inserted; {left} triangles are left below {} degrees{why}",
+            self.angle
+        ));
+        Ok(())
+    }
+}
+
+/// A triangle that waits, the one with the smallest angle first.
+type Waiting = Reverse<(u64, [VertexId; 3])>;
+
+impl Lepp {
+    /// Refines; how many vertices were inserted, and how many triangles are left below the bound.
+    fn refine(
+        &self,
+        cdt: &mut ConstrainedDelaunay,
+        log: &mut UndoLog,
+        most: usize,
+        interface: &dyn Interface,
+    ) -> Result<[usize; 2], CommandError> {
+        let (mut waiting, mut inserted, mut left) = (BinaryHeap::new(), 0, 0);
+        waiting.extend(cdt.real_faces().filter_map(|f| self.waiting(cdt, f)));
+        while let Some(Reverse((_, corners))) = waiting.pop() {
+            let Some(f) = face_of(cdt, corners) else { continue };
+            if interface.is_cancelled() {
+                return Err(CommandError::cancelled());
+            }
+            let path = cdt.lepp(f, LeppRule::StopAtBoundary);
+            let room = cdt.points().len() < most;
+            match room.then(|| cdt.lepp_insert_with(path.terminal_edge, self.centroid, log)).flatten() {
+                Some(v) => {
+                    inserted += 1;
+                    // Flips leave changed triangles around the new vertex only.
+                    waiting.extend(cdt.faces_around(v).filter_map(|f| self.waiting(cdt, f)));
+                    // The same one may need more points.
+                    waiting.extend(face_of(cdt, corners).and_then(|f| self.waiting(cdt, f)));
+                }
+                None => left += 1,
+            }
+        }
+        Ok([inserted, left])
+    }
+
+    /// A face as it waits, if its smallest angle is below the bound.
+    fn waiting(&self, cdt: &ConstrainedDelaunay, f: FaceId) -> Option<Waiting> {
+        let [a, b, c] = cdt.face_points(f);
+        let angle = Triangle::new(a, b, c).min_angle().degrees();
+        let mut corners = cdt.face_vertices(f);
+        corners.sort_unstable();
+        // Bits of numbers that are not negative are in their order.
+        (angle < self.angle).then_some(Reverse((angle.to_bits(), corners)))
+    }
+}

@@ -1,0 +1,87 @@
+//! `Step`.
+
+use trimalla::refine::{Event, Refinement, StepOutcome};
+
+use super::{Act, CommandRow, Deed, terminal};
+use crate::changes::Work;
+use crate::error::CommandError;
+use crate::mesh::Mesh;
+
+/// What the records of single steps may take.
+const HISTORY_BYTES: usize = 256 << 20;
+
+pub(super) const ROW: CommandRow = CommandRow {
+    name: "Step",
+    arguments: "[N]",
+    summary: "makes a step of refinement, or N",
+    help: "By the options that 'Set' gives. Each step splits a segment, or treats the bad triangle whose turn it is; \
+           'Undo' goes back. Any other change ends the refinement, and the next step begins another one.",
+    parse: |arguments| Deed::edit(Step { times: arguments.count_or_one()? }),
+};
+
+struct Step {
+    times: usize,
+}
+
+impl Act for Step {
+    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+        begin(work)?;
+        for _ in 0..self.times {
+            if work.interface.is_cancelled() {
+                return Err(CommandError::cancelled());
+            }
+            let Some(event) = work.step() else { break };
+            let is_done =
+                matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
+            let text = text_of(work, &event);
+            work.say(text);
+            if is_done {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Begins a refinement by the options, unless one is at work; triangles that were picked are treated first where the
+/// recipe picks by hand.
+pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
+    let state = work.state();
+    let Some(mesh) = &state.mesh else { return Err(CommandError::nothing_triangulated()) };
+    if matches!(mesh, Mesh::Refining(_)) {
+        return Ok(());
+    }
+    let options = state.options.refine_options();
+    let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
+    let picked: Vec<_> =
+        state.selection.iter().map(|&corners| terminal::face(state, corners)).collect::<Result<_, _>>()?;
+    let mut refinement = match mesh {
+        Mesh::AtRest(at_rest) if at_rest.is_delaunay => {
+            let cdt = trimalla::constrained::ConstrainedDelaunay::from(at_rest.t.clone());
+            Refinement::new(cdt, options).map_err(|e| failed(&e))?
+        }
+        _ => Refinement::new(mesh.triangulation().clone(), options).map_err(|e| failed(&e))?,
+    };
+    refinement.keep_history(HISTORY_BYTES);
+    for face in picked {
+        refinement.pick(face);
+    }
+    work.replace_mesh(Mesh::Refining(Box::new(refinement)));
+    Ok(())
+}
+
+/// What a step did, in a line.
+fn text_of(work: &Work<'_>, event: &Event) -> String {
+    let name = |v: trimalla::half_edge::VertexId| work.state().names.name(v).unwrap_or(v.0).to_string();
+    let mut text = format!("step {}: {}", event.number, event.outcome.key());
+    if let (Some((triangle, _)), Some(why)) = (event.selected, event.why()) {
+        text.push_str(&format!(", triangle {} ({why})", triangle.map(name).join(" ")));
+    }
+    if let Some(inserted) = event.inserted {
+        text.push_str(&format!(", vertex {} at {}", name(inserted.vertex), inserted.point));
+    }
+    if let Some(reason) = event.given_up {
+        text.push_str(&format!(", given up: {reason}"));
+    }
+    text
+}

@@ -1,0 +1,229 @@
+//! The document: changed by commands, read by methods.
+
+use trimalla::constrained::ConstrainedTriangulation;
+use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::half_edge::VertexId;
+use trimalla::refine::NamedOptions;
+
+use crate::arguments::Arguments;
+use crate::changes::{Change, Work};
+use crate::commands::{self, Deed};
+use crate::error::CommandError;
+use crate::figures::Figures;
+use crate::history::{Done, History};
+use crate::messages::{Interface, MessageKind};
+use crate::state::State;
+
+/// A drawing, its triangulation, what a refinement is asked, and what the user picked; with a history.
+///
+/// # Guarantees
+/// A command is done as a whole, or reports an error and changes nothing. Undo restores exactly what was there.
+#[derive(Debug)]
+pub struct Document {
+    state: State,
+    history: History,
+    /// The commands that led here.
+    log: Vec<String>,
+}
+
+impl Default for Document {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Compares what documents hold, and not their histories.
+impl PartialEq for Document {
+    fn eq(&self, other: &Self) -> bool {
+        self.state == other.state
+    }
+}
+
+impl Document {
+    /// An empty document, whose history may take 256 MiB.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::with_history(History::MOST_BYTES)
+    }
+
+    /// An empty document, whose history may take about so many bytes: the oldest commands can no longer be taken back
+    /// where it would take more.
+    #[must_use]
+    pub fn with_history(most_bytes: usize) -> Self {
+        Self { state: State::default(), history: History::new(most_bytes), log: Vec::new() }
+    }
+
+    /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
+    ///
+    /// # Errors
+    /// [`CommandError`] says what is wrong, and where in the line; nothing has changed then.
+    pub fn run(&mut self, line: &str, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        let mut arguments = Arguments::of(line);
+        let Some(name) = arguments.next() else { return Ok(()) };
+        interface.message(MessageKind::Command, line.trim());
+        let done = commands::parse(name, &mut arguments).and_then(|deed| self.act(line, deed, interface));
+        if let Err(error) = &done {
+            interface.message(MessageKind::Error, error.message());
+        }
+        done
+    }
+
+    fn act(&mut self, line: &str, deed: Deed, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        match deed {
+            Deed::Edit(act) => {
+                let mut work = Work::new(&mut self.state, interface);
+                if let Err(error) = act.act(&mut work) {
+                    work.take_back();
+                    return Err(error);
+                }
+                let changes = work.into_changes();
+                self.note(line, changes, interface);
+                Ok(())
+            }
+            Deed::Ask(ask) => ask.ask(self, interface),
+            Deed::Undo(times) => self.undo(times, interface),
+            Deed::Redo(times) => self.redo(times, interface),
+        }
+    }
+
+    /// Notes what a command has changed.
+    fn note(&mut self, line: &str, changes: Vec<Change>, interface: &mut dyn Interface) {
+        if changes.is_empty() {
+            return;
+        }
+        self.log.push(line.trim().to_owned());
+        let dropped = self.history.push(Done::new(line.trim().to_owned(), changes));
+        tell_dropped(dropped, interface);
+    }
+
+    fn undo(&mut self, times: usize, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        if self.history.len() < times {
+            let why =
+                if self.history.forgotten() > 0 { ", older ones were dropped for the memory they took" } else { "" };
+            return Err(CommandError::new(format!("only {} commands can be undone{why}", self.history.len())));
+        }
+        for _ in 0..times {
+            let Some(done) = self.history.pop() else { break };
+            self.log.pop();
+            let undone = done.undo(&mut self.state);
+            interface.message(MessageKind::Information, &format!("undone: {}", undone.line));
+            self.history.push_undone(undone);
+        }
+        interface.reset();
+        Ok(())
+    }
+
+    fn redo(&mut self, times: usize, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        if self.history.undone() < times {
+            return Err(CommandError::new(format!("only {} commands can be done again", self.history.undone())));
+        }
+        for _ in 0..times {
+            let Some(undone) = self.history.pop_undone() else { break };
+            interface.message(MessageKind::Information, &format!("done again: {}", undone.line));
+            let changes = match undone.after {
+                Some(after) => vec![Change::Whole(Box::new(std::mem::replace(&mut self.state, *after)))],
+                None => self.changes_of(&undone.line, interface)?,
+            };
+            self.log.push(undone.line.clone());
+            tell_dropped(self.history.push_again(Done::new(undone.line, changes)), interface);
+        }
+        interface.reset();
+        Ok(())
+    }
+
+    /// Runs a command that was run on this very state before: it does the same.
+    fn changes_of(&mut self, line: &str, interface: &mut dyn Interface) -> Result<Vec<Change>, CommandError> {
+        let mut arguments = Arguments::of(line);
+        let name = arguments.word("a command")?;
+        let Deed::Edit(act) = commands::parse(name, &mut arguments)? else { return Ok(Vec::new()) };
+        let mut work = Work::new(&mut self.state, interface);
+        match act.act(&mut work) {
+            Ok(()) => Ok(work.into_changes()),
+            Err(error) => {
+                work.take_back();
+                Err(error)
+            }
+        }
+    }
+}
+
+/// Says that commands can no longer be taken back.
+fn tell_dropped(dropped: usize, interface: &mut dyn Interface) {
+    if dropped > 0 {
+        let text = format!("the history takes too much memory: the oldest {dropped} commands can no longer be undone");
+        interface.message(MessageKind::Information, &text);
+    }
+}
+
+/// What a program reads of a document.
+impl Document {
+    /// The triangulation, once there is one.
+    #[must_use]
+    pub fn triangulation(&self) -> Option<&ConstrainedTriangulation> {
+        self.state.mesh.as_ref().map(|mesh| mesh.triangulation())
+    }
+
+    /// Points, segments and seeds that are triangulated.
+    #[must_use]
+    pub fn drawing(&self) -> &Pslg {
+        self.state.drawing()
+    }
+
+    /// The outer contour and the holes that were given, by vertices of the drawing.
+    #[must_use]
+    pub fn contours(&self) -> (Option<&[VertexId]>, &[Vec<VertexId>]) {
+        (self.state.input.outer.as_deref(), &self.state.input.inner)
+    }
+
+    /// What a refinement is asked.
+    #[must_use]
+    pub fn options(&self) -> &NamedOptions {
+        &self.state.options
+    }
+
+    /// The triangles that were picked, by the names of their vertices.
+    #[must_use]
+    pub fn selection(&self) -> &[[u32; 3]] {
+        &self.state.selection
+    }
+
+    /// The vertex that a name stands for.
+    #[must_use]
+    pub fn vertex(&self, name: u32) -> Option<VertexId> {
+        self.state.vertex(name).ok()
+    }
+
+    /// The name of a vertex.
+    #[must_use]
+    pub fn name(&self, v: VertexId) -> Option<u32> {
+        self.state.names.name(v)
+    }
+
+    /// The triangulation as plain arrays.
+    #[must_use]
+    pub fn indexed(&self) -> Option<IndexedMesh> {
+        self.triangulation().map(|t| t.to_indexed(self.drawing()))
+    }
+
+    /// Counts, angles and faults.
+    #[must_use]
+    pub fn figures(&self) -> Figures {
+        Figures::of(&self.state)
+    }
+
+    /// The commands that led here, one a line: run on an empty document they lead to this one.
+    #[must_use]
+    pub fn script(&self) -> String {
+        self.log.iter().map(|line| format!("{line}\n")).collect()
+    }
+
+    /// How many commands can be undone, and how many can be done again.
+    #[must_use]
+    pub fn undoable(&self) -> (usize, usize) {
+        (self.history.len(), self.history.undone())
+    }
+
+    pub(crate) fn state(&self) -> &State {
+        &self.state
+    }
+}

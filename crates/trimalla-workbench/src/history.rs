@@ -1,0 +1,120 @@
+//! Commands that were done, and what takes them back.
+
+use std::collections::VecDeque;
+
+use crate::changes::Change;
+use crate::state::State;
+
+/// A command that was done.
+#[derive(Debug)]
+pub(crate) struct Done {
+    pub(crate) line: String,
+    changes: Vec<Change>,
+}
+
+/// A command that was taken back.
+#[derive(Debug)]
+pub(crate) struct Undone {
+    pub(crate) line: String,
+    /// The state it led to, where it replaced everything; else it is run again, on the state it was run on before.
+    pub(crate) after: Option<Box<State>>,
+}
+
+impl Done {
+    pub(crate) fn new(line: String, changes: Vec<Change>) -> Self {
+        Self { line, changes }
+    }
+
+    fn bytes(&self) -> usize {
+        self.line.len() + self.changes.iter().map(Change::bytes).sum::<usize>()
+    }
+
+    /// Takes the command back.
+    pub(crate) fn undo(self, state: &mut State) -> Undone {
+        let mut changes = self.changes.into_iter();
+        // What a command does after it has replaced everything is undone by going back to what was there before.
+        let after = match changes.next() {
+            Some(Change::Whole(before)) => Some(Box::new(std::mem::replace(state, *before))),
+            first => {
+                let rest: Vec<Change> = first.into_iter().chain(changes).collect();
+                rest.into_iter().rev().for_each(|change| change.undo(state));
+                None
+            }
+        };
+        Undone { line: self.line, after }
+    }
+}
+
+/// The commands that can be taken back and done again, within a budget of memory.
+#[derive(Debug)]
+pub(crate) struct History {
+    done: VecDeque<Done>,
+    undone: Vec<Undone>,
+    bytes: usize,
+    most_bytes: usize,
+    /// How many commands were done before the oldest that can be taken back.
+    forgotten: usize,
+}
+
+impl History {
+    /// What the records may take where nothing is said: 256 MiB.
+    pub(crate) const MOST_BYTES: usize = 256 << 20;
+
+    pub(crate) fn new(most_bytes: usize) -> Self {
+        Self { done: VecDeque::new(), undone: Vec::new(), bytes: 0, most_bytes, forgotten: 0 }
+    }
+
+    /// Notes a command that was done; commands that were taken back cannot be done again after it. Returns how many of
+    /// the oldest had to go.
+    pub(crate) fn push(&mut self, done: Done) -> usize {
+        self.undone.clear();
+        self.push_again(done)
+    }
+
+    /// Notes a command that was done again.
+    pub(crate) fn push_again(&mut self, done: Done) -> usize {
+        self.bytes += done.bytes();
+        self.done.push_back(done);
+        let mut dropped = 0;
+        // The newest stays, whatever it takes.
+        while self.bytes > self.most_bytes && self.done.len() > 1 {
+            let oldest = self.done.pop_front();
+            self.bytes -= oldest.map_or(0, |done| done.bytes());
+            dropped += 1;
+        }
+        self.forgotten += dropped;
+        dropped
+    }
+
+    /// The newest command, to be taken back.
+    pub(crate) fn pop(&mut self) -> Option<Done> {
+        let done = self.done.pop_back()?;
+        self.bytes -= done.bytes();
+        Some(done)
+    }
+
+    /// Notes a command that was taken back.
+    pub(crate) fn push_undone(&mut self, undone: Undone) {
+        self.undone.push(undone);
+    }
+
+    /// The command that was taken back last, to be done again.
+    pub(crate) fn pop_undone(&mut self) -> Option<Undone> {
+        self.undone.pop()
+    }
+
+    /// How many commands can be taken back.
+    pub(crate) fn len(&self) -> usize {
+        self.done.len()
+    }
+
+    /// How many commands can be done again.
+    pub(crate) fn undone(&self) -> usize {
+        self.undone.len()
+    }
+
+    /// Whether commands were dropped for the memory they took.
+    pub(crate) const fn forgotten(&self) -> usize {
+        self.forgotten
+    }
+}

@@ -1,0 +1,70 @@
+//! The triangulation of a document: at rest, or under refinement.
+
+use std::fmt;
+
+use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
+use trimalla::refine::Refinement;
+
+/// The triangulation of a document.
+#[derive(Clone)]
+pub(crate) enum Mesh {
+    /// Nothing is at work on it.
+    AtRest(Box<AtRest>),
+    /// It is refined step by step.
+    Refining(Box<Refinement>),
+}
+
+/// A triangulation at rest.
+#[derive(Clone)]
+pub(crate) struct AtRest {
+    pub(crate) t: ConstrainedTriangulation,
+    pub(crate) work: Workspace,
+    /// Whether it is known to be constrained Delaunay.
+    pub(crate) is_delaunay: bool,
+}
+
+impl Mesh {
+    /// A constrained Delaunay triangulation.
+    pub(crate) fn of_delaunay(cdt: ConstrainedDelaunay) -> Self {
+        Self::AtRest(Box::new(AtRest { t: cdt.into(), work: Workspace::default(), is_delaunay: true }))
+    }
+
+    /// A triangulation as it was given.
+    pub(crate) fn given(t: ConstrainedTriangulation) -> Self {
+        Self::AtRest(Box::new(AtRest { t, work: Workspace::default(), is_delaunay: false }))
+    }
+
+    /// The triangulation.
+    pub(crate) fn triangulation(&self) -> &ConstrainedTriangulation {
+        match self {
+            Self::AtRest(at_rest) => &at_rest.t,
+            Self::Refining(refinement) => refinement.triangulation(),
+        }
+    }
+
+    /// The same triangulation at rest, without the refinement at work on it.
+    pub(crate) fn stopped(&self) -> Self {
+        match self {
+            Self::AtRest(_) => self.clone(),
+            Self::Refining(refinement) => Self::given((**refinement).clone().finish().0),
+        }
+    }
+}
+
+/// Triangulations are compared; how far a refinement is follows from the commands.
+impl PartialEq for Mesh {
+    fn eq(&self, other: &Self) -> bool {
+        let steps = |mesh: &Self| match mesh {
+            Self::AtRest(_) => None,
+            Self::Refining(refinement) => Some(refinement.steps_made()),
+        };
+        steps(self) == steps(other) && self.triangulation() == other.triangulation()
+    }
+}
+
+impl fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = if matches!(self, Self::AtRest(_)) { "AtRest" } else { "Refining" };
+        f.debug_struct(kind).field("vertices", &self.triangulation().points().len()).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,75 @@
+//! What a document holds.
+
+use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::{Contours, DomainRule, build_exactly};
+use trimalla::drawing::Pslg;
+use trimalla::half_edge::VertexId;
+use trimalla::refine::NamedOptions;
+
+use crate::error::CommandError;
+use crate::mesh::Mesh;
+use crate::names::Names;
+
+/// What a document holds, but for its history.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct State {
+    /// What is triangulated.
+    pub(crate) input: Input,
+    /// The triangulation, once there is one.
+    pub(crate) mesh: Option<Mesh>,
+    pub(crate) names: Names,
+    /// What a refinement is asked.
+    pub(crate) options: NamedOptions,
+    /// Triangles that the user picked, by their vertices.
+    pub(crate) selection: Vec<[u32; 3]>,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        Self {
+            input: Input::default(),
+            mesh: None,
+            names: Names::default(),
+            options: NamedOptions::defaults(),
+            selection: Vec::new(),
+        }
+    }
+}
+
+/// A drawing, and contours besides.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Input {
+    /// Points, segments, and where it was read from a file, hole and region seeds.
+    pub(crate) drawing: Pslg,
+    /// Whether the drawing was read: its outside is carved away then.
+    pub(crate) is_read: bool,
+    pub(crate) outer: Option<Vec<VertexId>>,
+    pub(crate) inner: Vec<Vec<VertexId>>,
+}
+
+impl Input {
+    /// The same points without segments and contours.
+    pub(crate) fn points_alone(&self) -> Self {
+        Self { drawing: Pslg { points: self.drawing.points.clone(), ..Pslg::default() }, ..Self::default() }
+    }
+
+    /// Triangulates: with contours their inside, a drawing that was read its domain, and anything else the convex hull.
+    /// Segments that cross are split.
+    pub(crate) fn triangulate(&self, algorithm: AlgorithmKey) -> Result<Mesh, CommandError> {
+        let Pslg { points, segments, .. } = &self.drawing;
+        let fault = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
+        let cdt = if self.outer.is_some() || !self.inner.is_empty() {
+            let contours = Contours { outer: self.outer.clone(), holes: self.inner.clone(), ..Contours::default() };
+            let mut cdt = contours.triangulate(points, algorithm).map_err(|e| fault(&e))?;
+            cdt.insert_segments(segments, Crossings::Split).map_err(|e| fault(&e))?;
+            cdt
+        } else if self.is_read {
+            let built = build_exactly(&self.drawing, DomainRule::Seeds, Crossings::Split, algorithm);
+            built.map_err(|e| fault(&e))?.0
+        } else {
+            ConstrainedDelaunay::with_algorithm(points, segments, Crossings::Split, algorithm).map_err(|e| fault(&e))?
+        };
+        Ok(Mesh::of_delaunay(cdt))
+    }
+}
