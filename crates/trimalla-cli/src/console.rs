@@ -52,6 +52,11 @@ pub(crate) fn report(failure: Failure) -> Status {
     status
 }
 
+/// Writes text to standard error as it is.
+pub(crate) fn note_plain(text: &str) {
+    let _ = write_all(io::stderr().lock(), text);
+}
+
 /// Writes a line that belongs to the note before it.
 pub(crate) fn note_more(line: impl Display) {
     let _ = writeln!(io::stderr(), "  {line}");

@@ -11,6 +11,7 @@
 //! | [`trace`], [`frames`] | every step as a line, and as a picture |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
+//! | [`prompt`] | commands typed at a terminal |
 //! | [`text`], [`json`] | reports for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
 
@@ -28,6 +29,7 @@ mod outcome;
 mod outputs;
 mod picks;
 mod progress;
+mod prompt;
 mod recipe_file;
 mod recipe_options;
 mod records;

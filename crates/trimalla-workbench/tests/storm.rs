@@ -1,13 +1,14 @@
 //! A robot edits, with undo and redo: what it leaves leads there again from the record, and is undone to nothing.
 
+use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_workbench::{Document, Quiet};
 
 /// Chooses commands; half of them make no sense.
 struct Robot {
     random: SplitMix64,
-    /// The highest index so far, about.
-    top: usize,
+    /// How many commands are to be done again.
+    redo: usize,
 }
 
 impl Robot {
@@ -20,9 +21,11 @@ impl Robot {
         if self.below(4) == 0 { self.random.unit() * 8.0 } else { self.below(17) as f64 * 0.5 }
     }
 
-    fn index(&mut self) -> usize {
-        let top = self.top + 2;
-        self.below(top)
+    /// The index of a vertex, now and then of none.
+    fn index(&mut self, document: &Document) -> u32 {
+        let points = document.triangulation().map_or(document.drawing().points.len(), |t| t.points().len());
+        let v = VertexId::from_index(self.below(points));
+        if self.below(20) == 0 { v.0 + 1000 } else { document.name(v).unwrap_or(v.0) }
     }
 
     fn command(&mut self, document: &Document) -> String {
@@ -32,13 +35,14 @@ impl Robot {
             Some(t.face_vertices(f).map(|v| document.name(v).unwrap_or(v.0)))
         });
         let [i, j, k] = triangle.unwrap_or([0, 1, 2]);
-        let (x, y, a, b) = (self.coordinate(), self.coordinate(), self.index(), self.index());
+        let (x, y, a, b) = (self.coordinate(), self.coordinate(), self.index(document), self.index(document));
+        if self.redo > 0 {
+            let times = std::mem::take(&mut self.redo);
+            return format!("Redo {times}");
+        }
         match self.below(40) {
-            0..=8 => {
-                self.top += 1;
-                format!("Insert {x} {y}")
-            }
-            9 => format!("V {} {x} {y}", self.top + 1),
+            0..=8 => format!("Insert {x} {y}"),
+            9 => format!("V {} {x} {y}", 1000 + self.below(4000)),
             10..=12 => format!("Edge {a} {b}"),
             13..=15 => "Triangulate".to_owned(),
             16..=18 => format!("Move {a} {x} {y}"),
@@ -54,7 +58,11 @@ impl Robot {
             30 => format!("Set min-angle {}", self.below(25)),
             31 => "Reset".to_owned(),
             32 if self.below(8) == 0 => "Clear".to_owned(),
-            33..=36 => format!("Undo {}", 1 + self.below(4)),
+            33..=36 => {
+                let times = 1 + self.below(4);
+                self.redo = self.below(times + 1);
+                format!("Undo {times}")
+            }
             _ => format!("Redo {}", 1 + self.below(3)),
         }
     }
@@ -63,7 +71,7 @@ impl Robot {
 #[test]
 fn an_edit_storm_is_recorded_and_undone_exactly() {
     let (actions, most) = (10_000, 120);
-    let mut robot = Robot { random: SplitMix64::new(17), top: 0 };
+    let mut robot = Robot { random: SplitMix64::new(17), redo: 0 };
     let mut document = Document::new();
     // The mesh of a few points stays small.
     document.run("Set max-vertices 400", &mut Quiet).expect("an option");
@@ -76,7 +84,6 @@ fn an_edit_storm_is_recorded_and_undone_exactly() {
             if t.points().len() > most {
                 document.run("Clear", &mut Quiet).expect("cleared");
                 document.run("Set max-vertices 400", &mut Quiet).expect("an option");
-                robot.top = 0;
             }
         }
     }

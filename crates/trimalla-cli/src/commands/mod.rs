@@ -6,6 +6,7 @@ pub(crate) mod convert;
 pub(crate) mod list;
 pub(crate) mod mesh;
 pub(crate) mod refine;
+pub(crate) mod run;
 pub(crate) mod stats;
 pub(crate) mod triangulate;
 
@@ -29,6 +30,7 @@ Examples:
   trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
                                               refine it further
   trimalla compare key.poly --markdown        all algorithms at all angles, in a table
+  trimalla run session.tri                    a script of commands: draw, triangulate, edit, refine
   trimalla list                               algorithms, steps, rules and formats
 
 'trimalla help mesh' explains the options of a subcommand.";
@@ -42,6 +44,7 @@ enum Command {
     Stats(stats::Options),
     Compare(compare::Options),
     Convert(convert::Options),
+    Run(run::Options),
     List(list::Options),
 }
 
@@ -55,6 +58,7 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Stats(options) => stats::run(&options),
         Command::Compare(options) => compare::run(&options),
         Command::Convert(options) => convert::run(&options),
+        Command::Run(options) => run::run(&options),
         Command::List(options) => list::run(&options),
     }
 }

@@ -23,5 +23,6 @@ mod readme;
 mod recipes;
 mod refine;
 mod reports;
+mod run;
 mod small_angles;
 mod spared;

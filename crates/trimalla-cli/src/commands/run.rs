@@ -1,0 +1,152 @@
+//! `trimalla run`: a script of commands, or a prompt for them.
+
+use std::io::{self, IsTerminal as _, Read as _};
+use std::path::{Path, PathBuf};
+
+use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
+use clap::Args;
+use trimalla_workbench::script::{self, ScriptError};
+use trimalla_workbench::{Document, Interface, MessageKind};
+
+use crate::console;
+use crate::exit::{Failure, STATUSES, Status};
+use crate::progress;
+use crate::prompt;
+
+/// A script is no longer than this, in bytes.
+const LONGEST: u64 = 64 << 20;
+
+const HELP: &str = "\
+Examples:
+  trimalla run session.tri             run the commands of a file
+  trimalla run session.tri --keep-going
+                                       go on after commands that are refused
+  trimalla run -                       a prompt, or the commands of standard input
+
+'Help' lists the commands, 'Help LEPP' explains one. They are those of Valenzuela's tool (V, Outer,
+Inner, Triangulate, LEPP, Clear, Reset) and more; 'Undo' takes any of them back, and 'Save FILE'
+writes those that led to what is there. 'Expect' fails the script unless something holds.
+
+A script ends at the first command that is refused, with status 1.";
+
+/// Run a script of commands: draw, triangulate, edit, refine, check
+#[derive(Debug, Args)]
+#[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
+pub(crate) struct Options {
+    /// The script; '-' for standard input, with a prompt where that is a terminal
+    script: PathBuf,
+
+    /// Go on after commands that are refused
+    #[arg(long)]
+    keep_going: bool,
+
+    /// Show each command before its messages
+    #[arg(long)]
+    echo: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Runs the command.
+pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
+    progress::handle_ctrl_c();
+    let mut document = Document::new();
+    let mut shown = Shown { echoes: options.echo, is_quiet: options.quiet };
+    let is_input = options.script == Path::new("-");
+    if is_input && io::stdin().is_terminal() {
+        return prompt::run(&mut document, &mut shown);
+    }
+    let text = if is_input { standard_input()? } else { file(&options.script)? };
+    let name = if is_input { "standard input".to_owned() } else { console::shown(&options.script) };
+    let refused = script::run(&mut document, &text, options.keep_going, &mut shown);
+    if !refused.is_empty() {
+        let mut lines = Lines::new(&name, &text);
+        refused.iter().for_each(|error| lines.show(error));
+    }
+    if progress::is_interrupted() {
+        return Ok(Status::Interrupted);
+    }
+    Ok(if refused.is_empty() { Status::Done } else { Status::Unmet })
+}
+
+fn file(path: &Path) -> Result<String, Failure> {
+    let bytes = trimalla_io::read_bytes(path, LONGEST)?;
+    String::from_utf8(bytes).map_err(|_| Failure::bad_input(format!("{}: not a text in UTF-8", console::shown(path))))
+}
+
+fn standard_input() -> Result<String, Failure> {
+    let mut text = String::new();
+    let failed = |error: io::Error| Failure::bad_input(format!("cannot read standard input: {error}"));
+    io::stdin().lock().take(LONGEST + 1).read_to_string(&mut text).map_err(failed)?;
+    if text.len() as u64 > LONGEST {
+        return Err(Failure::bad_input(format!("standard input: longer than {LONGEST} bytes")));
+    }
+    Ok(text)
+}
+
+/// A text without control characters, which shall not reach a terminal.
+fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() && c != '\n' { ' ' } else { c }).collect()
+}
+
+/// The text of a script, to show lines of it.
+pub(crate) struct Lines<'a> {
+    name: &'a str,
+    source: Source<String>,
+}
+
+impl<'a> Lines<'a> {
+    pub(crate) fn new(name: &'a str, text: &str) -> Self {
+        Self { name, source: Source::from(plain(text)) }
+    }
+
+    /// Shows what is wrong with a line, with the line.
+    pub(crate) fn show(&mut self, error: &ScriptError) {
+        let first = self.source.line(error.line - 1).map_or(0, |line| line.offset());
+        let length = error.text.trim_end().chars().count();
+        let (column, width) = error.error.place().unwrap_or((1, length));
+        // What is missing at the end of a line is shown at its last character.
+        let start = first + (column - 1).min(length.saturating_sub(1));
+        let place = (self.name, start..first + (column - 1 + width).clamp(1, length.max(1)));
+        let config = Config::default().with_color(io::stderr().is_terminal()).with_index_type(IndexType::Char);
+        let report = Report::build(ReportKind::Error, place.clone())
+            .with_config(config)
+            .with_message(plain(error.error.message()))
+            .with_label(Label::new(place).with_message("here"))
+            .finish();
+        let mut shown = Vec::new();
+        if report.write((self.name, &self.source), &mut shown).is_ok() {
+            console::note_plain(&String::from_utf8_lossy(&shown));
+        }
+    }
+}
+
+/// Messages on standard output; errors are shown with their lines.
+#[derive(Debug)]
+pub(crate) struct Shown {
+    pub(crate) echoes: bool,
+    pub(crate) is_quiet: bool,
+}
+
+impl Interface for Shown {
+    fn message(&mut self, kind: MessageKind, text: &str) {
+        let is_terminal = io::stdout().is_terminal();
+        let line = match kind {
+            MessageKind::Command if self.echoes => format!("> {text}\n"),
+            // Blue, as the source has it, where colours are shown.
+            MessageKind::Information if is_terminal => format!("\u{1b}[34m{text}\u{1b}[0m\n"),
+            MessageKind::Information => format!("{text}\n"),
+            MessageKind::Command | MessageKind::Error => return,
+        };
+        if !self.is_quiet {
+            // A full disk shows at the end.
+            let _ = console::print(&line);
+        }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        progress::is_interrupted()
+    }
+}
