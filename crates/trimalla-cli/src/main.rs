@@ -11,7 +11,7 @@
 //! | [`trace`], [`frames`] | every step as a line, and as a picture |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
-//! | [`prompt`] | commands typed at a terminal |
+//! | [`prompt`], [`script_text`] | commands typed at a terminal; what a script shows |
 //! | [`text`], [`json`] | reports for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
 
@@ -36,6 +36,7 @@ mod records;
 mod refining;
 mod renumber;
 mod repeat;
+mod script_text;
 mod targets;
 mod text;
 mod trace;

@@ -10,9 +10,9 @@ use rustyline::{Context, Editor, Helper};
 use trimalla_workbench::script::ScriptError;
 use trimalla_workbench::{COMMANDS, Document};
 
-use crate::commands::run::{Lines, Shown};
 use crate::console;
 use crate::exit::{Failure, Status};
+use crate::script_text::{Lines, Shown};
 
 /// Completes the names of commands, and after `Help` too.
 #[derive(Debug)]

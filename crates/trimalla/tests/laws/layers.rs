@@ -32,7 +32,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla-io", &["trimalla"]),
     ("trimalla-testkit", &["trimalla"]),
     ("trimalla-compare", &["trimalla", "trimalla-io"]),
-    ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare"]),
+    ("trimalla-workbench", &["trimalla", "trimalla-io"]),
+    ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench"]),
 ];
 
 /// Tests of any crate may lean on these, whatever they lean on themselves.
