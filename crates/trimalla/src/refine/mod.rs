@@ -30,54 +30,43 @@
 //! # Source
 //! The five steps: `[MeshSuite]`. The algorithm: `[Ruppert95]`, `[Chew93]`, `[Shewchuk02]`, `[Ungor09]`.
 
-mod bad_triangles;
-mod chains;
+mod agenda;
 #[cfg(any(test, feature = "conformance"))]
 pub mod conformance;
-mod encroachment;
+mod criteria;
 mod engine;
-mod event;
-mod extremes;
-mod floors;
 mod forecast;
-mod joints;
-mod lattice;
-pub mod lepp;
-mod observer;
-mod options;
-mod outlook;
-mod queue;
-mod reason;
+mod measure;
 mod recipe;
-mod report;
-mod ruler;
 mod s1_prepare;
 mod s2_select;
 mod s3_point;
 mod s4_insert;
 mod s5_recover;
 pub mod steps;
-mod stopwatch;
 mod strategies;
 #[cfg(test)]
 mod tests;
+mod watch;
 
-pub use bad_triangles::UserTest;
+pub use criteria::bad_triangles::UserTest;
+pub use criteria::badness::Badness;
+pub use criteria::reason::{Reason, StopReason};
 pub use engine::Refinement;
 pub(crate) use engine::recovery::make_conforming;
 pub use engine::start::Start;
-pub use event::{Badness, Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
+pub use forecast::outlook::Outlook;
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
-pub use lepp::Lepp;
-pub use observer::{Beginning, NoObserver, Observer, Overview, Progress};
-pub use options::{Criteria, Limits, Missed, OptionError, RefineOptions};
-pub use outlook::Outlook;
-pub use reason::{Reason, StopReason};
+pub use measure::lepp;
+pub use measure::lepp::Lepp;
+pub use measure::ruler::Ruler;
+pub use recipe::options::{Criteria, Limits, Missed, OptionError, RefineOptions};
 pub use recipe::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Group, Initial, Insert, LeppRule, NamedOptions, OPTIONS,
     OptionRow, PlacePoint, Prepare, PrepareWhen, Preset, Protect, Recipe, Recover, Row, Select, Terminal, UnknownKey,
     Value, Values, WrongValue, registry,
 };
-pub use report::{Leftover, Report};
-pub use ruler::Ruler;
-pub use stopwatch::{Clock, StepTimes};
+pub use watch::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
+pub use watch::observer::{Beginning, NoObserver, Observer, Overview, Progress};
+pub use watch::report::{Leftover, Report};
+pub use watch::stopwatch::{Clock, StepTimes};

@@ -1,7 +1,7 @@
 //! The steps that a recipe names.
 
-use super::encroachment::Region;
-use super::options::RefineOptions;
+use super::criteria::encroachment::Region;
+use super::recipe::options::RefineOptions;
 use super::steps::Steps;
 use super::{s1_prepare, s2_select, s3_point, s4_insert, s5_recover};
 

@@ -10,6 +10,19 @@ type Token = String;
 /// `depth` is how many modules deep the file lies: 1 for `room.rs` and `room/mod.rs`. Groups count
 /// once for each of their branches. What stands in a module marked `#[cfg(test)]` does not count.
 pub(crate) fn rooms_named(source: &str, depth: usize) -> Vec<String> {
+    names_below("", source, depth)
+}
+
+/// The first names after `crate::room::`, or after as many `super::` as lead to that room, in order.
+///
+/// # Shape
+/// As for [`rooms_named`]; `depth` counts from the room: 0 for its `mod.rs`, 1 for a file or folder in it.
+pub(crate) fn folders_named(room: &str, source: &str, depth: usize) -> Vec<String> {
+    names_below(room, source, depth)
+}
+
+/// The first names after the path of a room (or of the crate, without one), in order.
+fn names_below(room: &str, source: &str, depth: usize) -> Vec<String> {
     let tokens = without_test_modules(tokens(source));
     let mut names = Vec::new();
     for at in 0..tokens.len() {
@@ -17,7 +30,11 @@ pub(crate) fn rooms_named(source: &str, depth: usize) -> Vec<String> {
         let fresh = at < 3 || tokens[at - 3] != "super" || tokens[at - 2] != ":";
         let steps = supers(rest);
         if rest[0] == "crate" && is_path_sign(&rest[1..]) {
-            names.extend(branches(&rest[3..]));
+            if room.is_empty() {
+                names.extend(branches(&rest[3..]));
+            } else if rest.len() > 6 && rest[3] == room && is_path_sign(&rest[4..]) {
+                names.extend(branches(&rest[6..]));
+            }
         } else if rest[0] == "super" && fresh && steps == depth {
             names.extend(branches(&rest[3 * steps..]));
         }

@@ -1,4 +1,5 @@
-//! A room knows only the rooms below it, and a crate only the crates below it.
+//! A room knows only the rooms below it, a folder of `refine` only the folders below it, and a crate only the crates
+//! below it.
 //!
 //! Reads the tokens of every source file of the library, tests and comments left out, and every
 //! manifest of the workspace. An arrow that points upward fails, and so do a room and a crate that
@@ -8,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::paths::{rooms_named, test_files};
+use crate::common::paths::{folders_named, rooms_named, test_files};
 
 /// The rooms of the library, the lowest tier first; rooms of one tier do not know each other.
 ///
@@ -24,6 +25,21 @@ const TIERS: &[&[&str]] = &[
     &["quality"],
     &["refine"],
     &["facade"],
+];
+
+/// The folders of `refine`, the lowest tier first; folders of one tier do not know each other.
+///
+/// `strategies` is a file: it names the choices of all five steps.
+const REFINE_TIERS: &[&[&str]] = &[
+    &["recipe"],
+    &["measure"],
+    &["steps"],
+    &["criteria"],
+    &["agenda", "forecast"],
+    &["watch", "s1_prepare", "s2_select", "s3_point", "s4_insert", "s5_recover"],
+    &["strategies"],
+    &["engine"],
+    &["conformance"],
 ];
 
 /// The crates of the workspace and the crates of the workspace that each depends on.
@@ -49,11 +65,32 @@ fn no_room_knows_one_above_it() {
         let Some(room) = room_of(inner) else { continue };
         let text = fs::read_to_string(&file).expect("a source file");
         let named = rooms_named(&text, depth(inner));
-        upward
-            .extend(named.iter().filter_map(|to| refusal(&room, to)).map(|why| format!("{}: {why}", inner.display())));
+        upward.extend(
+            named.iter().filter_map(|to| refusal(TIERS, &room, to)).map(|why| format!("{}: {why}", inner.display())),
+        );
         seen.insert(room);
     }
     assert!(seen.len() > 4, "only the rooms {seen:?} were found");
+    assert!(upward.is_empty(), "{upward:#?}");
+}
+
+#[test]
+fn no_folder_of_refine_knows_one_above_it() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/refine");
+    let mut seen = BTreeSet::new();
+    let mut upward = Vec::new();
+    for file in shipped_files(&source) {
+        let inner = file.strip_prefix(&source).expect("a file below refine");
+        let folder = room_of(inner).filter(|name| name != "mod");
+        let Some(folder) = folder else { continue };
+        let text = fs::read_to_string(&file).expect("a source file");
+        let named = folders_named("refine", &text, depth(inner));
+        let refused = named.iter().filter_map(|to| refusal(REFINE_TIERS, &folder, to));
+        upward.extend(refused.map(|why| format!("{}: {why}", inner.display())));
+        seen.insert(folder);
+    }
+    let listed: BTreeSet<String> = REFINE_TIERS.iter().copied().flatten().map(|&name| name.to_owned()).collect();
+    assert_eq!(seen, listed, "REFINE_TIERS lists the folders of refine");
     assert!(upward.is_empty(), "{upward:#?}");
 }
 
@@ -84,15 +121,12 @@ fn no_crate_knows_one_above_it() {
 }
 
 /// Why a file of room `from` may not name `to`; nothing where it may.
-fn refusal(from: &str, to: &str) -> Option<String> {
+fn refusal(tiers: &[&[&str]], from: &str, to: &str) -> Option<String> {
+    let tier = |room: &str| tiers.iter().position(|rooms| rooms.contains(&room));
     let (Some(lower), Some(upper)) = (tier(to), tier(from)) else {
-        return Some(format!("`{from}` names `crate::{to}`, one of which has no place in TIERS"));
+        return Some(format!("`{from}` names `{to}`, one of which has no tier"));
     };
     (from != to && lower >= upper).then(|| format!("`{from}` knows `{to}`, which is not below it"))
-}
-
-fn tier(room: &str) -> Option<usize> {
-    TIERS.iter().position(|rooms| rooms.contains(&room))
 }
 
 /// The room of a file below `src`; none for `lib.rs`, the roof.
@@ -165,7 +199,7 @@ fn an_upward_arrow_is_found_in_every_spelling() {
         "fn f<'a>(a: &'a str) -> crate::refine::R<'a> {}",
     ];
     for source in upward {
-        let refused = rooms_named(source, 1).iter().any(|to| refusal("half_edge", to).is_some());
+        let refused = rooms_named(source, 1).iter().any(|to| refusal(TIERS, "half_edge", to).is_some());
         assert!(refused, "{source}");
     }
 }
@@ -183,10 +217,14 @@ fn what_points_down_or_is_no_code_is_allowed() {
         "use super::super::geometry::Point;",
     ];
     for source in fine {
-        let refused: Vec<String> = rooms_named(source, 2).iter().filter_map(|to| refusal("quality", to)).collect();
+        let refused: Vec<String> =
+            rooms_named(source, 2).iter().filter_map(|to| refusal(TIERS, "quality", to)).collect();
         assert!(refused.is_empty(), "{source}: {refused:?}");
     }
-    assert!(refusal("half_edge", "geometry").is_some() && refusal("geometry", "half_edge").is_some());
+    assert!(refusal(TIERS, "half_edge", "geometry").is_some() && refusal(TIERS, "geometry", "half_edge").is_some());
+    let named =
+        "use crate::refine::{watch::Event, steps}; use super::super::recipe::A; fn f() { crate::refine::engine::f() }";
+    assert_eq!(folders_named("refine", named, 2), ["watch", "steps", "recipe", "engine"]);
     assert_eq!(test_files("mod a; #[cfg(test)] mod tests; #[cfg(test)] mod b {}"), ["tests"]);
     let manifest = "[dependencies]\ntrimalla = { workspace = true }\nlibm = \"1\"\n[dev-dependencies]\ntrimalla-testkit.workspace = true";
     let read = workspace_dependencies(manifest);

@@ -10,7 +10,7 @@ use crate::geometry::{Point, Triangle};
 use crate::half_edge::{HalfEdgeId, UndoLog, VertexId};
 use crate::locate::Locus;
 use crate::refine::engine::insertion::{Site, carry_out};
-use crate::refine::options::RefineOptions;
+use crate::refine::recipe::options::RefineOptions;
 use crate::refine::recipe::{Insert, Recipe};
 use crate::refine::steps::{InsertStep, Plan, Proposal};
 

@@ -12,8 +12,8 @@ use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::refine::engine::Refinement;
-use crate::refine::event::Event;
-use crate::refine::event::StepOutcome;
+use crate::refine::watch::event::Event;
+use crate::refine::watch::event::StepOutcome;
 use crate::triangulation::Fault;
 
 /// Puts a strategy through the laws of refinement.

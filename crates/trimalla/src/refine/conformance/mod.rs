@@ -45,9 +45,9 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::engine::Refinement;
-use super::options::RefineOptions;
+use super::measure::ruler::Ruler;
+use super::recipe::options::RefineOptions;
 use super::recipe::{Recipe, Select};
-use super::ruler::Ruler;
 use super::steps::{Steps, View};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
@@ -143,7 +143,7 @@ fn ensure(holds: bool, breach: impl FnOnce() -> String) -> Result<(), Breach> {
 
 /// Three vertices in order: what a triangle is called, whatever slot it has.
 fn name(cdt: &ConstrainedTriangulation, face: FaceId) -> [VertexId; 3] {
-    super::bad_triangles::sorted(cdt.face_vertices(face))
+    super::criteria::bad_triangles::sorted(cdt.face_vertices(face))
 }
 
 /// The triangles in the order of their names.

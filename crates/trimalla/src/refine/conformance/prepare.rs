@@ -6,8 +6,8 @@ use crate::drawing::Pslg;
 use crate::geometry::Point;
 use crate::half_edge::HalfEdgeId;
 use crate::refine::engine::Refinement;
-use crate::refine::event::StepOutcome;
 use crate::refine::steps::PrepareStep;
+use crate::refine::watch::event::StepOutcome;
 
 /// Puts a step 1 through its suite.
 ///

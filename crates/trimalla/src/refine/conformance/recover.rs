@@ -7,7 +7,7 @@ use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::quality::{InputFault, against_input};
-use crate::refine::event::StepOutcome;
+use crate::refine::watch::event::StepOutcome;
 
 /// Puts a step 5 through its suite.
 ///

@@ -8,9 +8,9 @@ use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::geometry::triangle_angles_at_least;
 use crate::half_edge::{FaceId, VertexId};
-use crate::refine::event::Badness;
-use crate::refine::event::StepOutcome;
-use crate::refine::options::RefineOptions;
+use crate::refine::criteria::badness::Badness;
+use crate::refine::recipe::options::RefineOptions;
+use crate::refine::watch::event::StepOutcome;
 
 /// Steps of priority within which triangles count as equally urgent: a 128th, and rounding.
 const STEP: f64 = 1.0 + 1.0 / 64.0;

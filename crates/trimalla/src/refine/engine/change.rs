@@ -3,8 +3,8 @@
 use super::Refinement;
 use super::start::Start;
 use crate::constrained::ConstrainedTriangulation;
-use crate::refine::options::{OptionError, RefineOptions};
-use crate::refine::report::Report;
+use crate::refine::recipe::options::{OptionError, RefineOptions};
+use crate::refine::watch::report::Report;
 use crate::triangulation::Triangulation;
 
 impl Refinement {

@@ -30,11 +30,11 @@ use crate::delaunay::insertion_order;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::refine::bad_triangles::sorted;
-use crate::refine::event::InsertedKind;
-use crate::refine::lattice::Lattice;
+use crate::refine::criteria::bad_triangles::sorted;
+use crate::refine::measure::lattice::Lattice;
 use crate::refine::recipe::Initial;
-use crate::refine::stopwatch::Part;
+use crate::refine::watch::event::InsertedKind;
+use crate::refine::watch::stopwatch::Part;
 
 /// A node goes in where nothing is nearer than this, in spacings.
 const CLEARANCE: f64 = 0.65;

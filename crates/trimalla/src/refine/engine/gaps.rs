@@ -16,8 +16,8 @@ use super::Refinement;
 use crate::geometry::{Point, math};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::refine::joints::{Piece, common_end};
-use crate::refine::reason::Reason;
+use crate::refine::criteria::reason::Reason;
+use crate::refine::measure::joints::{Piece, common_end};
 use crate::refine::steps::Proposal;
 
 impl Refinement {

@@ -16,8 +16,8 @@ use super::Refinement;
 use super::parts::Ledger;
 use super::records::{History, Record, StepRecord};
 use crate::half_edge::{Checkpoint, UndoLog};
-use crate::refine::event::StepOutcome;
-use crate::refine::queue::Changes;
+use crate::refine::agenda::queue::Changes;
+use crate::refine::watch::event::StepOutcome;
 
 /// Bytes that a copy of a refinement takes for each vertex, about.
 const BYTES_A_VERTEX: usize = 128;

@@ -19,8 +19,8 @@
 use super::Refinement;
 use super::parts::Improvement;
 use crate::refine::forecast::forecast_under;
-use crate::refine::options::RefineOptions;
 use crate::refine::recipe::PlacePoint;
+use crate::refine::recipe::options::RefineOptions;
 
 /// Bounds up to this one, in degrees, are met in practice.
 const UNPROVED_DEG: f64 = 33.0;

@@ -4,14 +4,14 @@ use super::Refinement;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
-use crate::refine::bad_triangles::sorted;
-use crate::refine::event::Badness;
-use crate::refine::extremes::Extremes;
-use crate::refine::joints::{Piece, common_end};
-use crate::refine::reason::{Reason, StopReason};
+use crate::refine::criteria::bad_triangles::sorted;
+use crate::refine::criteria::badness::Badness;
+use crate::refine::criteria::extremes::Extremes;
+use crate::refine::criteria::reason::{Reason, StopReason};
+use crate::refine::measure::joints::{Piece, common_end};
 use crate::refine::recipe::Select;
-use crate::refine::report::{Leftover, Report};
-use crate::refine::stopwatch::Part;
+use crate::refine::watch::report::{Leftover, Report};
+use crate::refine::watch::stopwatch::Part;
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 
 /// What one look at every triangle tells.

@@ -4,12 +4,12 @@ use super::{Refinement, ends_of};
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
-use crate::refine::bad_triangles::{Criterion, Side, UniformBounds, sorted};
-use crate::refine::chains::Chains;
-use crate::refine::event::Badness;
-use crate::refine::queue::Queue;
+use crate::refine::agenda::chains::Chains;
+use crate::refine::agenda::queue::Queue;
+use crate::refine::criteria::bad_triangles::{Criterion, Side, UniformBounds, sorted};
+use crate::refine::criteria::badness::Badness;
 use crate::refine::steps::{SelectStep, View};
-use crate::refine::stopwatch::Part;
+use crate::refine::watch::stopwatch::Part;
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.

@@ -1,10 +1,10 @@
 //! Where a subsegment is split beside a very small input angle: see `mirror.rs`.
 
 use super::Refinement;
-use super::mirror::{SMALL_SINE_SQ, Wedge};
 use crate::geometry::{CircleSide, in_diametral_disk};
 use crate::half_edge::{HalfEdgeId, VertexId};
-use crate::refine::joints::common_end;
+use crate::refine::measure::joints::common_end;
+use crate::refine::measure::mirror::{SMALL_SINE_SQ, Wedge};
 
 impl Refinement {
     /// The parameter at which subsegment `h` mirrors a vertex in its disk, which lies on another segment at an angle of

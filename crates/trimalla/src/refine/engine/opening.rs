@@ -12,11 +12,11 @@
 use super::Refinement;
 use super::parts::Opening;
 use crate::constrained::Recovery;
-use crate::refine::event::StepOutcome;
-use crate::refine::observer::Observer;
-use crate::refine::reason::StopReason;
+use crate::refine::criteria::reason::StopReason;
 use crate::refine::recipe::Initial;
-use crate::refine::stopwatch::Part;
+use crate::refine::watch::event::StepOutcome;
+use crate::refine::watch::observer::Observer;
+use crate::refine::watch::stopwatch::Part;
 
 /// Edges looked at in one slice.
 const SLICE: usize = 1 << 14;

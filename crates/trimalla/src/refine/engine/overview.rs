@@ -2,9 +2,9 @@
 
 use super::Refinement;
 use crate::geometry::Triangle;
-use crate::refine::bad_triangles::SufficientBounds;
-use crate::refine::extremes::Extremes;
-use crate::refine::observer::Overview;
+use crate::refine::criteria::bad_triangles::SufficientBounds;
+use crate::refine::criteria::extremes::Extremes;
+use crate::refine::watch::observer::Overview;
 use crate::triangulation::corners_of_two;
 
 impl Refinement {

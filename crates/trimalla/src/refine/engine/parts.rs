@@ -5,24 +5,24 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::encroached::Encroached;
-use super::mirror::has_small_wedge;
 use crate::constrained::{ConstrainedTriangulation, Recovery, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
-use crate::refine::bad_triangles::Criterion;
-use crate::refine::encroachment::Region;
-use crate::refine::event::Event;
-use crate::refine::floors::Floors;
-use crate::refine::joints::{Joints, Piece, marked_edges};
-use crate::refine::options::RefineOptions;
-use crate::refine::queue::{Claim, Queue};
-use crate::refine::reason::Reason;
+use crate::refine::agenda::queue::{Claim, Queue};
+use crate::refine::criteria::bad_triangles::Criterion;
+use crate::refine::criteria::encroachment::Region;
+use crate::refine::criteria::floors::Floors;
+use crate::refine::criteria::reason::Reason;
+use crate::refine::measure::joints::{Joints, Piece, marked_edges};
+use crate::refine::measure::mirror::has_small_wedge;
+use crate::refine::measure::ruler::Ruler;
 use crate::refine::recipe::Initial;
-use crate::refine::report::Report;
-use crate::refine::ruler::Ruler;
+use crate::refine::recipe::options::RefineOptions;
 use crate::refine::steps::{InsertTraits, Places, StepTraits, Steps, View};
-use crate::refine::stopwatch::Stopwatch;
+use crate::refine::watch::event::Event;
+use crate::refine::watch::report::Report;
+use crate::refine::watch::stopwatch::Stopwatch;
 use crate::size::{SizeBounds, SizeField};
 
 /// A triangle, by its slot and its sorted vertices.

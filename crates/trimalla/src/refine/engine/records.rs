@@ -7,8 +7,8 @@ use super::filling::{FillStage, TakenNode};
 use super::parts::{Ledger, Picked, SegmentWork};
 use crate::constrained::Released;
 use crate::half_edge::{Entry, UndoLog, VertexId};
-use crate::refine::queue::{Changes, Claim, Queue};
-use crate::refine::reason::Reason;
+use crate::refine::agenda::queue::{Changes, Claim, Queue};
+use crate::refine::criteria::reason::Reason;
 
 /// Bytes that records of steps may take where the caller does not say: a gibibyte.
 const BYTES: usize = 1 << 30;

@@ -1,7 +1,6 @@
 //! Segments that were let go, on their way back.
 
 use super::Refinement;
-use super::mirror::Mirrors;
 use super::parts::UnderWay;
 use crate::constrained::{
     Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, Released, SegmentPlan, SplitLimits,
@@ -9,12 +8,13 @@ use crate::constrained::{
 use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{NoJournal, UndoLog};
-use crate::refine::event::InsertedKind;
-use crate::refine::floors::precision_floor;
-use crate::refine::joints::{Joints, Piece};
-use crate::refine::reason::StopReason;
-use crate::refine::ruler::Ruler;
-use crate::refine::stopwatch::Part;
+use crate::refine::criteria::floors::precision_floor;
+use crate::refine::criteria::reason::StopReason;
+use crate::refine::measure::joints::{Joints, Piece};
+use crate::refine::measure::mirror::Mirrors;
+use crate::refine::measure::ruler::Ruler;
+use crate::refine::watch::event::InsertedKind;
+use crate::refine::watch::stopwatch::Part;
 
 /// Pieces of segments looked at in one slice.
 const SLICE: usize = 256;

@@ -6,10 +6,10 @@ use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
-use crate::refine::event::InsertedKind;
-use crate::refine::options::Protect;
-use crate::refine::reason::Reason;
+use crate::refine::criteria::reason::Reason;
+use crate::refine::recipe::options::Protect;
 use crate::refine::steps::Proposal;
+use crate::refine::watch::event::InsertedKind;
 
 impl Refinement {
     /// Lets a subsegment wait for its split; says why it never can be split, where it cannot.

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
 use crate::domain::FromMesh;
-use crate::refine::options::RefineOptions;
-use crate::refine::outlook::Outlook;
+use crate::refine::forecast::outlook::Outlook;
+use crate::refine::recipe::options::RefineOptions;
 use crate::size::{ByTriangle, SizeBounds, SizeField};
 
 /// What a refinement starts from: a constrained Delaunay triangulation of a domain

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Refinement;
 use crate::constrained::{Recovery, Released};
 use crate::half_edge::VertexId;
-use crate::refine::reason::StopReason;
+use crate::refine::criteria::reason::StopReason;
 use crate::refine::steps::{Bring, Proposal, StepEdit, View};
 
 /// What is counted of a refinement: if one of these is another than before, something has changed.

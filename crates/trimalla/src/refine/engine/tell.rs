@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use super::Refinement;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
-use crate::refine::bad_triangles::sorted;
-use crate::refine::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
-use crate::refine::lepp::lepp;
-use crate::refine::observer::Observer;
-use crate::refine::reason::Reason;
+use crate::refine::criteria::bad_triangles::sorted;
+use crate::refine::criteria::reason::Reason;
+use crate::refine::measure::lepp::lepp;
 use crate::refine::steps::Proposal;
+use crate::refine::watch::event::{Candidate, Event, InsertedKind, InsertedVertex, Name, StepOutcome};
+use crate::refine::watch::observer::Observer;
 
 impl Refinement {
     /// One step, and what it did; [`back`](Self::back) takes it back.

@@ -12,11 +12,12 @@ use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
-use crate::refine::event::{Badness, InsertedKind};
-use crate::refine::lepp::lepp;
-use crate::refine::reason::Reason;
+use crate::refine::criteria::badness::Badness;
+use crate::refine::criteria::reason::Reason;
+use crate::refine::measure::lepp::lepp;
 use crate::refine::steps::{Plan, Proposal};
-use crate::refine::stopwatch::Part;
+use crate::refine::watch::event::InsertedKind;
+use crate::refine::watch::stopwatch::Part;
 
 impl Refinement {
     /// Treats a bad triangle; the error says why it is given up.

@@ -22,8 +22,8 @@ use std::collections::VecDeque;
 
 use crate::constrained::{ConstrainedTriangulation, Workspace};
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
-use crate::refine::Ruler;
-use crate::refine::joints::{Piece, common_end};
+use crate::refine::measure::joints::{Piece, common_end};
+use crate::refine::measure::ruler::Ruler;
 
 /// Feet for each vertex and constrained edge, at most; drawings need fewer than one for each.
 const MOST_FEET: usize = 4;

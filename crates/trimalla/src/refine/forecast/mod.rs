@@ -16,6 +16,7 @@
 //! Segments that meet at a vertex do not count as close to each other: shells end refinement across a small angle.
 
 mod feet;
+pub(super) mod outlook;
 mod profile;
 mod sizes;
 
@@ -23,10 +24,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};
 use std::fmt;
 
-use super::engine::mirror::MIRRORED_DEG;
-use super::floors::{length_floor, precision_floor};
-use super::joints::Piece;
-use super::options::{Criteria, Limits, RefineOptions};
+use super::criteria::floors::{length_floor, precision_floor};
+use super::measure::joints::Piece;
+use super::measure::mirror::MIRRORED_DEG;
+use super::recipe::options::{Criteria, Limits, RefineOptions};
 use crate::constrained::ConstrainedTriangulation;
 use crate::drawing::SegmentId;
 use crate::geometry::{Angle, BoundingBox, Point, Segment, math};

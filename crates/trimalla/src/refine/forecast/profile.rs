@@ -13,8 +13,8 @@ use super::feet::Footed;
 use super::sizes::Sizes;
 use crate::geometry::{Point, Vector};
 use crate::half_edge::{HalfEdgeId, VertexId};
-use crate::refine::engine::mirror::SMALL_SINE_SQ;
-use crate::refine::joints::{Piece, common_end};
+use crate::refine::measure::joints::{Piece, common_end};
+use crate::refine::measure::mirror::SMALL_SINE_SQ;
 
 /// Where rays start, as parameters of the subsegment.
 const RAYS: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 63.0 / 64.0];

@@ -3,6 +3,7 @@
 mod choices;
 mod named;
 mod named_steps;
+pub(super) mod options;
 #[cfg(feature = "serde")]
 mod serialized;
 mod table;

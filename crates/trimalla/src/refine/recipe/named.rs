@@ -3,7 +3,7 @@
 use super::Recipe;
 use super::choices::{Preset, Protect};
 use crate::geometry::Angle;
-use crate::refine::options::{Criteria, Limits, RefineOptions};
+use crate::refine::recipe::options::{Criteria, Limits, RefineOptions};
 
 /// A recipe, and whatever is said about criteria and limits.
 ///

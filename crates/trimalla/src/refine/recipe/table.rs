@@ -8,7 +8,7 @@ use super::choices::{
 };
 use super::named::NamedOptions;
 use super::value::{Plain as _, Row, Slot as _, Value, Values, WrongValue};
-use crate::refine::options::{is_angle_deg, is_area, is_aspect_ratio, is_length};
+use crate::refine::recipe::options::{is_angle_deg, is_area, is_aspect_ratio, is_length};
 
 /// What an option is about, and with that where it stands in recipe files and in help.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

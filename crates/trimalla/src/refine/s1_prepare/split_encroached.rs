@@ -7,7 +7,7 @@
 //! refined first, and their vertices deleted when the subsegment is split after all.
 
 use crate::half_edge::HalfEdgeId;
-use crate::refine::encroachment::Region;
+use crate::refine::criteria::encroachment::Region;
 use crate::refine::recipe::PrepareWhen;
 use crate::refine::steps::{PrepareStep, View};
 use crate::size::{AreaBound, SizeField};

@@ -2,7 +2,7 @@
 
 use crate::geometry::Point;
 use crate::half_edge::FaceId;
-use crate::refine::ruler::Ruler;
+use crate::refine::measure::ruler::Ruler;
 use crate::refine::steps::View;
 
 /// The square of the shortest edge of a face.

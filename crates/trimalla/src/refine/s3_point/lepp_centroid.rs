@@ -8,7 +8,7 @@
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
-use crate::refine::lepp::{Centroid, LeppRule, edge_midpoint, quadrilateral_centroid};
+use crate::refine::measure::lepp::{Centroid, LeppRule, edge_midpoint, quadrilateral_centroid};
 use crate::refine::recipe::ConstrainedSecond;
 use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 

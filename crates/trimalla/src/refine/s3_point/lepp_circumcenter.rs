@@ -7,7 +7,7 @@
 use super::circumcenter::center_of;
 use super::terminal::{chosen_terminal, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
-use crate::refine::lepp::{LeppRule, edge_midpoint};
+use crate::refine::measure::lepp::{LeppRule, edge_midpoint};
 use crate::refine::recipe::Terminal;
 use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 

@@ -7,7 +7,7 @@
 
 use super::terminal::{second_to_split, unsplit_terminal_edge};
 use crate::half_edge::FaceId;
-use crate::refine::lepp::{LeppRule, edge_midpoint};
+use crate::refine::measure::lepp::{LeppRule, edge_midpoint};
 use crate::refine::recipe::ConstrainedSecond;
 use crate::refine::steps::{Places, PointStep, PointTraits, Proposal, View};
 

@@ -22,7 +22,7 @@
 
 use crate::geometry::{Point, Triangle, triangle_angles_at_least};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
-use crate::refine::lepp::{LeppRule, compare_edges, edges_by_length, terminal_edge, terminal_faces};
+use crate::refine::measure::lepp::{LeppRule, compare_edges, edges_by_length, terminal_edge, terminal_faces};
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
 use crate::refine::steps::{Places, Proposal, View};
 
@@ -101,5 +101,5 @@ fn is_larger(view: View<'_>, f: FaceId, g: FaceId) -> bool {
 }
 
 fn sorted(view: View<'_>, f: FaceId) -> [VertexId; 3] {
-    crate::refine::bad_triangles::sorted(view.cdt.face_vertices(f))
+    crate::refine::criteria::bad_triangles::sorted(view.cdt.face_vertices(f))
 }

@@ -6,7 +6,7 @@
 
 use crate::half_edge::FaceId;
 use crate::locate::Locus;
-use crate::refine::lepp::longest_edge;
+use crate::refine::measure::lepp::longest_edge;
 use crate::refine::steps::{InsertStep, InsertTraits, Plan, Proposal, View};
 
 /// Step 4, `flip-or-centroid`.

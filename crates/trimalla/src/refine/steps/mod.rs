@@ -1,7 +1,7 @@
 //! The five steps as traits.
 //!
-//! A new strategy is one file that implements one of these, and one row in `recipe.rs`; one from outside the library
-//! goes into [`Steps`]. `examples/own_steps.rs` shows one of each.
+//! To add a strategy, implement one of these traits in a file of its own, and add a row to `recipe/choices.rs`. A
+//! caller puts a strategy from outside the library into [`Steps`]; `examples/own_steps.rs` shows one for each step.
 
 use std::fmt;
 use std::sync::Arc;

@@ -1,8 +1,8 @@
 //! What a step may look at.
 
 use crate::constrained::ConstrainedTriangulation;
-use crate::refine::options::Criteria;
-use crate::refine::ruler::Ruler;
+use crate::refine::measure::ruler::Ruler;
+use crate::refine::recipe::options::Criteria;
 use crate::size::SizeBounds;
 
 /// What a step may look at.

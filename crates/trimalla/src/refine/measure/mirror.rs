@@ -13,11 +13,11 @@
 //! # Source
 //! Our own, after the concentric shells of `[Ruppert95]` section 5.
 
+use super::joints::{Joints, Piece, common_end};
+use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
 use crate::half_edge::{HalfEdgeId, VertexId};
-use crate::refine::joints::{Joints, Piece, common_end};
-use crate::refine::ruler::Ruler;
 
 /// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle
 /// cost little, and the mesh is more even.
@@ -32,7 +32,7 @@ const SHELL_SINE_SQ: f64 = 0.75;
 ///
 /// # Complexity
 /// Linear in the segments, the marked edges, and the degrees of the vertices where two of those meet.
-pub(super) fn has_small_wedge(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId], ruler: Ruler) -> bool {
+pub(in crate::refine) fn has_small_wedge(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId], ruler: Ruler) -> bool {
     if cdt.segments().iter().flatten().any(|&v| !cdt.is_used(v)) {
         return true;
     }
@@ -60,13 +60,13 @@ fn is_small_wedge_at(cdt: &ConstrainedTriangulation, ruler: Ruler, v: VertexId) 
 
 /// A subsegment, and a vertex of another piece of a segment that meets its own at an apex.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wedge {
+pub(in crate::refine) struct Wedge {
     /// Where the two pieces of segments meet.
-    pub(super) apex: Point,
+    pub(in crate::refine) apex: Point,
     /// The ends of the subsegment.
-    pub(super) ends: [Point; 2],
+    pub(in crate::refine) ends: [Point; 2],
     /// A vertex of the other piece.
-    pub(super) vertex: Point,
+    pub(in crate::refine) vertex: Point,
 }
 
 impl Wedge {
@@ -80,13 +80,13 @@ impl Wedge {
     }
 
     /// Whether the two pieces meet at less than the angle of this squared sine.
-    pub(super) fn is_below(&self, sine_sq: f64, ruler: Ruler) -> bool {
+    pub(in crate::refine) fn is_below(&self, sine_sq: f64, ruler: Ruler) -> bool {
         self.sine_sq(ruler).is_some_and(|found| found < sine_sq)
     }
 
     /// The parameter of the point of the subsegment that is as far from the apex as the vertex is, if that is no nearer
     /// to an end than the vertex is to the subsegment: an end as near is its mirror image already.
-    pub(super) fn mirrored(&self, ruler: Ruler) -> Option<f64> {
+    pub(in crate::refine) fn mirrored(&self, ruler: Ruler) -> Option<f64> {
         let [first, last] = self.distances(ruler);
         let t = (ruler.length_sq(self.apex, self.vertex).sqrt() - first) / (last - first);
         let [start, end] = self.ends;
@@ -103,7 +103,7 @@ impl Wedge {
 
 /// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is,
 /// where the pieces meet at less than 60 degrees, and in the middle elsewhere.
-pub(super) struct Mirrors<'a> {
+pub(in crate::refine) struct Mirrors<'a> {
     joints: &'a Joints,
     /// [All pieces](Joints::pieces).
     pieces: &'a [Piece],
@@ -111,12 +111,17 @@ pub(super) struct Mirrors<'a> {
 }
 
 impl<'a> Mirrors<'a> {
-    pub(super) const fn new(joints: &'a Joints, pieces: &'a [Piece], ruler: Ruler) -> Self {
+    pub(in crate::refine) const fn new(joints: &'a Joints, pieces: &'a [Piece], ruler: Ruler) -> Self {
         Self { joints, pieces, ruler }
     }
 
     /// The parameter at which a stretch is split that a plan found to cross edges.
-    pub(super) fn place(&self, cdt: &ConstrainedTriangulation, stretch: Released, plan: &SegmentPlan) -> f64 {
+    pub(in crate::refine) fn place(
+        &self,
+        cdt: &ConstrainedTriangulation,
+        stretch: Released,
+        plan: &SegmentPlan,
+    ) -> f64 {
         let Some(piece) = self.joints.piece_between(cdt, stretch.mark, [stretch.from, stretch.to]) else { return 0.5 };
         let ends = [stretch.from, stretch.to].map(|v| cdt.point(v));
         let beside = plan.left.iter().chain(&plan.right);

@@ -1,10 +1,10 @@
 //! What came of a refinement.
 
 use super::event::InsertedKind;
-use super::reason::{Reason, StopReason};
-use super::recipe::Recipe;
 use super::stopwatch::StepTimes;
 use crate::drawing::SegmentId;
+use crate::refine::criteria::reason::{Reason, StopReason};
+use crate::refine::recipe::Recipe;
 
 /// A triangle that stayed bad.
 #[derive(Clone, Copy, Debug, PartialEq)]

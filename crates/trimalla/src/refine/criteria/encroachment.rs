@@ -7,14 +7,14 @@
 //!        \           /                 '-._____.-'           90° or more      180° − 2α or more
 //! ```
 
-use super::options::Criteria;
-use super::recipe::Encroachment;
-use super::ruler::Ruler;
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
+use crate::refine::measure::ruler::Ruler;
+use crate::refine::recipe::Encroachment;
+use crate::refine::recipe::options::Criteria;
 
 /// The points from which a subsegment is seen at a given angle or more, 90 degrees at least.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Region {
+pub(in crate::refine) struct Region {
     /// Squared cosine of that angle; 0 for the disk.
     cos_sq: f64,
 }
@@ -24,7 +24,7 @@ impl Region {
     ///
     /// # Source
     /// The lens: `[Chew93]`, `[Shewchuk02]`; the disk: `[Ruppert95]`. From 45 degrees on the lens is the disk.
-    pub(super) fn new(kind: Encroachment, criteria: &Criteria) -> Self {
+    pub(in crate::refine) fn new(kind: Encroachment, criteria: &Criteria) -> Self {
         let doubled = 2.0 * criteria.effective_min_angle().radians();
         let cos = crate::geometry::math::cos(doubled);
         let cos_sq = match kind {
@@ -36,12 +36,12 @@ impl Region {
 
     /// Whether free vertices in the diametral disk are deleted before a split: where the region is smaller than the
     /// disk.
-    pub(super) fn is_lens(self) -> bool {
+    pub(in crate::refine) fn is_lens(self) -> bool {
         self.cos_sq > 0.0
     }
 
     /// Whether `p` encroaches upon the subsegment from `a` to `b`.
-    pub(super) fn holds(self, a: Point, b: Point, p: Point, ruler: Ruler) -> bool {
+    pub(in crate::refine) fn holds(self, a: Point, b: Point, p: Point, ruler: Ruler) -> bool {
         if self.cos_sq == 0.0 {
             return in_diametral_disk(a, b, p) == CircleSide::Inside;
         }

@@ -16,7 +16,7 @@ use crate::half_edge::FaceId;
 
 /// Parts of the drawing's box: pieces of equal length of a Hilbert curve over a grid.
 #[derive(Clone, Debug)]
-pub(super) struct Patches {
+pub(in crate::refine) struct Patches {
     cells: CurveCells,
     count: u32,
 }
@@ -30,7 +30,7 @@ impl Patches {
     const MOST: usize = 1 << 14;
 
     /// Patches for so many vertices within a box.
-    pub(super) fn new(bounds: Option<BoundingBox>, vertices: usize) -> Self {
+    pub(in crate::refine) fn new(bounds: Option<BoundingBox>, vertices: usize) -> Self {
         let count = (vertices / Self::VERTICES).clamp(1, Self::MOST);
         Self { cells: CurveCells::around(bounds), count: count as u32 }
     }
@@ -44,8 +44,8 @@ impl Patches {
 /// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a
 /// triangle that goes and comes again is another one, whether it gets its old slot back or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Claim {
-    pub(super) face: FaceId,
+pub(in crate::refine) struct Claim {
+    pub(in crate::refine) face: FaceId,
     look: u32,
 }
 
@@ -138,7 +138,7 @@ impl BucketRow {
 /// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
 /// matter whether a triangle that went and came again got its old slot back.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Queue {
+pub(in crate::refine) struct Queue {
     /// `None` where the whole drawing is one patch.
     patches: Option<Patches>,
     /// The patch whose triangles lie in the buckets.
@@ -160,7 +160,7 @@ pub(super) struct Queue {
 ///
 /// Room that was made stays, and so do bits of buckets that are empty: neither changes what comes up.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Changes {
+pub(in crate::refine) struct Changes {
     present: usize,
     lowest: usize,
     len: usize,
@@ -187,7 +187,7 @@ enum Change {
 
 impl Changes {
     /// About how many bytes they take.
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::refine) fn bytes(&self) -> usize {
         let emptied = |change: &Change| match change {
             Change::Emptied { list, .. } => size_of_val(&**list),
             _ => 0,
@@ -203,18 +203,18 @@ impl Queue {
     const LEAST: u64 = (1023 - 220) << 7;
 
     /// An empty queue that takes one patch after the other.
-    pub(super) fn by_patches(patches: Patches) -> Self {
+    pub(in crate::refine) fn by_patches(patches: Patches) -> Self {
         Self { elsewhere: vec![Vec::new(); patches.count as usize], patches: Some(patches), ..Self::default() }
     }
 
     /// The patch in which a place lies.
     #[inline]
-    pub(super) fn patch_at(&self, place: Point) -> usize {
+    pub(in crate::refine) fn patch_at(&self, place: Point) -> usize {
         self.patches.as_ref().map_or(0, |patches| patches.of(place))
     }
 
     /// Makes room for so many triangles, spread over all patches, in a mesh of so many slots.
-    pub(super) fn reserve(&mut self, triangles: usize, slots: usize) {
+    pub(in crate::refine) fn reserve(&mut self, triangles: usize, slots: usize) {
         self.looks.reserve(2 * slots);
         let each = triangles / self.elsewhere.len().max(1);
         self.elsewhere.iter_mut().for_each(|patch| patch.reserve(each + each / 4));
@@ -222,7 +222,13 @@ impl Queue {
 
     /// Adds a triangle of a patch, whose priority is not negative.
     #[inline]
-    pub(super) fn push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, priority: f64) {
+    pub(in crate::refine) fn push(
+        &mut self,
+        cdt: &ConstrainedTriangulation,
+        face: FaceId,
+        patch: usize,
+        priority: f64,
+    ) {
         let bucket = Self::bucket_of(priority);
         // Nothing follows the call, so that nothing has to be kept across it.
         if self.record.is_some() {
@@ -309,7 +315,7 @@ impl Queue {
 
     /// Claims a slot: earlier claims to it are void.
     #[inline(always)] // For each bad triangle.
-    pub(super) fn claim(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
+    pub(in crate::refine) fn claim(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
         if self.record.is_some() {
             self.note_look(face);
         }
@@ -328,14 +334,14 @@ impl Queue {
 
     /// Makes room for looks at so many slots.
     #[inline]
-    pub(super) fn make_room_for(&mut self, slots: usize) {
+    pub(in crate::refine) fn make_room_for(&mut self, slots: usize) {
         if slots > self.looks.len() {
             self.looks.resize(slots, 0);
         }
     }
 
     /// Whether a triangle is still the one that was claimed.
-    pub(super) fn is_valid(&self, cdt: &ConstrainedTriangulation, claim: Claim) -> bool {
+    pub(in crate::refine) fn is_valid(&self, cdt: &ConstrainedTriangulation, claim: Claim) -> bool {
         self.is_newest(claim) && cdt.is_real(claim.face)
     }
 
@@ -346,7 +352,7 @@ impl Queue {
     }
 
     /// Notes that there is nothing bad in a slot now.
-    pub(super) fn pass(&mut self, face: FaceId) {
+    pub(in crate::refine) fn pass(&mut self, face: FaceId) {
         if self.record.is_some() {
             self.note_look(face);
         }
@@ -355,7 +361,7 @@ impl Queue {
 
     /// [`pass`](Self::pass) for one of several faces that were [noted](Self::note_looks) before.
     #[inline(always)] // For each face around a new vertex.
-    pub(super) fn pass_unnoted(&mut self, face: FaceId) {
+    pub(in crate::refine) fn pass_unnoted(&mut self, face: FaceId) {
         if let Some(look) = self.looks.get_mut(face.index()) {
             *look = 0;
         }
@@ -363,7 +369,7 @@ impl Queue {
 
     /// Notes the looks at some slots, where a record is kept.
     #[inline(always)] // For each new vertex.
-    pub(super) fn note_looks(&mut self, faces: &[FaceId]) {
+    pub(in crate::refine) fn note_looks(&mut self, faces: &[FaceId]) {
         if self.record.is_some() {
             faces.iter().for_each(|&face| self.note_look(face));
         }
@@ -385,18 +391,18 @@ impl Queue {
     }
 
     /// Begins to record what is overwritten.
-    pub(super) fn begin_record(&mut self) {
+    pub(in crate::refine) fn begin_record(&mut self) {
         let (present, lowest, len, last_look) = (self.present, self.lowest, self.len, self.last_look);
         self.record = Some(Changes { present, lowest, len, last_look, list: Vec::new() });
     }
 
     /// Ends the record, and returns it.
-    pub(super) fn end_record(&mut self) -> Changes {
+    pub(in crate::refine) fn end_record(&mut self) -> Changes {
         self.record.take().unwrap_or_default()
     }
 
     /// Puts everything back that was overwritten while a record was kept.
-    pub(super) fn take_back(&mut self, changes: Changes) {
+    pub(in crate::refine) fn take_back(&mut self, changes: Changes) {
         for change in changes.list.into_iter().rev() {
             match change {
                 Change::Look { slot, look } => self.looks.get_mut(slot as usize).into_iter().for_each(|l| *l = look),
@@ -439,7 +445,7 @@ impl Queue {
     ///
     /// # Complexity
     /// Constant, amortised over the triangles that are gone.
-    pub(super) fn pop(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
+    pub(in crate::refine) fn pop(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         loop {
             let here = self.pop_here(cdt, oldest_first);
             if here.is_some() || !self.take_next_patch() {
@@ -466,12 +472,12 @@ impl Queue {
     }
 
     /// About how many bytes it takes.
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::refine) fn bytes(&self) -> usize {
         self.looks.len() * size_of::<u32>() + self.len * size_of::<Waiting>()
     }
 
     /// How many wait, those that are gone included.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::refine) fn len(&self) -> usize {
         self.len
     }
 }

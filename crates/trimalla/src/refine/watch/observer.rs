@@ -1,10 +1,10 @@
 //! Who watches a refinement, and what is told.
 
 use super::event::Event;
-use super::outlook::Outlook;
 use super::stopwatch::Clock;
 use crate::constrained::ConstrainedTriangulation;
 use crate::half_edge::FaceId;
+use crate::refine::forecast::outlook::Outlook;
 
 /// How far a refinement has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,12 +16,12 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-pub use super::recipe::{Centroid, LeppRule};
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use crate::geometry::{Point, Vector, math};
 use crate::half_edge::{FaceId, HalfEdgeId, Journal, NoJournal, VertexId};
 use crate::locate::{Locus, Walk};
+pub use crate::refine::recipe::{Centroid, LeppRule};
 use crate::triangulation::{Closure, Triangulation};
 
 /// Areas above this, in the ruler's squared units, lose nothing to underflow when they weigh lengths.

@@ -5,11 +5,11 @@
 //! rounding. [`Extremes::include`] measures the other triangles, and the caller tests whether they are bad.
 
 use super::bad_triangles::SufficientBounds;
-use super::ruler::Ruler;
 use crate::geometry::lanes::{Number, Two};
 use crate::geometry::math::power_of_two_scale;
 use crate::geometry::{BoundingBox, Point, Triangle};
 use crate::half_edge::FaceId;
+use crate::refine::measure::ruler::Ruler;
 
 /// The relative error of every sum and quotient of products here is below this.
 const SLACK: f64 = 1e-12;
@@ -78,9 +78,9 @@ impl Sides<f64> {
 }
 
 /// The triangles with the smallest and with the largest angle, of those included so far.
-pub(super) struct Extremes {
-    pub(super) sharpest: Option<FaceId>,
-    pub(super) bluntest: Option<FaceId>,
+pub(in crate::refine) struct Extremes {
+    pub(in crate::refine) sharpest: Option<FaceId>,
+    pub(in crate::refine) bluntest: Option<FaceId>,
     /// The squared sine of the smallest angle.
     least_sine_sq: f64,
     /// Four times the signed square of the cosine of the largest angle.
@@ -104,7 +104,7 @@ struct Filter {
 
 impl Extremes {
     /// No triangles so far; `sufficient` are the bounds that make a triangle good.
-    pub(super) fn new(ruler: Ruler, sufficient: SufficientBounds) -> Self {
+    pub(in crate::refine) fn new(ruler: Ruler, sufficient: SufficientBounds) -> Self {
         let scale = ruler.scale();
         let unit = (scale * scale) * (scale * scale);
         // Products in the units of the ruler must not underflow either.
@@ -131,7 +131,7 @@ impl Extremes {
     /// The error of twice the area is a few last places of the longest squared side, from whatever corner the area is
     /// measured. The squared sides are the same from every corner, and in units of any other power of two.
     #[inline(always)] // In the loop over all triangles.
-    pub(super) fn are_passed(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
+    pub(in crate::refine) fn are_passed(&self, corners: [[Point; 2]; 3]) -> [bool; 2] {
         let sides = Sides::of(corners.map(Two::coordinates));
         let margin = Two::of(SLACK) * sides.long;
         let least_area = sides.doubled_area - margin;
@@ -148,7 +148,7 @@ impl Extremes {
     }
 
     /// Includes a face with these corners, the newest first.
-    pub(super) fn include(&mut self, f: FaceId, corners: [Point; 3]) {
+    pub(in crate::refine) fn include(&mut self, f: FaceId, corners: [Point; 3]) {
         let sides = Sides::near_one(corners);
         let (sine_sq, cosine_sq) = (sides.sine_sq(), sides.cosine_sq().unwrap_or_else(|| measured_cosine_sq(corners)));
         if sine_sq < self.least_sine_sq {

@@ -15,10 +15,10 @@ use crate::drawing::SegmentId;
 use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// A piece of an input segment, by its two ends in the order of the segment.
-pub(super) type Piece = [VertexId; 2];
+pub(in crate::refine) type Piece = [VertexId; 2];
 
 /// Where two different pieces of segments meet.
-pub(super) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
+pub(in crate::refine) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
     one.into_iter().find(|v| one != other && other.contains(v))
 }
 
@@ -33,7 +33,7 @@ struct Joint {
 
 /// The joints inside segments, along each segment in turn.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Joints {
+pub(in crate::refine) struct Joints {
     sorted: Vec<Joint>,
 }
 
@@ -45,12 +45,12 @@ impl Joints {
     ///
     /// # Complexity
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
-    pub(super) fn of(cdt: &ConstrainedTriangulation) -> Self {
+    pub(in crate::refine) fn of(cdt: &ConstrainedTriangulation) -> Self {
         Self::along(cdt, &marked_edges(cdt))
     }
 
     /// [`of`](Self::of) for a caller that has all marked edges.
-    pub(super) fn along(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId]) -> Self {
+    pub(in crate::refine) fn along(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId]) -> Self {
         let mut sorted = Vec::new();
         for &h in marked {
             let Some(segment) = cdt.finest_segment(cdt.mark(h)) else { continue };
@@ -69,7 +69,7 @@ impl Joints {
     }
 
     /// The piece inside which a vertex was put; `None` for vertices inside no piece.
-    pub(super) fn piece_of(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Piece> {
+    pub(in crate::refine) fn piece_of(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Piece> {
         let (Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. }) = cdt.provenance(v) else {
             return None;
         };
@@ -80,7 +80,7 @@ impl Joints {
     }
 
     /// The piece that a subsegment is part of, if a joint ends it; `None` where that is the whole segment.
-    pub(super) fn piece_along(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Option<Piece> {
+    pub(in crate::refine) fn piece_along(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Option<Piece> {
         if self.sorted.is_empty() {
             return None;
         }
@@ -91,7 +91,7 @@ impl Joints {
 
     /// The piece of a segment, of the class of a mark, between two vertices on it; `None` where the class has no
     /// segment.
-    pub(super) fn piece_between(
+    pub(in crate::refine) fn piece_between(
         &self,
         cdt: &ConstrainedTriangulation,
         mark: u32,
@@ -106,13 +106,13 @@ impl Joints {
 
     /// The ends of the piece, or of the whole segment, that a subsegment is part of; its own ends where it is part of
     /// none.
-    pub(super) fn whole_of(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
+    pub(in crate::refine) fn whole_of(&self, cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
         let segment = || cdt.finest_segment(cdt.mark(h)).map(|s| cdt.segments()[s.index()]);
         self.piece_along(cdt, h).or_else(segment).unwrap_or_else(|| [cdt.origin(h), cdt.dest(h)])
     }
 
     /// Every piece, the lower end first, sorted; also those that lie outside the domain.
-    pub(super) fn pieces(&self, cdt: &ConstrainedTriangulation) -> Vec<Piece> {
+    pub(in crate::refine) fn pieces(&self, cdt: &ConstrainedTriangulation) -> Vec<Piece> {
         let mut pieces = Vec::with_capacity(cdt.segments().len() + self.sorted.len());
         let mut at = 0;
         for (segment, &[start, end]) in cdt.segment_ids().zip(cdt.segments()) {
@@ -137,7 +137,7 @@ impl Joints {
 }
 
 /// The marked edges, to be walked through more than once: most of what finding them costs is the faces without any.
-pub(super) fn marked_edges(cdt: &ConstrainedTriangulation) -> Vec<HalfEdgeId> {
+pub(in crate::refine) fn marked_edges(cdt: &ConstrainedTriangulation) -> Vec<HalfEdgeId> {
     let mut marked = Vec::new();
     // A loop instead of `collect`: the nested iterators would compile to a state machine.
     cdt.for_each_marked_edge(|h| marked.push(h));

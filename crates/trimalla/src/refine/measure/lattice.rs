@@ -26,14 +26,14 @@ const GREATEST: f64 = 1e150;
 
 /// A lattice over a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lattice {
+pub(in crate::refine) struct Lattice {
     origin: Point,
     spacing: f64,
 }
 
 impl Lattice {
     /// The lattice whose triangles just meet a bound on areas; `None` where rounding would deform it.
-    pub(super) fn for_area(bounds: BoundingBox, max_area: f64) -> Option<Self> {
+    pub(in crate::refine) fn for_area(bounds: BoundingBox, max_area: f64) -> Option<Self> {
         // An equilateral triangle of side s has area √3/4 s².
         let spacing = (max_area / SLACK * (4.0 / 3f64.sqrt())).sqrt();
         let extent = 2.0 * bounds.half_width().max(bounds.half_height());
@@ -43,7 +43,7 @@ impl Lattice {
     }
 
     /// The distance of neighbours.
-    pub(super) const fn spacing(self) -> f64 {
+    pub(in crate::refine) const fn spacing(self) -> f64 {
         self.spacing
     }
 
@@ -53,12 +53,12 @@ impl Lattice {
     }
 
     /// How many nodes a piece of the plane of this area holds, in the mean.
-    pub(super) fn nodes_in_area(self, area: f64) -> f64 {
+    pub(in crate::refine) fn nodes_in_area(self, area: f64) -> f64 {
         area / (self.spacing * self.row_height())
     }
 
     /// How many rows, at most, cross a triangle.
-    pub(super) fn rows_across(self, corners: [Point; 3]) -> f64 {
+    pub(in crate::refine) fn rows_across(self, corners: [Point; 3]) -> f64 {
         let [low, high] = span(corners);
         (high - low) / self.row_height() + 1.0
     }
@@ -70,7 +70,7 @@ impl Lattice {
     ///
     /// # Complexity
     /// The rows that cross the triangle, and the nodes.
-    pub(super) fn try_for_each_node_in(
+    pub(in crate::refine) fn try_for_each_node_in(
         self,
         corners: [Point; 3],
         mut call: impl FnMut(Point) -> ControlFlow<()>,

@@ -60,7 +60,7 @@ impl StepTimes {
 
 /// What time is spent on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Part {
+pub(in crate::refine) enum Part {
     Prepare,
     Select,
     Point,
@@ -74,7 +74,7 @@ pub(super) enum Part {
 
 /// Adds up what each part takes. Without a clock it stands still.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Stopwatch {
+pub(in crate::refine) struct Stopwatch {
     clock: Option<Clock>,
     part: Part,
     /// The reading when the part began.
@@ -84,19 +84,19 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    pub(super) fn new(clock: Option<Clock>) -> Self {
+    pub(in crate::refine) fn new(clock: Option<Clock>) -> Self {
         Self { clock, ..Self::default() }
     }
 
     /// The same with this clock, if it had none.
-    pub(super) fn or_clock(mut self, clock: Option<Clock>) -> Self {
+    pub(in crate::refine) fn or_clock(mut self, clock: Option<Clock>) -> Self {
         self.clock = self.clock.or(clock);
         self
     }
 
     /// Another part begins; says which one ends, so that it can go on later.
     #[inline]
-    pub(super) fn enter(&mut self, part: Part) -> Part {
+    pub(in crate::refine) fn enter(&mut self, part: Part) -> Part {
         match self.clock {
             Some(clock) => self.lap(clock(), part),
             None => part,
@@ -112,7 +112,7 @@ impl Stopwatch {
     }
 
     /// What was measured, if anything was.
-    pub(super) fn times(&self) -> Option<StepTimes> {
+    pub(in crate::refine) fn times(&self) -> Option<StepTimes> {
         self.clock?;
         let seconds = |part: Part| self.spent[part as usize] as f64 * 1e-9;
         Some(StepTimes {

@@ -1,13 +1,13 @@
 //! What is asked of a refinement, and where it stops.
 
-pub(super) use super::recipe::Protect;
-use super::recipe::{Fill, Preset, Recipe};
+pub(in crate::refine) use super::Protect;
+use super::{Fill, Preset, Recipe};
 use crate::geometry::{Angle, Triangle, math, triangle_angles_at_least};
 use crate::quality::aspect_ratio;
 
 /// What makes a triangle bad.
 ///
-/// A test of the caller's own goes to [`Refinement::with_test`](super::Refinement::with_test).
+/// A test of the caller's own goes to [`Refinement::with_test`](crate::refine::Refinement::with_test).
 #[doc(alias = "quality")]
 #[doc(alias = "bad triangle")]
 #[doc(alias = "calidad")]
@@ -154,7 +154,7 @@ impl RefineOptions {
     /// Whether wide parts are filled with a lattice, where there is an area bound and the mesh is Delaunay: not above
     /// 30 degrees. A vertex inside a triangle of the lattice, wherever it lies, leaves an angle of 30 degrees or less;
     /// once the loop has put one in, it would go through the whole lattice.
-    pub(super) fn asks_for_lattice(&self) -> bool {
+    pub(in crate::refine) fn asks_for_lattice(&self) -> bool {
         let is_lasting = self.criteria.effective_min_angle().radians() <= Angle::from_degrees(30.0).radians();
         self.recipe.fill == Fill::Lattice && is_lasting
     }
@@ -181,22 +181,22 @@ impl RefineOptions {
 }
 
 /// Whether a smallest angle of so many degrees can be asked for: the smallest angle of no triangle exceeds 60.
-pub(super) fn is_angle_deg(degrees: f64) -> bool {
+pub(in crate::refine) fn is_angle_deg(degrees: f64) -> bool {
     (0.0..=60.0).contains(&degrees)
 }
 
 /// Whether it is a largest area.
-pub(super) fn is_area(area: f64) -> bool {
+pub(in crate::refine) fn is_area(area: f64) -> bool {
     area > 0.0 && area.is_finite()
 }
 
 /// Whether it is a largest aspect ratio.
-pub(super) fn is_aspect_ratio(ratio: f64) -> bool {
+pub(in crate::refine) fn is_aspect_ratio(ratio: f64) -> bool {
     ratio >= 1.0 && ratio.is_finite()
 }
 
 /// Whether it is a length floor.
-pub(super) fn is_length(length: f64) -> bool {
+pub(in crate::refine) fn is_length(length: f64) -> bool {
     length >= 0.0 && length.is_finite()
 }
 

@@ -2,9 +2,10 @@
 //!
 //! Events are made only for those who step; a run notes nothing.
 
-use super::reason::Reason;
 use crate::geometry::Point;
 use crate::half_edge::VertexId;
+use crate::refine::criteria::badness::Badness;
+use crate::refine::criteria::reason::Reason;
 
 /// What one step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,7 +28,7 @@ pub enum StepOutcome {
     /// The vertex budget is used up.
     Exhausted,
     /// More vertices leave no fewer bad triangles: see
-    /// [`StopReason::NoLongerImproves`](super::StopReason::NoLongerImproves).
+    /// [`StopReason::NoLongerImproves`](crate::refine::StopReason::NoLongerImproves).
     Stalled,
 }
 
@@ -45,38 +46,6 @@ impl StepOutcome {
             Self::Finished => "finished",
             Self::Exhausted => "exhausted",
             Self::Stalled => "stalled",
-        }
-    }
-}
-
-/// What is wrong with a bad triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Badness {
-    /// An angle is below the bound.
-    Angle,
-    /// The aspect ratio is above the bound.
-    AspectRatio,
-    /// The area is above the bound.
-    Area,
-    /// The caller's own test refuses the triangle.
-    UserTest,
-}
-
-impl Badness {
-    /// Whether the triangle is bad for its shape: splitting it into smaller ones of that shape is no help.
-    #[must_use]
-    pub const fn is_of_shape(self) -> bool {
-        matches!(self, Self::Angle | Self::AspectRatio)
-    }
-
-    /// In words.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Angle => "angle",
-            Self::AspectRatio => "aspect ratio",
-            Self::Area => "area",
-            Self::UserTest => "user test",
         }
     }
 }

@@ -1,15 +1,15 @@
 //! What can be said of a refinement before it begins.
 
-use super::floors::precision_floor;
-use super::forecast::{Feature, Forecast, Gap, extent_of, forecast_under};
-use super::joints::{Joints, common_end};
-use super::options::{Protect, RefineOptions};
-use super::recipe::Preset;
-use super::ruler::Ruler;
+use super::{Feature, Forecast, Gap, extent_of, forecast_under};
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::geometry::{Angle, Point, Segment};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::quality::{AngleCeiling, InputAngle, angle_ceiling, shell_floor, smallest_input_angle};
+use crate::refine::criteria::floors::precision_floor;
+use crate::refine::measure::joints::{Joints, common_end};
+use crate::refine::measure::ruler::Ruler;
+use crate::refine::recipe::Preset;
+use crate::refine::recipe::options::{Protect, RefineOptions};
 use crate::size::SizeBounds;
 use crate::triangulation::corners_of_two;
 
@@ -38,14 +38,14 @@ impl Outlook {
     /// Looks at a carved triangulation.
     ///
     /// # Complexity
-    /// That of the [`forecast()`](super::forecast()).
+    /// That of the [`forecast()`](crate::refine::forecast()).
     #[must_use]
     pub fn of(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Self {
         Self::under(cdt, options, &SizeBounds::new(options.criteria.max_area, cdt, Vec::new()))
     }
 
     /// [`of`](Self::of) under these bounds on sizes, which know the area bound of the options.
-    pub(super) fn under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Self {
+    pub(in crate::refine) fn under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Self {
         Self {
             forecast: forecast_under(cdt, options, size),
             angle_ceiling: angle_ceiling(cdt),

@@ -1,34 +1,34 @@
 //! The shortest lengths: what the caller asks, and what rounding leaves room for.
 
-use super::options::RefineOptions;
 use super::reason::Reason;
-use super::ruler::Ruler;
-use super::steps::InsertTraits;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::BoundingBox;
 use crate::half_edge::HalfEdgeId;
+use crate::refine::measure::ruler::Ruler;
+use crate::refine::recipe::options::RefineOptions;
+use crate::refine::steps::InsertTraits;
 
 /// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
 const BISECTIONS: f64 = 4.0;
 
 /// The shortest lengths.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Floors {
+pub(in crate::refine) struct Floors {
     /// The square of the shortest distance allowed between vertices, in the ruler's units.
-    pub(super) floor_sq: f64,
+    pub(in crate::refine) floor_sq: f64,
     /// What a distance below it is called.
-    pub(super) floor_reason: Reason,
+    pub(in crate::refine) floor_reason: Reason,
     /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
-    pub(super) precision_sq: f64,
+    pub(in crate::refine) precision_sq: f64,
     /// That distance in coordinate units.
-    pub(super) precision: f64,
+    pub(in crate::refine) precision: f64,
     /// Bisection stops at triangles with an edge shorter than this, squared; 0 for a step 4 that does not keep small
     /// angles.
-    pub(super) bisection_floor_sq: f64,
+    pub(in crate::refine) bisection_floor_sq: f64,
 }
 
 impl Floors {
-    pub(super) fn of(
+    pub(in crate::refine) fn of(
         (cdt, bounds): (&ConstrainedTriangulation, Option<BoundingBox>),
         options: &RefineOptions,
         ruler: Ruler,
@@ -49,7 +49,12 @@ impl Floors {
     /// The same for that step 4.
     ///
     /// Edges that are shorter than rounding leaves room for do not count.
-    pub(super) fn for_insert(self, cdt: &ConstrainedTriangulation, ruler: Ruler, insert: InsertTraits) -> Self {
+    pub(in crate::refine) fn for_insert(
+        self,
+        cdt: &ConstrainedTriangulation,
+        ruler: Ruler,
+        insert: InsertTraits,
+    ) -> Self {
         if !insert.keeps_small_angles {
             return Self { bisection_floor_sq: 0.0, ..self };
         }
@@ -64,7 +69,11 @@ impl Floors {
 }
 
 /// The length floor in the ruler's units, and the reason it is given as.
-pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions, ruler: Ruler) -> (f64, Reason) {
+pub(in crate::refine) fn length_floor(
+    bounds: Option<BoundingBox>,
+    options: &RefineOptions,
+    ruler: Ruler,
+) -> (f64, Reason) {
     let precision = precision_floor(bounds, ruler);
     match options.limits.length_floor {
         Some(asked) if asked * ruler.scale() > precision => (asked * ruler.scale(), Reason::SizeFloor),
@@ -73,7 +82,7 @@ pub(super) fn length_floor(bounds: Option<BoundingBox>, options: &RefineOptions,
 }
 
 /// The shortest distance at which rounding leaves room for vertices, in the ruler's units.
-pub(super) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
+pub(in crate::refine) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
     let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
     largest * ruler.scale() * 256.0 * f64::EPSILON
 }

@@ -8,33 +8,33 @@
 
 use std::sync::Arc;
 
-use super::event::Badness;
-use super::options::Criteria;
+use super::badness::Badness;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
 use crate::half_edge::{FaceId, VertexId};
 use crate::quality::aspect_ratio;
+use crate::refine::recipe::options::Criteria;
 use crate::size::{AreaBound, SizeBounds, SizeField, TriangleInRegion};
 
 /// Bounds that no bad triangle keeps, whatever its region.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SufficientBounds {
+pub(in crate::refine) struct SufficientBounds {
     /// The squared sine of the smallest angle is above this.
-    pub(super) sine_sq: f64,
+    pub(in crate::refine) sine_sq: f64,
     /// Twice the area is at most this.
-    pub(super) doubled_area: f64,
+    pub(in crate::refine) doubled_area: f64,
 }
 
 /// A side of a triangle, from its first corner.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(in crate::refine) struct Side {
     along: Vector,
     length_sq: f64,
 }
 
 impl Side {
     #[inline(always)]
-    pub(super) fn new(from: Point, to: Point) -> Self {
+    pub(in crate::refine) fn new(from: Point, to: Point) -> Self {
         let along = to - from;
         Self { along, length_sq: along.length_sq() }
     }
@@ -42,7 +42,7 @@ impl Side {
 
 /// Bounds on angle and area that hold in all regions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct UniformBounds {
+pub(in crate::refine) struct UniformBounds {
     /// The squared sine of the smallest angle.
     sine_sq: f64,
     doubled_area: f64,
@@ -52,7 +52,7 @@ pub(super) struct UniformBounds {
 
 impl UniformBounds {
     /// The same bounds, where they decide for no triangle alone.
-    pub(super) fn undecided(self) -> Self {
+    pub(in crate::refine) fn undecided(self) -> Self {
         Self { are_all: false, ..self }
     }
 
@@ -61,7 +61,7 @@ impl UniformBounds {
     ///
     /// The two sides are those from the first corner to the second and to the third.
     #[inline(always)] // In the loop over the triangles around a new vertex.
-    pub(super) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
+    pub(in crate::refine) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
         let doubled_area = u.along.cross(v.along);
         let squares = [u.length_sq, v.length_sq, (c - b).length_sq()];
         let excess = sides_angle_excess(doubled_area, squares, self.sine_sq);
@@ -73,7 +73,7 @@ impl UniformBounds {
     /// Whether each of two triangles with these corners is bad; `None` where [`Criterion::badness`] must decide, as
     /// wherever the area is bounded.
     #[inline(always)] // In the loop over all triangles.
-    pub(super) fn are_bad(self, [a, b, c]: [[Point; 2]; 3]) -> [Option<bool>; 2] {
+    pub(in crate::refine) fn are_bad(self, [a, b, c]: [[Point; 2]; 3]) -> [Option<bool>; 2] {
         let are_all = self.are_all && self.doubled_area == f64::INFINITY;
         let excess = angles_of_two(a, b, c, self.sine_sq);
         excess.map(|excess| (are_all && excess != 0.0).then_some(excess < 0.0))
@@ -85,7 +85,7 @@ pub type UserTest = dyn Fn(TriangleInRegion) -> bool + Send + Sync;
 
 /// What makes a triangle bad, ready to be tested.
 #[derive(Clone)]
-pub(super) struct Criterion {
+pub(in crate::refine) struct Criterion {
     /// The squared cosine of the angle bound; `None` where no angle is required.
     cos_sq: Option<f64>,
     size: SizeBounds,
@@ -95,7 +95,7 @@ pub(super) struct Criterion {
 }
 
 impl Criterion {
-    pub(super) fn new(criteria: &Criteria, size: SizeBounds) -> Self {
+    pub(in crate::refine) fn new(criteria: &Criteria, size: SizeBounds) -> Self {
         let is_bounded = criteria.min_angle.radians() > 0.0;
         Self {
             cos_sq: is_bounded.then(|| criteria.min_angle.cos_sq()),
@@ -106,28 +106,33 @@ impl Criterion {
     }
 
     /// Whether a triangle can be bad for its shape.
-    pub(super) fn bounds_shape(&self) -> bool {
+    pub(in crate::refine) fn bounds_shape(&self) -> bool {
         self.cos_sq.is_some() || self.max_aspect_ratio < f64::INFINITY
     }
 
     /// How large a triangle may be where.
-    pub(super) fn size(&self) -> &SizeBounds {
+    pub(in crate::refine) fn size(&self) -> &SizeBounds {
         &self.size
     }
 
     /// The caller's own test, if there is one.
-    pub(super) fn user_test(&self) -> Option<Arc<UserTest>> {
+    pub(in crate::refine) fn user_test(&self) -> Option<Arc<UserTest>> {
         self.user_test.clone()
     }
 
     /// The criterion with a test of the caller's own, in place of one that it had.
-    pub(super) fn with_user_test(self, user_test: Arc<UserTest>) -> Self {
+    pub(in crate::refine) fn with_user_test(self, user_test: Arc<UserTest>) -> Self {
         Self { user_test: Some(user_test), ..self }
     }
 
     /// What is wrong with a face that has these corners; the size is tested first. Angles are certified exactly.
     #[inline(never)]
-    pub(super) fn badness(&self, cdt: &ConstrainedTriangulation, f: FaceId, corners: [Point; 3]) -> Option<Badness> {
+    pub(in crate::refine) fn badness(
+        &self,
+        cdt: &ConstrainedTriangulation,
+        f: FaceId,
+        corners: [Point; 3],
+    ) -> Option<Badness> {
         let [a, b, c] = corners;
         if self.size.refuse((b - a).cross(c - a), cdt, f, corners) {
             Some(Badness::Area)
@@ -143,7 +148,7 @@ impl Criterion {
     }
 
     /// Whether a triangle is bad for its shape, whatever its size is.
-    pub(super) fn is_misshapen(&self, corners: [Point; 3]) -> bool {
+    pub(in crate::refine) fn is_misshapen(&self, corners: [Point; 3]) -> bool {
         let [a, b, c] = corners;
         self.cos_sq.is_some_and(|cos_sq| !triangle_angles_at_least(a, b, c, cos_sq))
             || self.max_aspect_ratio < f64::INFINITY && self.is_too_slender(corners)
@@ -151,7 +156,7 @@ impl Criterion {
 
     /// The bounds that hold for all triangles alike.
     #[inline]
-    pub(super) fn uniform_bounds(&self) -> UniformBounds {
+    pub(in crate::refine) fn uniform_bounds(&self) -> UniformBounds {
         let asks_more = self.user_test.is_some() || self.max_aspect_ratio < f64::INFINITY;
         // Without a bound on angles a triangle need only be more than flat.
         let sine_sq = 1.0 - self.cos_sq.unwrap_or(1.0);
@@ -160,7 +165,7 @@ impl Criterion {
     }
 
     /// Bounds that no bad triangle keeps; none can be kept where a user test or an aspect ratio decides.
-    pub(super) fn sufficient_bounds(&self) -> SufficientBounds {
+    pub(in crate::refine) fn sufficient_bounds(&self) -> SufficientBounds {
         let is_sure = self.user_test.is_none() && self.max_aspect_ratio == f64::INFINITY;
         SufficientBounds {
             sine_sq: self.cos_sq.map_or(0.0, |cos_sq| 1.0 - cos_sq),
@@ -169,7 +174,7 @@ impl Criterion {
     }
 
     /// The area bound by which a face is filled and its share of the mesh estimated.
-    pub(super) fn expected_bound(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> AreaBound {
+    pub(in crate::refine) fn expected_bound(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> AreaBound {
         if self.size.are_uniform() {
             self.size.everywhere()
         } else {
@@ -191,7 +196,7 @@ impl Criterion {
 
 /// Three vertices in ascending order, which name a triangle whatever its slot.
 #[inline]
-pub(super) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
+pub(in crate::refine) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
     let (low, high) = (a.min(b), a.max(b));
     [low.min(c), low.max(high.min(c)), high.max(c)]
 }

@@ -5,7 +5,7 @@ mod split_encroached;
 
 use std::sync::Arc;
 
-use super::encroachment::Region;
+use super::criteria::encroachment::Region;
 use super::recipe::{Prepare, Recipe};
 use super::steps::PrepareStep;
 use none::LeaveSegments;

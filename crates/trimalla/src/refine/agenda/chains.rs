@@ -9,12 +9,12 @@
 //!         0 ──── 3
 //! ```
 
-use super::bad_triangles::sorted;
 use crate::constrained::ConstrainedTriangulation;
 use crate::half_edge::{FaceId, VertexId};
+use crate::refine::criteria::bad_triangles::sorted;
 
 /// Triangles by the rank of a vertex.
-pub(super) struct Chains {
+pub(in crate::refine) struct Chains {
     triangles: Vec<FaceId>,
     /// By rank: the number of the triangle hung up last.
     last: Vec<u32>,
@@ -30,7 +30,7 @@ impl Chains {
     ///
     /// # Complexity
     /// Linear in triangles and vertices.
-    pub(super) fn of(cdt: &ConstrainedTriangulation, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
+    pub(in crate::refine) fn of(cdt: &ConstrainedTriangulation, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
         let ranks = ranks_in(&order);
         // Where the order was: no new pages need to be fetched.
         let mut last: Vec<u32> = order.into_iter().map(|_| Self::END).collect();
@@ -43,7 +43,7 @@ impl Chains {
     }
 
     /// Calls `look` with all triangles, one chain after the other, those of a chain in the order of their vertices.
-    pub(super) fn for_each(&self, cdt: &ConstrainedTriangulation, mut look: impl FnMut(FaceId)) {
+    pub(in crate::refine) fn for_each(&self, cdt: &ConstrainedTriangulation, mut look: impl FnMut(FaceId)) {
         let mut chain = Vec::new();
         for &last in self.last.iter().filter(|&&last| last != Self::END) {
             let (f, before) = self.link(last);
