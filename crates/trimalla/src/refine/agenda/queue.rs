@@ -44,22 +44,22 @@ impl Patches {
 /// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a
 /// triangle that goes and comes again is another one, whether it gets its old slot back or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::refine) struct Claim {
+pub(in crate::refine) struct Ticket {
     pub(in crate::refine) face: FaceId,
-    look: u32,
+    stamp: u32,
 }
 
 /// A triangle of another patch, with its bucket of priority.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
-    claim: Claim,
+    ticket: Ticket,
     bucket: u32,
 }
 
 /// Triangles of one bucket of priority, the newest last.
 #[derive(Clone, Debug, Default)]
 struct Bucket {
-    claims: Vec<Claim>,
+    tickets: Vec<Ticket>,
     /// How many at the front have been taken.
     taken: usize,
 }
@@ -67,19 +67,19 @@ struct Bucket {
 impl Bucket {
     /// Takes the newest.
     #[inline]
-    fn take_newest(&mut self) -> Option<Claim> {
-        if self.claims.len() > self.taken { self.claims.pop() } else { None }
+    fn take_newest(&mut self) -> Option<Ticket> {
+        if self.tickets.len() > self.taken { self.tickets.pop() } else { None }
     }
 
     /// Takes the oldest. Room at the front is given back when half of the list is gone.
-    fn take_oldest(&mut self) -> Option<Claim> {
-        let claim = self.claims.get(self.taken).copied()?;
+    fn take_oldest(&mut self) -> Option<Ticket> {
+        let ticket = self.tickets.get(self.taken).copied()?;
         self.taken += 1;
-        if 2 * self.taken > self.claims.len() {
-            self.claims.drain(..self.taken);
+        if 2 * self.taken > self.tickets.len() {
+            self.tickets.drain(..self.taken);
             self.taken = 0;
         }
-        Some(claim)
+        Some(ticket)
     }
 }
 
@@ -102,14 +102,14 @@ impl BucketRow {
 
     /// Takes one from the lowest bucket where anything waits; the bucket, too.
     #[inline]
-    fn take(&mut self, oldest_first: bool) -> Option<(Claim, u32)> {
+    fn take(&mut self, oldest_first: bool) -> Option<(Ticket, u32)> {
         let buckets = self.buckets.as_mut()?;
         while self.occupied != 0 {
             let number = self.occupied.trailing_zeros();
             let list = &mut buckets[number as usize];
-            let claim = if oldest_first { list.take_oldest() } else { list.take_newest() };
-            if let Some(claim) = claim {
-                return Some((claim, number));
+            let ticket = if oldest_first { list.take_oldest() } else { list.take_newest() };
+            if let Some(ticket) = ticket {
+                return Some((ticket, number));
             }
             self.occupied &= self.occupied - 1;
         }
@@ -117,12 +117,12 @@ impl BucketRow {
     }
 
     /// Puts back what was taken from a bucket.
-    fn put_back(&mut self, claim: Claim, bucket: usize, is_oldest: bool) {
+    fn put_back(&mut self, ticket: Ticket, bucket: usize, is_oldest: bool) {
         let list = &mut self.buckets_mut()[bucket];
         match (is_oldest, list.taken) {
-            (false, _) => list.claims.push(claim),
+            (false, _) => list.tickets.push(ticket),
             // Room at the front was given back since.
-            (true, 0) => list.claims.insert(0, claim),
+            (true, 0) => list.tickets.insert(0, ticket),
             (true, _) => list.taken -= 1,
         }
         self.occupied |= 1 << bucket;
@@ -150,8 +150,8 @@ pub(in crate::refine) struct Queue {
     lowest: usize,
     len: usize,
     /// The newest look at each slot; 0 where there was nothing bad.
-    looks: Vec<u32>,
-    last_look: u32,
+    stamps: Vec<u32>,
+    last_stamp: u32,
     /// What was overwritten since the record began, where one is kept.
     record: Option<Changes>,
 }
@@ -164,7 +164,7 @@ pub(in crate::refine) struct Changes {
     present: usize,
     lowest: usize,
     len: usize,
-    last_look: u32,
+    last_stamp: u32,
     list: Vec<Change>,
 }
 
@@ -172,15 +172,15 @@ pub(in crate::refine) struct Changes {
 #[derive(Clone, Debug)]
 enum Change {
     /// The look at a slot was this.
-    Look { slot: u32, look: u32 },
+    Stamp { slot: u32, stamp: u32 },
     /// A triangle was added to a bucket.
     Added { bucket: u32 },
     /// A triangle was added to the list of another patch.
     AddedElsewhere { patch: u32 },
     /// The newest triangle was taken from a bucket.
-    TakenNewest { bucket: u32, claim: Claim },
+    TakenNewest { bucket: u32, ticket: Ticket },
     /// The oldest triangle was taken from a bucket.
-    TakenOldest { bucket: u32, claim: Claim },
+    TakenOldest { bucket: u32, ticket: Ticket },
     /// The list of a patch was emptied.
     Emptied { patch: u32, list: Box<[Waiting]> },
 }
@@ -215,7 +215,7 @@ impl Queue {
 
     /// Makes room for so many triangles, spread over all patches, in a mesh of so many slots.
     pub(in crate::refine) fn reserve(&mut self, triangles: usize, slots: usize) {
-        self.looks.reserve(2 * slots);
+        self.stamps.reserve(2 * slots);
         let each = triangles / self.elsewhere.len().max(1);
         self.elsewhere.iter_mut().for_each(|patch| patch.reserve(each + each / 4));
     }
@@ -242,7 +242,7 @@ impl Queue {
     #[cold]
     #[inline(never)]
     fn note_and_push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, bucket: u32) {
-        self.note_look(face);
+        self.note_stamp(face);
         let is_here = patch == self.present;
         self.note(if is_here { Change::Added { bucket } } else { Change::AddedElsewhere { patch: patch as u32 } });
         self.add(cdt, face, patch, bucket);
@@ -250,7 +250,7 @@ impl Queue {
 
     #[inline(always)] // For each bad triangle.
     fn add(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, bucket: u32) {
-        let waiting = Waiting { claim: self.claim_unnoted(cdt, face), bucket };
+        let waiting = Waiting { ticket: self.issue_unnoted(cdt, face), bucket };
         self.len += 1;
         if patch == self.present {
             self.put_into_bucket(waiting);
@@ -267,24 +267,24 @@ impl Queue {
     }
 
     #[inline]
-    fn put_into_bucket(&mut self, Waiting { claim, bucket }: Waiting) {
+    fn put_into_bucket(&mut self, Waiting { ticket, bucket }: Waiting) {
         let (row, number) = Self::place_of(bucket);
         self.lowest = self.lowest.min(row);
         let Some(BucketRow { occupied, buckets: Some(buckets) }) = self.rows.get_mut(row) else {
-            return self.put_into_new_row(claim, row, number);
+            return self.put_into_new_row(ticket, row, number);
         };
         *occupied |= 1 << number;
-        buckets[number].claims.push(claim);
+        buckets[number].tickets.push(ticket);
     }
 
     /// Adds a triangle to a bucket of a row that has no room yet.
     #[cold]
     #[inline(never)]
-    fn put_into_new_row(&mut self, claim: Claim, row: usize, number: usize) {
+    fn put_into_new_row(&mut self, ticket: Ticket, row: usize, number: usize) {
         if row >= self.rows.len() {
             self.rows.resize_with(row + 1, BucketRow::default);
         }
-        self.rows[row].buckets_mut()[number].claims.push(claim);
+        self.rows[row].buckets_mut()[number].tickets.push(ticket);
         self.rows[row].occupied |= 1 << number;
     }
 
@@ -299,12 +299,12 @@ impl Queue {
         let list = std::mem::take(&mut self.elsewhere[next]);
         if self.record.is_some() {
             self.note(Change::Emptied { patch: next as u32, list: list.clone().into() });
-            let there = list.iter().filter(|waiting| self.is_newest(waiting.claim)).map(|waiting| waiting.bucket);
+            let there = list.iter().filter(|waiting| self.is_newest(waiting.ticket)).map(|waiting| waiting.bucket);
             let added: Vec<Change> = there.map(|bucket| Change::Added { bucket }).collect();
             added.into_iter().for_each(|change| self.note(change));
         }
         for waiting in list {
-            if self.is_newest(waiting.claim) {
+            if self.is_newest(waiting.ticket) {
                 self.put_into_bucket(waiting);
             } else {
                 self.len -= 1;
@@ -313,73 +313,73 @@ impl Queue {
         true
     }
 
-    /// Claims a slot: earlier claims to it are void.
+    /// Claims a slot: earlier tickets to it are void.
     #[inline(always)] // For each bad triangle.
-    pub(in crate::refine) fn claim(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
+    pub(in crate::refine) fn issue(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Ticket {
         if self.record.is_some() {
-            self.note_look(face);
+            self.note_stamp(face);
         }
-        self.claim_unnoted(cdt, face)
+        self.issue_unnoted(cdt, face)
     }
 
     #[inline(always)] // For each bad triangle, twice.
-    fn claim_unnoted(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Claim {
-        if face.index() >= self.looks.len() {
+    fn issue_unnoted(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Ticket {
+        if face.index() >= self.stamps.len() {
             self.make_room_for(cdt.face_slots());
         }
-        self.last_look = self.last_look.wrapping_add(1).max(1);
-        self.looks[face.index()] = self.last_look;
-        Claim { face, look: self.last_look }
+        self.last_stamp = self.last_stamp.wrapping_add(1).max(1);
+        self.stamps[face.index()] = self.last_stamp;
+        Ticket { face, stamp: self.last_stamp }
     }
 
-    /// Makes room for looks at so many slots.
+    /// Makes room for stamps at so many slots.
     #[inline]
     pub(in crate::refine) fn make_room_for(&mut self, slots: usize) {
-        if slots > self.looks.len() {
-            self.looks.resize(slots, 0);
+        if slots > self.stamps.len() {
+            self.stamps.resize(slots, 0);
         }
     }
 
     /// Whether a triangle is still the one that was claimed.
-    pub(in crate::refine) fn is_valid(&self, cdt: &ConstrainedTriangulation, claim: Claim) -> bool {
-        self.is_newest(claim) && cdt.is_real(claim.face)
+    pub(in crate::refine) fn is_valid(&self, cdt: &ConstrainedTriangulation, ticket: Ticket) -> bool {
+        self.is_newest(ticket) && cdt.is_real(ticket.face)
     }
 
     /// Whether nobody has looked at the slot since; what lay there may be gone all the same.
     #[inline]
-    fn is_newest(&self, claim: Claim) -> bool {
-        self.looks.get(claim.face.index()) == Some(&claim.look)
+    fn is_newest(&self, ticket: Ticket) -> bool {
+        self.stamps.get(ticket.face.index()) == Some(&ticket.stamp)
     }
 
     /// Notes that there is nothing bad in a slot now.
-    pub(in crate::refine) fn pass(&mut self, face: FaceId) {
+    pub(in crate::refine) fn invalidate(&mut self, face: FaceId) {
         if self.record.is_some() {
-            self.note_look(face);
+            self.note_stamp(face);
         }
-        self.pass_unnoted(face);
+        self.invalidate_unnoted(face);
     }
 
-    /// [`pass`](Self::pass) for one of several faces that were [noted](Self::note_looks) before.
+    /// [`invalidate`](Self::invalidate) for one of several faces that were [noted](Self::note_stamps) before.
     #[inline(always)] // For each face around a new vertex.
-    pub(in crate::refine) fn pass_unnoted(&mut self, face: FaceId) {
-        if let Some(look) = self.looks.get_mut(face.index()) {
-            *look = 0;
+    pub(in crate::refine) fn invalidate_unnoted(&mut self, face: FaceId) {
+        if let Some(stamp) = self.stamps.get_mut(face.index()) {
+            *stamp = 0;
         }
     }
 
-    /// Notes the looks at some slots, where a record is kept.
+    /// Notes the stamps at some slots, where a record is kept.
     #[inline(always)] // For each new vertex.
-    pub(in crate::refine) fn note_looks(&mut self, faces: &[FaceId]) {
+    pub(in crate::refine) fn note_stamps(&mut self, faces: &[FaceId]) {
         if self.record.is_some() {
-            faces.iter().for_each(|&face| self.note_look(face));
+            faces.iter().for_each(|&face| self.note_stamp(face));
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn note_look(&mut self, face: FaceId) {
-        let look = self.looks.get(face.index()).copied().unwrap_or(0);
-        self.note(Change::Look { slot: face.0, look });
+    fn note_stamp(&mut self, face: FaceId) {
+        let stamp = self.stamps.get(face.index()).copied().unwrap_or(0);
+        self.note(Change::Stamp { slot: face.0, stamp });
     }
 
     #[cold]
@@ -392,8 +392,8 @@ impl Queue {
 
     /// Begins to record what is overwritten.
     pub(in crate::refine) fn begin_record(&mut self) {
-        let (present, lowest, len, last_look) = (self.present, self.lowest, self.len, self.last_look);
-        self.record = Some(Changes { present, lowest, len, last_look, list: Vec::new() });
+        let (present, lowest, len, last_stamp) = (self.present, self.lowest, self.len, self.last_stamp);
+        self.record = Some(Changes { present, lowest, len, last_stamp, list: Vec::new() });
     }
 
     /// Ends the record, and returns it.
@@ -405,35 +405,37 @@ impl Queue {
     pub(in crate::refine) fn take_back(&mut self, changes: Changes) {
         for change in changes.list.into_iter().rev() {
             match change {
-                Change::Look { slot, look } => self.looks.get_mut(slot as usize).into_iter().for_each(|l| *l = look),
+                Change::Stamp { slot, stamp } => {
+                    self.stamps.get_mut(slot as usize).into_iter().for_each(|s| *s = stamp)
+                }
                 Change::Added { bucket } => {
                     let (row, bucket) = Self::place_of(bucket);
-                    self.rows[row].buckets_mut()[bucket].claims.pop();
+                    self.rows[row].buckets_mut()[bucket].tickets.pop();
                 }
                 Change::AddedElsewhere { patch } => drop(self.elsewhere[patch as usize].pop()),
-                Change::TakenNewest { bucket, claim } => self.put_back(claim, bucket, false),
-                Change::TakenOldest { bucket, claim } => self.put_back(claim, bucket, true),
+                Change::TakenNewest { bucket, ticket } => self.put_back(ticket, bucket, false),
+                Change::TakenOldest { bucket, ticket } => self.put_back(ticket, bucket, true),
                 Change::Emptied { patch, list } => self.elsewhere[patch as usize] = list.into(),
             }
         }
         (self.present, self.lowest) = (changes.present, changes.lowest);
-        (self.len, self.last_look) = (changes.len, changes.last_look);
+        (self.len, self.last_stamp) = (changes.len, changes.last_stamp);
     }
 
     /// Notes that a triangle was taken from a bucket.
     #[cold]
     #[inline(never)]
-    fn note_taken(&mut self, claim: Claim, bucket: u32, is_oldest: bool) {
+    fn note_taken(&mut self, ticket: Ticket, bucket: u32, is_oldest: bool) {
         self.note(if is_oldest {
-            Change::TakenOldest { bucket, claim }
+            Change::TakenOldest { bucket, ticket }
         } else {
-            Change::TakenNewest { bucket, claim }
+            Change::TakenNewest { bucket, ticket }
         });
     }
 
-    fn put_back(&mut self, claim: Claim, bucket: u32, is_oldest: bool) {
+    fn put_back(&mut self, ticket: Ticket, bucket: u32, is_oldest: bool) {
         let (row, bucket) = Self::place_of(bucket);
-        self.rows[row].put_back(claim, bucket, is_oldest);
+        self.rows[row].put_back(ticket, bucket, is_oldest);
     }
 
     /// The row of a bucket, and its number there.
@@ -456,16 +458,16 @@ impl Queue {
 
     fn pop_here(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         while let Some(row) = self.rows.get_mut(self.lowest) {
-            let Some((claim, bucket)) = row.take(oldest_first) else {
+            let Some((ticket, bucket)) = row.take(oldest_first) else {
                 self.lowest += 1;
                 continue;
             };
             self.len -= 1;
             if self.record.is_some() {
-                self.note_taken(claim, (self.lowest * BucketRow::BUCKETS) as u32 + bucket, oldest_first);
+                self.note_taken(ticket, (self.lowest * BucketRow::BUCKETS) as u32 + bucket, oldest_first);
             }
-            if self.is_valid(cdt, claim) {
-                return Some(claim.face);
+            if self.is_valid(cdt, ticket) {
+                return Some(ticket.face);
             }
         }
         None
@@ -473,7 +475,7 @@ impl Queue {
 
     /// About how many bytes it takes.
     pub(in crate::refine) fn bytes(&self) -> usize {
-        self.looks.len() * size_of::<u32>() + self.len * size_of::<Waiting>()
+        self.stamps.len() * size_of::<u32>() + self.len * size_of::<Waiting>()
     }
 
     /// How many wait, those that are gone included.

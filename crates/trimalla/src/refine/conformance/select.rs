@@ -23,7 +23,7 @@ pub fn select(subject: &Subject) -> Result<(), Breach> {
     for (drawing, pslg) in drawings::all() {
         let at = |Breach(breach)| Breach(format!("{drawing}: {breach}"));
         priority_is_a_number(subject, &pslg).map_err(at)?;
-        the_least_patient_is_taken(subject, &pslg).map_err(at)?;
+        the_most_urgent_is_taken(subject, &pslg).map_err(at)?;
         what_is_taken_is_there(subject, &pslg).map_err(at)?;
     }
     laws(subject)
@@ -36,7 +36,7 @@ fn priority_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
         let refinement = subject.begin(pslg, algorithm)?;
         let cdt = refinement.triangulation();
         let priority = |f: FaceId| {
-            let [p, again] = [0; 2].map(|joined| step.priority(view(cdt, &options), f, joined));
+            let [p, again] = [0; 2].map(|sequence| step.priority(view(cdt, &options), f, sequence));
             ensure(p >= 0.0, || format!("the priority of {:?} is {p}", name(cdt, f)))?;
             ensure(p.to_bits() == again.to_bits(), || format!("the priority of {:?} changes", name(cdt, f)))?;
             Ok((name(cdt, f), p.to_bits()))
@@ -48,7 +48,7 @@ fn priority_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 }
 
 /// The first triangle that is treated is one of those that can wait least.
-fn the_least_patient_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
+fn the_most_urgent_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     let (step, options) = (subject.steps().select, subject.options());
     let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
     // Splits of subsegments come first, and change what is bad: only where there are none the order of the start holds.
@@ -62,7 +62,7 @@ fn the_least_patient_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Brea
     }
     let bad = by_name(&before).into_iter().filter(|&f| is_bad(&before, f, &options));
     let priorities =
-        (0_u64..).zip(bad).map(|(joined, f)| (name(&before, f), step.priority(view(&before, &options), f, joined)));
+        (0_u64..).zip(bad).map(|(sequence, f)| (name(&before, f), step.priority(view(&before, &options), f, sequence)));
     let priorities: Vec<_> = priorities.collect();
     let least = priorities.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
     let own = priorities.iter().find(|p| p.0 == taken).map_or(f64::NAN, |p| p.1);

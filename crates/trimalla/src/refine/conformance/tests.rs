@@ -21,11 +21,11 @@ impl PrepareStep for OneSided {
 }
 
 /// Wants long subsegments split once there are some new vertices: by then most of them are never looked at again.
-struct ChangeOfMind {
+struct LateDemand {
     after: usize,
 }
 
-impl PrepareStep for ChangeOfMind {
+impl PrepareStep for LateDemand {
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool {
         let [a, b] = view.cdt.edge_points(h);
         view.cdt.steiner_vertices() >= self.after && Point::distance_sq(a, b) >= 16.0
@@ -33,11 +33,11 @@ impl PrepareStep for ChangeOfMind {
 }
 
 #[test]
-fn a_step_1_of_two_minds_is_noticed() {
+fn a_step_1_without_one_answer_is_noticed() {
     let subject = Subject::default().with_steps(|_, steps| steps.prepare = Arc::new(OneSided));
     assert!(breach(prepare(&subject)).contains("on one side and not on the other"));
     let found = (MOST_VERTICES / 4..MOST_VERTICES).find_map(|after| {
-        let with = move |_: &RefineOptions, steps: &mut Steps| steps.prepare = Arc::new(ChangeOfMind { after });
+        let with = move |_: &RefineOptions, steps: &mut Steps| steps.prepare = Arc::new(LateDemand { after });
         prepare(&Subject::default().with_steps(with)).err()
     });
     assert!(found.is_some_and(|breach| breach.to_string().contains("is whole in the end")));
@@ -69,9 +69,9 @@ fn a_step_2_without_order_is_noticed() {
 }
 
 /// Says that its point is inside the triangle, which it need not be.
-struct Liar;
+struct FalseLocus;
 
-impl PointStep for Liar {
+impl PointStep for FalseLocus {
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         let [a, b, c] = view.cdt.corners(face);
         let point = Triangle::new(a, b, c).circumcenter().unwrap_or(a);
@@ -80,9 +80,9 @@ impl PointStep for Liar {
 }
 
 /// Proposes splits of edges that are no segments.
-struct Vandal;
+struct FreeEdgeSplitter;
 
-impl PointStep for Vandal {
+impl PointStep for FreeEdgeSplitter {
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
         places.extend(face.half_edges().into_iter().filter(|&h| !view.cdt.is_marked(h)).map(Proposal::Split));
     }
@@ -104,15 +104,15 @@ fn a_step_3_that_does_not_say_where_is_noticed() {
     let with = |step: Arc<dyn PointStep + Send + Sync>| {
         breach(point(&Subject::default().with_steps(move |_, steps| steps.point = Arc::clone(&step))))
     };
-    assert!(with(Arc::new(Liar)).contains("not inside the face that it names"));
-    assert!(with(Arc::new(Vandal)).contains("what is no subsegment"));
+    assert!(with(Arc::new(FalseLocus)).contains("not inside the face that it names"));
+    assert!(with(Arc::new(FreeEdgeSplitter)).contains("what is no subsegment"));
     assert!(with(Arc::new(FirstStored)).contains("where a triangle is stored"));
 }
 
 /// Replaces faces that no fan can replace: those around a corner, which would lose it.
-struct Eraser;
+struct CornerRemover;
 
-impl InsertStep for Eraser {
+impl InsertStep for CornerRemover {
     fn plan(&self, view: View<'_>, place: Proposal, faces: &mut Vec<FaceId>) -> Plan {
         if let Proposal::Free { locus: Locus::Face(f), .. } = place {
             let oldest = view.cdt.face_vertices(f).into_iter().min().expect("three corners");
@@ -136,10 +136,10 @@ fn a_step_4_that_spoils_is_noticed() {
     let with = |step: Arc<dyn InsertStep + Send + Sync>| {
         insert(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step)))
     };
-    assert!(breach(with(Arc::new(Eraser))).contains("another mesh than Lawson's flips"));
+    assert!(breach(with(Arc::new(CornerRemover))).contains("another mesh than Lawson's flips"));
     assert!(breach(with(Arc::new(Flipper))).contains("must not be"));
     // What they plan is refused: nothing is spoiled.
-    for step in [Arc::new(Eraser) as Arc<dyn InsertStep + Send + Sync>, Arc::new(Flipper)] {
+    for step in [Arc::new(CornerRemover) as Arc<dyn InsertStep + Send + Sync>, Arc::new(Flipper)] {
         laws(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step))).unwrap();
     }
 }

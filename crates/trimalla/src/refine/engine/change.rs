@@ -20,7 +20,7 @@ impl Refinement {
     pub fn change_options(&mut self, options: RefineOptions) -> Result<(), OptionError> {
         options.validate()?;
         self.record_change();
-        self.claim_segments();
+        self.finish_recovery();
         let nothing = ConstrainedTriangulation::new(Triangulation::default());
         let start = Start {
             cdt: std::mem::replace(&mut self.cdt, nothing),
@@ -32,7 +32,7 @@ impl Refinement {
         changed.ledger.stopwatch = self.ledger.stopwatch;
         changed.ledger.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.ledger.report) };
         changed.ledger.insertions = self.ledger.insertions;
-        changed.ledger.steps_told = self.ledger.steps_told;
+        changed.ledger.steps_observed = self.ledger.steps_observed;
         changed.history = self.history.take();
         *self = match self.problem.test.user_test() {
             Some(test) => changed.with_user_test(test),

@@ -62,7 +62,7 @@ impl Refinement {
     }
 
     /// One step of the filling; says whether there was anything left to do.
-    pub(super) fn fill_on(&mut self) -> bool {
+    pub(super) fn fill_step(&mut self) -> bool {
         match std::mem::take(&mut self.filling) {
             FillStage::Done => return false,
             FillStage::Segments(bounds) => {
@@ -74,14 +74,14 @@ impl Refinement {
             }
             FillStage::Nodes(mut nodes) => {
                 self.ledger.stopwatch.enter(Part::Insert);
-                if self.try_next_of(&mut nodes) {
+                if self.try_next_node(&mut nodes) {
                     self.filling = FillStage::Nodes(nodes);
                 } else {
                     let bounds = nodes.bounds;
                     if let Some(record) = self.record() {
                         record.note_filling(FillStage::Nodes(nodes));
                     }
-                    self.look_at_all_bad(bounds);
+                    self.test_after_filling(bounds);
                 }
             }
         }
@@ -162,7 +162,7 @@ impl Refinement {
     fn planned(&mut self, bounds: BoundingBox) -> FillStage {
         let faces = self.large_faces(bounds);
         if !self.has_room_for(&faces) {
-            self.look_at_all_bad(bounds);
+            self.test_after_filling(bounds);
             return FillStage::Done;
         }
         let degrees = self.degrees();
@@ -177,7 +177,7 @@ impl Refinement {
                 ControlFlow::Continue(())
             });
             if planned.is_break() {
-                self.look_at_all_bad(bounds);
+                self.test_after_filling(bounds);
                 return FillStage::Done;
             }
             if points.len() > part_of.len() {
@@ -201,13 +201,13 @@ impl Refinement {
     }
 
     /// Inserts the next node, if there is room for it; says whether there was a next one.
-    fn try_next_of(&mut self, nodes: &mut Nodes) -> bool {
+    fn try_next_node(&mut self, nodes: &mut Nodes) -> bool {
         let near = nodes.near;
         if let (Some(node), Some(record)) = (nodes.next(), self.record()) {
             record.note_node(node);
         }
         let Some((p, part)) = nodes.take() else { return false };
-        let there = near.and_then(|near| self.way_to(p, near)).or_else(|| self.way_from(part.known, p));
+        let there = near.and_then(|near| self.locus_by_walk(p, near)).or_else(|| self.locus_from_vertex(part.known, p));
         if there.is_some_and(|locus| {
             self.cdt.find_cavity(&mut self.scratch.cavity, p, locus) && self.is_clear(p, part.clearance_sq)
         }) {
@@ -220,19 +220,19 @@ impl Refinement {
     }
 
     /// Looks at everything, with an empty queue: only bad triangles are put in order.
-    fn look_at_all_bad(&mut self, bounds: BoundingBox) {
+    fn test_after_filling(&mut self, bounds: BoundingBox) {
         self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
         self.ledger.stopwatch.enter(Part::Select);
         let queue = self.empty_queue(Some(bounds), self.ledger.vertices);
         self.replace_queue(queue);
         let mut bad: Vec<FaceId> = self.cdt.real_faces().filter(|&f| self.badness(f).is_some()).collect();
-        self.put_in_order(&mut bad);
-        bad.into_iter().for_each(|f| self.look_at_bad(f));
+        self.sort_by_vertices(&mut bad);
+        bad.into_iter().for_each(|f| self.test_face(f));
     }
 
     /// Where a point lies, by a walk from a face that crosses no subsegment.
-    fn way_to(&self, p: Point, from: FaceId) -> Option<Locus> {
+    fn locus_by_walk(&self, p: Point, from: FaceId) -> Option<Locus> {
         match self.cdt.walk_within(from, p) {
             Walk::Arrived(locus @ Locus::Face(_)) => Some(locus),
             Walk::Arrived(locus @ Locus::Edge(h)) if !self.cdt.is_marked(h) => Some(locus),
@@ -241,7 +241,7 @@ impl Refinement {
     }
 
     /// The same from the face at a vertex through which a straight line leaves it for the point.
-    fn way_from(&self, v: VertexId, p: Point) -> Option<Locus> {
+    fn locus_from_vertex(&self, v: VertexId, p: Point) -> Option<Locus> {
         let from = self.cdt.point(v);
         let leaves = |&spoke: &HalfEdgeId| {
             let f = spoke.face();
@@ -251,7 +251,7 @@ impl Refinement {
             }
         };
         let spoke = self.cdt.star(v).find(leaves)?;
-        self.way_to(p, spoke.face())
+        self.locus_by_walk(p, spoke.face())
     }
 
     /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none

@@ -75,7 +75,7 @@ impl Refinement {
         let record = StepRecord {
             triangulation: UndoLog::new(),
             ledger: self.ledger.clone(),
-            joined: agenda.joined,
+            sequence: agenda.sequence,
             current: agenda.current,
             changes_at_retry: agenda.changes_at_retry,
             retries: agenda.retries,
@@ -180,7 +180,7 @@ impl Refinement {
             agenda.queue = *queue;
         }
         agenda.queue.take_back(step.queue_changes);
-        agenda.joined = step.joined;
+        agenda.sequence = step.sequence;
         agenda.current = step.current;
         (agenda.changes_at_retry, agenda.retries) = (step.changes_at_retry, step.retries);
         // What the step, and the caller after it, added at the end; what the step took from the front.

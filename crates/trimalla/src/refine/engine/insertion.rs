@@ -96,7 +96,7 @@ impl Refinement {
             }
         };
         let Some(fan) = fan else { return Err(Refused::NoRoom) };
-        let (crowds, marks) = self.look_at_rim(site.point());
+        let (crowds, marks) = self.test_rim(site.point());
         if crowds {
             return Err(Refused::Crowded);
         }
@@ -130,7 +130,7 @@ impl Refinement {
     /// Whether a vertex on the rim of the cavity in the scratch is closer to a point than the length floor allows, and
     /// marks: 0 where no edge of the rim is a subsegment.
     #[inline(always)] // Before each insertion.
-    pub(super) fn look_at_rim(&self, point: Point) -> (bool, u32) {
+    pub(super) fn test_rim(&self, point: Point) -> (bool, u32) {
         let cavity = &self.scratch.cavity;
         let (mut crowds, mut marks) = (false, 0);
         for (edge, &start) in cavity.rim().iter().zip(cavity.rim_starts()) {
@@ -167,11 +167,11 @@ impl Refinement {
             let is_star = !keeps_delaunay || sees_to_circle_test(plan);
             return Ok(Inserted { vertex, changed: if is_star { Changed::Star } else { Changed::Since(here) } });
         }
-        Err(Refused::Encroaches(self.found_again_before(here, &encroached)))
+        Err(Refused::Encroaches(self.roll_back_to(here, &encroached)))
     }
 
     /// Takes everything since a checkpoint back, and returns the edges that some edges of the present were before.
-    fn found_again_before(&mut self, here: Checkpoint, edges: &[HalfEdgeId]) -> Vec<HalfEdgeId> {
+    fn roll_back_to(&mut self, here: Checkpoint, edges: &[HalfEdgeId]) -> Vec<HalfEdgeId> {
         let ends: Vec<[VertexId; 2]> = edges.iter().map(|&h| ends_of(&self.cdt, h)).collect();
         self.cdt.rollback(&mut self.scratch.log, here);
         ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect()
@@ -184,7 +184,7 @@ impl Refinement {
         faces.sort_unstable();
         faces.dedup();
         faces.retain(|&f| self.cdt.is_real(f));
-        self.put_in_order(&mut faces);
+        self.sort_by_vertices(&mut faces);
         faces
     }
 

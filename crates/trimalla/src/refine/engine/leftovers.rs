@@ -51,9 +51,9 @@ impl Refinement {
     pub fn finish(mut self) -> (ConstrainedTriangulation, Report) {
         self.ledger.stopwatch.enter(Part::Recover);
         if self.ledger.report.stop != StopReason::Cancelled {
-            self.open_fully();
+            self.finish_opening();
         }
-        self.claim_segments();
+        self.finish_recovery();
         self.ledger.stopwatch.enter(Part::Rest);
         self.agenda.given_up.sort_unstable();
         let survey = self.survey();
@@ -80,7 +80,7 @@ impl Refinement {
                     "a triangle that passes the filter is good"
                 );
             } else {
-                self.look_closely(&two[..count], are_passed, &mut survey);
+                self.test_unfiltered(&two[..count], are_passed, &mut survey);
             }
             survey.triangles += count;
         });
@@ -90,7 +90,7 @@ impl Refinement {
     /// Tests those of two triangles that the filter did not pass.
     #[cold]
     #[inline(never)]
-    fn look_closely(&self, two: &[TriangleInBlock], are_passed: [bool; 2], survey: &mut Survey) {
+    fn test_unfiltered(&self, two: &[TriangleInBlock], are_passed: [bool; 2], survey: &mut Survey) {
         for (t, k) in two.iter().zip(0..).filter(|&(_, k)| !are_passed[k]) {
             let corners = self.cdt.corners_from_newest(t.face);
             if self.badness(t.face).is_some() {

@@ -2,6 +2,7 @@
 
 mod change;
 mod encroached;
+mod events;
 mod fill;
 mod filling;
 mod gaps;
@@ -9,7 +10,6 @@ mod history;
 mod improvement;
 pub(super) mod insertion;
 mod leftovers;
-mod look;
 mod mirrored_place;
 mod opening;
 mod overview;
@@ -19,7 +19,7 @@ pub(super) mod recovery;
 mod split_segments;
 pub(super) mod start;
 mod step_edit;
-mod tell;
+mod test_faces;
 mod treat;
 
 use std::fmt;
@@ -152,7 +152,7 @@ impl Refinement {
         if self.is_filling() {
             drop(self.cdt.take_order_along_curve());
         } else {
-            self.look_at_everything();
+            self.test_everything();
         }
     }
 
@@ -262,7 +262,7 @@ impl Refinement {
         self.problem.test = self.problem.test.clone().with_user_test(test);
         self.ledger.improvement = Improvement::UNWATCHED;
         if self.is_open() && !self.is_filling() {
-            self.look_at_everything();
+            self.test_everything();
         }
         self
     }
@@ -293,18 +293,19 @@ impl Refinement {
         self.history_of_run();
         self.ledger.report.stop = StopReason::default();
         self.ledger.stopwatch = self.ledger.stopwatch.or_clock(observer.clock());
-        let (mut steps, mut told_at) = (0, None);
+        let (mut steps, mut reported_at) = (0, None);
         let stop = loop {
             // Steps count, too: many may pass without an insertion.
             let work = steps + self.ledger.insertions;
-            if told_at.is_none_or(|told| work >= told + PROGRESS_EVERY) {
-                told_at = Some(work);
+            if reported_at.is_none_or(|reported| work >= reported + PROGRESS_EVERY) {
+                reported_at = Some(work);
                 if !observer.progress(self.progress()) {
                     break StopReason::Cancelled;
                 }
             }
             steps += 1;
-            let outcome = if observer.wants_events() { self.told(observer) } else { self.recorded(Self::advance) };
+            let outcome =
+                if observer.wants_events() { self.step_observed(observer) } else { self.recorded(Self::advance) };
             match outcome {
                 StepOutcome::Finished => break StopReason::Finished,
                 StepOutcome::Exhausted => break StopReason::Budget,
@@ -344,11 +345,11 @@ impl Refinement {
     }
 
     fn take_step(&mut self) -> StepOutcome {
-        if self.recover_on() {
+        if self.continue_recovery() {
             return StepOutcome::Recovered;
         }
         if !self.is_open() {
-            return self.open_further();
+            return self.opening_step();
         }
         if self.is_exhausted() {
             let waits = !self.agenda.encroached.is_empty() || self.agenda.queue.len() > 0 || self.is_filling();
@@ -360,7 +361,7 @@ impl Refinement {
         if self.split_next_subsegment() {
             return StepOutcome::Subsegment;
         }
-        if self.fill_on() {
+        if self.fill_step() {
             return StepOutcome::Filled;
         }
         self.ledger.stopwatch.enter(Part::Select);
@@ -370,12 +371,12 @@ impl Refinement {
             }
             return if self.retry() { StepOutcome::Retried } else { StepOutcome::Finished };
         };
-        let claim = self.agenda.queue.claim(&self.cdt, face);
+        let ticket = self.agenda.queue.issue(&self.cdt, face);
         self.note_selected(face);
         self.ledger.stopwatch.enter(Part::Point);
         match self.treat(face) {
-            Ok(()) if self.problem.options.recipe.until_destroyed => self.agenda.current = Some(claim),
-            Ok(()) if self.agenda.queue.is_valid(&self.cdt, claim) => self.look_at_bad(face),
+            Ok(()) if self.problem.options.recipe.until_destroyed => self.agenda.current = Some(ticket),
+            Ok(()) if self.agenda.queue.is_valid(&self.cdt, ticket) => self.test_face(face),
             Ok(()) => {}
             Err(reason) => self.agenda.given_up.push((sorted(self.cdt.face_vertices(face)), reason)),
         }
@@ -401,14 +402,15 @@ impl Refinement {
         if let Some(record) = self.record() {
             record.note_retry(refusals);
         }
-        self.look_at_everything();
+        self.test_everything();
         true
     }
 
     /// The triangle at work if it is still there, else the most urgent one.
     fn next_face(&mut self) -> Option<FaceId> {
-        if let Some(claim) = self.agenda.current.take().filter(|&claim| self.agenda.queue.is_valid(&self.cdt, claim)) {
-            return Some(claim.face);
+        if let Some(ticket) = self.agenda.current.take().filter(|&ticket| self.agenda.queue.is_valid(&self.cdt, ticket))
+        {
+            return Some(ticket.face);
         }
         if !self.strategy.traits.select.is_manual {
             return self.agenda.queue.pop(&self.cdt, self.strategy.traits.select.takes_oldest);

@@ -31,8 +31,8 @@ impl Refinement {
     pub(super) fn begin_opening(&mut self) {
         self.ledger.stopwatch.enter(Part::Rest);
         self.skip();
-        if self.segments.opening == Opening::Look {
-            self.open_further();
+        if self.segments.opening == Opening::Test {
+            self.opening_step();
         }
         self.ledger.stopwatch.enter(Part::Outside);
     }
@@ -50,13 +50,13 @@ impl Refinement {
             && !is_conforming
             && self.strategy.steps.recover.traits().locks_segments
         {
-            self.segments.opening = Opening::Look;
+            self.segments.opening = Opening::Test;
         }
         if self.segments.opening == Opening::Conform && !is_conforming {
-            self.segments.opening = Opening::Look;
+            self.segments.opening = Opening::Test;
         }
         if self.segments.opening == Opening::ReleaseAgain && self.strategy.steps.recover.traits().locks_segments {
-            self.segments.opening = Opening::Look;
+            self.segments.opening = Opening::Test;
         }
     }
 
@@ -76,17 +76,17 @@ impl Refinement {
     }
 
     /// All slices that are left, where nobody has made a step.
-    pub(super) fn open_fully(&mut self) {
+    pub(super) fn finish_opening(&mut self) {
         while !self.is_open() || self.segments.recovery.is_some() {
             self.scratch.log.clear();
-            if !self.recover_on() {
-                self.open_further();
+            if !self.continue_recovery() {
+                self.opening_step();
             }
         }
     }
 
     /// One slice.
-    pub(super) fn open_further(&mut self) -> StepOutcome {
+    pub(super) fn opening_step(&mut self) -> StepOutcome {
         self.record_segments();
         match self.segments.opening {
             Opening::Given => {
@@ -106,7 +106,7 @@ impl Refinement {
                 self.flip_slice(Opening::Conform);
             }
             Opening::ReleasingAgain => {
-                self.flip_slice(Opening::Look);
+                self.flip_slice(Opening::Test);
             }
             Opening::Conform => {
                 let released = std::mem::take(&mut self.segments.released);

@@ -9,7 +9,7 @@ use crate::constrained::{ConstrainedTriangulation, Recovery, Released, Workspace
 use crate::delaunay::{Cavity, Lawson};
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
-use crate::refine::agenda::queue::{Claim, Queue};
+use crate::refine::agenda::queue::{Queue, Ticket};
 use crate::refine::criteria::bad_triangles::Criterion;
 use crate::refine::criteria::encroachment::Region;
 use crate::refine::criteria::floors::Floors;
@@ -128,9 +128,9 @@ pub(super) struct Agenda {
     /// Bad triangles.
     pub(super) queue: Queue,
     /// How many triangles joined the queue.
-    pub(super) joined: u64,
+    pub(super) sequence: u64,
     /// The triangle to be treated until it is gone.
-    pub(super) current: Option<Claim>,
+    pub(super) current: Option<Ticket>,
     /// Triangles that the caller picked.
     pub(super) picked: VecDeque<Picked>,
     /// Subsegments that wait for their split.
@@ -154,7 +154,7 @@ pub(super) struct SegmentWork {
     /// Pieces of segments that are not locked.
     pub(super) released: Vec<Released>,
     /// Such pieces on their way back.
-    pub(super) recovery: Option<Box<UnderWay>>,
+    pub(super) recovery: Option<Box<RunningRecovery>>,
     /// Pieces that could not come back.
     pub(super) lost: Vec<Released>,
 }
@@ -174,7 +174,7 @@ pub(super) struct Ledger {
     /// What the step at work did, where somebody wants to know.
     pub(super) event: Option<Box<Event>>,
     /// Steps of runs that an observer was shown.
-    pub(super) steps_told: u64,
+    pub(super) steps_observed: u64,
     /// Time per step.
     pub(super) stopwatch: Stopwatch,
 }
@@ -188,7 +188,7 @@ impl Ledger {
             newest: None,
             improvement: Improvement::UNWATCHED,
             event: None,
-            steps_told: 0,
+            steps_observed: 0,
             stopwatch,
         }
     }
@@ -236,7 +236,7 @@ pub(super) enum Opening {
     /// They are gone again, and edges across them are being flipped.
     ReleasingAgain,
     /// Everything is to be looked at.
-    Look,
+    Test,
     /// Step 1 changes the triangulation.
     Prepare,
     /// The loop is on.
@@ -245,7 +245,7 @@ pub(super) enum Opening {
 
 /// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
 #[derive(Clone, Debug)]
-pub(super) struct UnderWay {
+pub(super) struct RunningRecovery {
     pub(super) recovery: Recovery,
     /// [All pieces](Joints::pieces).
     pub(super) pieces: Vec<Piece>,

@@ -7,7 +7,7 @@ use super::filling::{FillStage, TakenNode};
 use super::parts::{Ledger, Picked, SegmentWork};
 use crate::constrained::Released;
 use crate::half_edge::{Entry, UndoLog, VertexId};
-use crate::refine::agenda::queue::{Changes, Claim, Queue};
+use crate::refine::agenda::queue::{Changes, Queue, Ticket};
 use crate::refine::criteria::reason::Reason;
 
 /// Bytes that records of steps may take where the caller does not say: a gibibyte.
@@ -49,8 +49,8 @@ pub(super) enum Record<R> {
 pub(super) struct StepRecord {
     pub(super) triangulation: UndoLog,
     pub(super) ledger: Ledger,
-    pub(super) joined: u64,
-    pub(super) current: Option<Claim>,
+    pub(super) sequence: u64,
+    pub(super) current: Option<Ticket>,
     pub(super) changes_at_retry: u64,
     pub(super) retries: u32,
     /// How many waited before the step.

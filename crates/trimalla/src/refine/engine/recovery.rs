@@ -1,7 +1,7 @@
 //! Segments that were let go, on their way back.
 
 use super::Refinement;
-use super::parts::UnderWay;
+use super::parts::RunningRecovery;
 use crate::constrained::{
     Changed, ConstrainedDelaunay, ConstrainedTriangulation, Recovery, Released, SegmentPlan, SplitLimits,
 };
@@ -22,7 +22,8 @@ const SLICE: usize = 256;
 impl Refinement {
     /// Begins to bring segments back.
     pub(super) fn begin_recovery(&mut self, recovery: Recovery) {
-        self.segments.recovery = Some(Box::new(UnderWay { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
+        self.segments.recovery =
+            Some(Box::new(RunningRecovery { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
     }
 
     /// Brings some pieces back as whole edges, at once; returns how many are there then. The others cannot come back.
@@ -36,14 +37,14 @@ impl Refinement {
         let there = count - lost.len();
         self.segments.lost.extend(lost);
         if self.is_open() {
-            self.look_at_everything();
+            self.test_everything();
         }
         there
     }
 
     /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
     #[inline(always)] // Before each step.
-    pub(super) fn recover_on(&mut self) -> bool {
+    pub(super) fn continue_recovery(&mut self) -> bool {
         // Nearly always there is nothing to recover.
         self.segments.recovery.is_some() && self.recover_slice()
     }
@@ -52,13 +53,13 @@ impl Refinement {
     fn recover_slice(&mut self) -> bool {
         self.record_segments();
         let Some(mut under_way) = self.segments.recovery.take() else { return false };
-        let UnderWay { recovery, pieces } = &mut *under_way;
+        let RunningRecovery { recovery, pieces } = &mut *under_way;
         let before = self.ledger.stopwatch.enter(Part::Recover);
         self.recover_some(recovery, pieces);
         if recovery.is_done() {
             self.segments.lost.extend(under_way.recovery.into_lost());
             if self.is_open() {
-                self.look_at_everything();
+                self.test_everything();
             }
         } else {
             self.segments.recovery = Some(under_way);
@@ -89,9 +90,9 @@ impl Refinement {
     /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
     ///
     /// Where the caller cancelled, no vertex goes in any more.
-    pub(super) fn claim_segments(&mut self) {
+    pub(super) fn finish_recovery(&mut self) {
         while self.recover_by_step() {
-            while self.recover_on() {
+            while self.continue_recovery() {
                 self.scratch.log.clear();
             }
         }

@@ -1,6 +1,6 @@
 //! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
 
-use super::encroached::{Cut, Encroached, Found};
+use super::encroached::{Encroached, SplitPlace, SplitPlan};
 use super::insertion::Site;
 use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
@@ -19,8 +19,8 @@ impl Refinement {
         if self.agenda.unsplittable.contains(&ends) {
             return Err(self.reason_of_refusal(h, self.problem.floors.floor_reason));
         }
-        let found = self.may_cut(self.in_order(h)).map_err(|reason| self.reason_of_refusal(h, reason))?;
-        self.agenda.encroached.push_back(Encroached { ends, forced, found });
+        let plan = self.plan_split(self.in_order(h)).map_err(|reason| self.reason_of_refusal(h, reason))?;
+        self.agenda.encroached.push_back(Encroached { ends, forced, plan });
         Ok(())
     }
 
@@ -75,18 +75,18 @@ impl Refinement {
     /// Splits the subsegment that waits longest, if it still needs it.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(encroached) = self.agenda.encroached.pop_front() else { return false };
-        let Encroached { ends: [a, b], forced, found } = encroached;
+        let Encroached { ends: [a, b], forced, plan } = encroached;
         if let Some(record) = self.record() {
             record.note_split(encroached);
         }
         self.note(|event| event.subsegment = Some([a, b]));
         // The hull of a triangulation that was not carved carries no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
-        let there = self.cdt.half_edge_between_known(a, b, found.half_edge).filter(is_subsegment);
+        let there = self.cdt.half_edge_between_known(a, b, plan.half_edge).filter(is_subsegment);
         if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&[a, b])) {
-            let found = Some(found).filter(|found| found.apexes == self.apexes(h));
-            let is_needed = forced || found.is_some() || self.needs_split(h);
-            if is_needed && !self.split(h, found) {
+            let plan = Some(plan).filter(|plan| plan.apexes == self.apexes(h));
+            let is_needed = forced || plan.is_some() || self.needs_split(h);
+            if is_needed && !self.split(h, plan) {
                 // It could be split when it was queued: do not try again for ever.
                 self.agenda.unsplittable.insert([a, b]);
                 if let Some(record) = self.record() {
@@ -101,18 +101,18 @@ impl Refinement {
     ///
     /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is
     /// sharp then and wants a cut on a circle, they come back.
-    fn split(&mut self, h: HalfEdgeId, found: Option<Found>) -> bool {
-        let acute = found.map_or_else(|| self.acute_ends(h), |found| found.acute);
-        let cut = found.map(|found| found.cut);
+    fn split(&mut self, h: HalfEdgeId, plan: Option<SplitPlan>) -> bool {
+        let acute = plan.map_or_else(|| self.acute_ends(h), |plan| plan.acute);
+        let place = plan.map(|plan| plan.place);
         if !self.problem.region.is_lens() || !self.minds_encroachment() || acute != [false, false] {
-            return self.split_at_cut(h, cut);
+            return self.split_near(h, place);
         }
         let ends = [self.cdt.origin(h), self.cdt.dest(h)];
         let (here, deleted) = (self.scratch.log.checkpoint(), self.ledger.report.vertices_deleted);
-        let looked_at = self.delete_free_vertices(h);
+        let tested = self.delete_free_vertices(h);
         let deleted = self.ledger.report.vertices_deleted - deleted;
         if deleted == 0 {
-            return self.split_at_cut(h, cut);
+            return self.split_near(h, place);
         }
         if self.split_between(ends, None) {
             return true;
@@ -121,59 +121,59 @@ impl Refinement {
         self.ledger.report.vertices_deleted -= deleted;
         self.ledger.vertices += deleted as usize;
         self.note(|event| event.deleted.clear());
-        self.look_again(looked_at);
-        self.split_between(ends, cut)
+        self.test_again(tested);
+        self.split_between(ends, place)
     }
 
     /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the
     /// queue.
-    fn look_again(&mut self, mut slots: Vec<FaceId>) {
+    fn test_again(&mut self, mut slots: Vec<FaceId>) {
         slots.retain(|f| f.index() < self.cdt.face_slots() && self.cdt.is_real(*f));
-        self.put_in_order(&mut slots);
+        self.sort_by_vertices(&mut slots);
         slots.dedup();
-        self.look_at_faces(&slots);
+        self.test_faces(&slots);
     }
 
     /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
-    fn split_between(&mut self, [a, b]: [VertexId; 2], cut: Option<Cut>) -> bool {
+    fn split_between(&mut self, [a, b]: [VertexId; 2], place: Option<SplitPlace>) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
-        self.split_at_cut(h, cut)
+        self.split_near(h, place)
     }
 
     /// Splits a subsegment if there is room, at a cut where one is known; says whether it did.
-    fn split_at_cut(&mut self, h: HalfEdgeId, cut: Option<Cut>) -> bool {
-        let Some(cut) = cut.or_else(|| self.may_cut(h).ok().map(|found| found.cut)) else { return false };
-        if self.split_at_place(h, cut) {
+    fn split_near(&mut self, h: HalfEdgeId, place: Option<SplitPlace>) -> bool {
+        let Some(place) = place.or_else(|| self.plan_split(h).ok().map(|plan| plan.place)) else { return false };
+        if self.split_at_place(h, place) {
             return true;
         }
-        let mut beside = self.places_beside_on_boundary(h, cut.point).into_iter();
-        beside.any(|point| self.split_at_place(h, Cut { point, shell: None }))
+        let mut beside = self.places_beside_on_boundary(h, place.point).into_iter();
+        beside.any(|point| self.split_at_place(h, SplitPlace { point, shell: None }))
     }
 
-    fn split_at_place(&mut self, h: HalfEdgeId, cut: Cut) -> bool {
-        let provenance = self.provenance_of(h, cut);
-        let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, cut);
+    fn split_at_place(&mut self, h: HalfEdgeId, place: SplitPlace) -> bool {
+        let provenance = self.provenance_of(h, place);
+        let is_on_shell = matches!(provenance, Provenance::Shell { .. }) || self.is_around_joint(h, place);
         let plan = self.plan(Proposal::Split(h));
-        let Ok(inserted) = self.insert(plan, Site::Edge(h, cut.point, provenance)) else { return false };
+        let Ok(inserted) = self.insert(plan, Site::Edge(h, place.point, provenance)) else { return false };
         self.ledger.vertices += 1;
         self.ledger.report.segments_split += 1;
         self.note_inserted(
             inserted.vertex,
             if is_on_shell { InsertedKind::Shell } else { InsertedKind::SegmentMiddle },
         );
-        self.look_around_inserted(inserted, cut.point);
+        self.test_around_inserted(inserted, place.point);
         true
     }
 
     /// How `h` can be split, or why not.
-    fn may_cut(&self, h: HalfEdgeId) -> Result<Found, Reason> {
+    fn plan_split(&self, h: HalfEdgeId) -> Result<SplitPlan, Reason> {
         let acute = self.acute_ends(h);
-        let mut cut = self.cut_at(h, acute)?;
-        if let Err(SplitError::TooShort | SplitError::Crowded) = self.cdt.can_split(h, cut.point) {
-            let point = self.place_beside_gap(h, cut.point).ok_or(Reason::PrecisionFloor)?;
-            cut = Cut { point, shell: None };
+        let mut place = self.split_place(h, acute)?;
+        if let Err(SplitError::TooShort | SplitError::Crowded) = self.cdt.can_split(h, place.point) {
+            let point = self.place_beside_gap(h, place.point).ok_or(Reason::PrecisionFloor)?;
+            place = SplitPlace { point, shell: None };
         }
-        Ok(Found { half_edge: h, apexes: self.apexes(h), acute, cut })
+        Ok(SplitPlan { half_edge: h, apexes: self.apexes(h), acute, place })
     }
 
     /// The vertices opposite an edge, on its left and on its right.
@@ -182,7 +182,7 @@ impl Refinement {
     }
 
     /// Where `h` is split if there is room, or why it must not be.
-    fn cut_at(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<Cut, Reason> {
+    fn split_place(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<SplitPlace, Reason> {
         let on_boundary = self.cdt.is_boundary_edge(h);
         let protected = match self.problem.options.protect {
             Protect::None => false,
@@ -192,7 +192,7 @@ impl Refinement {
         if protected {
             return Err(Reason::ProtectedSegment);
         }
-        let (t, mut shell) = self.place_of_cut(h, acute);
+        let (t, mut shell) = self.split_parameter(h, acute);
         let mut point = self.point_at(h, t);
         if self.is_crowded_beside(h, point) {
             if let Some(staggered) = self.staggered_place(h) {
@@ -205,7 +205,7 @@ impl Refinement {
         {
             return Err(self.problem.floors.floor_reason);
         }
-        Ok(Cut { point, shell })
+        Ok(SplitPlace { point, shell })
     }
 
     /// The point at a parameter of `h`, computed from the ends of its piece.
@@ -217,9 +217,9 @@ impl Refinement {
     }
 
     /// The provenance of a vertex at a cut of `h`: its segment, and its circle if that is around an end of the segment.
-    fn provenance_of(&self, h: HalfEdgeId, cut: Cut) -> Provenance {
-        let provenance = self.cdt.provenance_on(h, cut.point);
-        if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (cut.shell, provenance) {
+    fn provenance_of(&self, h: HalfEdgeId, place: SplitPlace) -> Provenance {
+        let provenance = self.cdt.provenance_on(h, place.point);
+        if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (place.shell, provenance) {
             let apex = if around_b { self.cdt.dest(h) } else { self.cdt.origin(h) };
             let ends = self.cdt.segments()[segment.index()];
             if ends.contains(&apex) {
@@ -230,8 +230,8 @@ impl Refinement {
     }
 
     /// Whether a cut of `h` lies on a circle around a joint inside the segment.
-    fn is_around_joint(&self, h: HalfEdgeId, cut: Cut) -> bool {
-        let Some((_, around_dest)) = cut.shell else { return false };
+    fn is_around_joint(&self, h: HalfEdgeId, place: SplitPlace) -> bool {
+        let Some((_, around_dest)) = place.shell else { return false };
         let apex = if around_dest { self.cdt.dest(h) } else { self.cdt.origin(h) };
         self.problem.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
     }
@@ -244,7 +244,7 @@ impl Refinement {
     ///
     /// # Source
     /// Concentric shells: `[Ruppert95]` section 5; the power is chosen so that the cut lies in the middle third.
-    fn place_of_cut(&self, h: HalfEdgeId, acute: [bool; 2]) -> (f64, Option<(i16, bool)>) {
+    fn split_parameter(&self, h: HalfEdgeId, acute: [bool; 2]) -> (f64, Option<(i16, bool)>) {
         let around_b = match acute {
             [true, false] => false,
             [false, true] => true,
@@ -294,23 +294,23 @@ impl Refinement {
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
     fn delete_free_vertices(&mut self, h: HalfEdgeId) -> Vec<FaceId> {
-        let mut looked_at = Vec::new();
+        let mut tested = Vec::new();
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
         for (known, from, to) in [(h, a, b), (self.cdt.twin(h), b, a)] {
             // Each round deletes a vertex.
             for _ in 0..self.cdt.points().len() {
-                let Some(h) = self.cdt.half_edge_between_known(from, to, known) else { return looked_at };
+                let Some(h) = self.cdt.half_edge_between_known(from, to, known) else { return tested };
                 let apex = self.cdt.apex(h);
                 let inside = apex.is_finite()
                     && self.cdt.is_deletable(apex)
                     && in_diametral_disk(self.cdt.point(from), self.cdt.point(to), self.cdt.point(apex))
                         == CircleSide::Inside;
-                if !inside || !self.delete_free_vertex(apex, &mut looked_at) {
+                if !inside || !self.delete_free_vertex(apex, &mut tested) {
                     break;
                 }
             }
         }
-        looked_at
+        tested
     }
 
     /// The real faces inside a rim, given by the half-edges outside it, which no flip has moved.
@@ -334,7 +334,7 @@ impl Refinement {
     }
 
     /// Deletes a free vertex; looks at the triangles and subsegments of the hole, and adds those triangles to a list.
-    pub(super) fn delete_free_vertex(&mut self, v: VertexId, looked_at: &mut Vec<FaceId>) -> bool {
+    pub(super) fn delete_free_vertex(&mut self, v: VertexId, tested: &mut Vec<FaceId>) -> bool {
         let at = self.cdt.point(v);
         // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
@@ -352,10 +352,10 @@ impl Refinement {
             // Flips may have gone on beyond the rim, and the half-edges outside it may lie elsewhere.
             link.iter().flat_map(|&w| self.cdt.faces_around(w)).collect()
         };
-        self.put_in_order(&mut faces);
+        self.sort_by_vertices(&mut faces);
         faces.dedup();
-        self.look_at_faces(&faces);
-        looked_at.append(&mut faces);
+        self.test_faces(&faces);
+        tested.append(&mut faces);
         true
     }
 }

@@ -43,7 +43,7 @@ impl Refinement {
             match tried {
                 Err(reason) => refused = reason,
                 Ok(()) => {
-                    self.put_others(number);
+                    self.insert_others(number);
                     return Ok(());
                 }
             }
@@ -53,16 +53,16 @@ impl Refinement {
 
     /// Inserts the points that go in together with a place that was taken, if a vertex is there now.
     #[inline(always)] // Nearly always there are none.
-    fn put_others(&mut self, number: usize) {
+    fn insert_others(&mut self, number: usize) {
         if self.scratch.places.together_with(number).next().is_some() {
-            self.put_points_after(self.ledger.newest, number);
+            self.insert_points_after(self.ledger.newest, number);
         }
     }
 
     /// Inserts these points one after the other, each where a walk from the vertex before leads.
     #[cold]
     #[inline(never)]
-    fn put_points_after(&mut self, first: Option<VertexId>, number: usize) {
+    fn insert_points_after(&mut self, first: Option<VertexId>, number: usize) {
         let Some(mut from) = first else { return };
         let points: Vec<Point> = self.scratch.places.together_with(number).collect();
         for point in points {
@@ -135,8 +135,8 @@ impl Refinement {
         self.ledger.insertions += 1;
         self.ledger.report.flips_instead += 1;
         let mut faces = [h.face(), self.cdt.twin(h).face()];
-        self.put_in_order(&mut faces);
-        self.look_at_faces(&faces);
+        self.sort_by_vertices(&mut faces);
+        self.test_faces(&faces);
         Ok(())
     }
 
@@ -177,7 +177,7 @@ impl Refinement {
         match self.insert(plan, Site::Free(point, locus)) {
             Ok(inserted) => {
                 self.count_point(inserted.vertex, InsertedKind::Free);
-                self.look_around_inserted(inserted, point);
+                self.test_around_inserted(inserted, point);
                 Ok(())
             }
             Err(Refused::Encroaches(encroached)) => {
@@ -208,7 +208,7 @@ impl Refinement {
         }
         let inserted = split.map_err(|refused| self.reason_of_refused(&refused))?;
         self.count_point(inserted.vertex, InsertedKind::OnEdge);
-        self.look_around_inserted(inserted, place);
+        self.test_around_inserted(inserted, place);
         Ok(())
     }
 
@@ -221,11 +221,11 @@ impl Refinement {
 
     /// Looks at what has changed around a vertex that has just gone in at a point.
     #[inline(always)] // After each insertion.
-    pub(super) fn look_around_inserted(&mut self, inserted: Inserted, point: Point) {
+    pub(super) fn test_around_inserted(&mut self, inserted: Inserted, point: Point) {
         match inserted.changed {
-            Changed::Fan => self.look_around_cavity(inserted.vertex, point),
-            Changed::Star => self.look_around(inserted.vertex),
-            Changed::Since(here) => self.look_at_faces(&self.faces_changed_since(here)),
+            Changed::Fan => self.test_fan(inserted.vertex, point),
+            Changed::Star => self.test_star(inserted.vertex),
+            Changed::Since(here) => self.test_faces(&self.faces_changed_since(here)),
         }
     }
 

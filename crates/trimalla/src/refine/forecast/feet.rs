@@ -51,11 +51,11 @@ impl Footed {
         let ruler = Ruler::for_box(cdt.bounding_box());
         let foot_on = vec![None; cdt.points().len()];
         let mut footed = Self { cdt: cdt.clone(), work: Workspace::default(), ruler, foot_on, pieces };
-        footed.put_feet();
+        footed.insert_feet();
         footed
     }
 
-    fn put_feet(&mut self) {
+    fn insert_feet(&mut self) {
         let cdt = &self.cdt;
         let mut waiting: Vec<(Piece, HalfEdgeId)> =
             cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| (ends(cdt, h), h)).collect();

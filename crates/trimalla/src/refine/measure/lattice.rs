@@ -16,9 +16,9 @@ use std::ops::ControlFlow;
 use crate::geometry::{BoundingBox, Point};
 
 /// How far a node is shaken, in spacings, along each axis at most.
-const SHAKE: f64 = 1e-4;
+const JITTER: f64 = 1e-4;
 /// The bound over the area of a triangle that is not shaken: more than shaking its corners can add.
-const SLACK: f64 = 1.0 + 10.0 * SHAKE;
+const SLACK: f64 = 1.0 + 10.0 * JITTER;
 /// Rows and columns are counted in no more bits than these.
 const MOST_ROWS: f64 = (1u32 << 30) as f64;
 /// Lengths up to this one, and down to its inverse, have ordinary squares.
@@ -85,7 +85,7 @@ impl Lattice {
             let [first, end] = cut.map(|x| ((x - self.origin.x) / self.spacing - offset).ceil());
             for column in whole(first)..whole(end) {
                 let x = self.origin.x + (column as f64 + offset) * self.spacing;
-                let [dx, dy] = shake(row, column).map(|d| d * SHAKE * self.spacing);
+                let [dx, dy] = jitter(row, column).map(|d| d * JITTER * self.spacing);
                 call(Point::new(x + dx, y + dy))?;
             }
         }
@@ -117,7 +117,7 @@ fn whole(x: f64) -> i64 {
 }
 
 /// Two numbers between −1 and 1 without pattern.
-fn shake(row: i64, column: i64) -> [f64; 2] {
+fn jitter(row: i64, column: i64) -> [f64; 2] {
     let mut h = (row as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (column as u64).wrapping_mul(0xd1b5_4a32_d192_ed03);
     h ^= h >> 32;
     h = h.wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn shaken_triangles_stay_below_the_bound() {
+    fn jittered_triangles_stay_below_the_bound() {
         let lattice = Lattice::for_area(bounds(8.0), 0.05).expect("sound");
         let nodes = nodes_in(lattice, [[-6.0, -6.0], [6.0, -6.0], [0.0, 7.0]]);
         let near = |p: Point, q: Point| (p - q).length_sq() < 1.1 * lattice.spacing() * lattice.spacing();

@@ -9,8 +9,8 @@ pub(super) struct First;
 
 impl SelectStep for First {
     #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 triangles ever wait")]
-    fn priority(&self, _: View<'_>, _: FaceId, joined: u64) -> f64 {
-        joined as f64
+    fn priority(&self, _: View<'_>, _: FaceId, sequence: u64) -> f64 {
+        sequence as f64
     }
 
     fn traits(&self) -> SelectTraits {

@@ -23,12 +23,12 @@ pub trait SelectStep {
     /// 128th; [`takes_oldest`](SelectTraits::takes_oldest) decides ties.
     ///
     /// `joined` counts the triangles that joined the queue before this one.
-    fn priority(&self, view: View<'_>, face: FaceId, joined: u64) -> f64;
+    fn priority(&self, view: View<'_>, face: FaceId, sequence: u64) -> f64;
 
     /// The number that [`priority`](Self::priority) gives, where the corners of the triangle are known, in some order.
-    fn priority_of_corners(&self, view: View<'_>, face: FaceId, corners: [Point; 3], joined: u64) -> f64 {
+    fn priority_of_corners(&self, view: View<'_>, face: FaceId, corners: [Point; 3], sequence: u64) -> f64 {
         let _ = corners;
-        self.priority(view, face, joined)
+        self.priority(view, face, sequence)
     }
 
     /// What the step says of itself.

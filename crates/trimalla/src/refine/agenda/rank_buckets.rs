@@ -14,16 +14,16 @@ use crate::half_edge::{FaceId, VertexId};
 use crate::refine::criteria::bad_triangles::sorted;
 
 /// Triangles by the rank of a vertex.
-pub(in crate::refine) struct Chains {
+pub(in crate::refine) struct RankBuckets {
     triangles: Vec<FaceId>,
     /// By rank: the number of the triangle hung up last.
-    last: Vec<u32>,
+    heads: Vec<u32>,
     /// By number: that of the one hung up before it.
-    before: Vec<u32>,
+    next: Vec<u32>,
 }
 
-impl Chains {
-    /// The end of a chain.
+impl RankBuckets {
+    /// The end of a bucket.
     const END: u32 = u32::MAX;
 
     /// Hangs triangles up by the ranks of vertices in that order.
@@ -33,39 +33,39 @@ impl Chains {
     pub(in crate::refine) fn of(cdt: &ConstrainedTriangulation, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
         let ranks = ranks_in(&order);
         // Where the order was: no new pages need to be fetched.
-        let mut last: Vec<u32> = order.into_iter().map(|_| Self::END).collect();
-        let hang_up = |(number, &f): (u32, &FaceId)| {
+        let mut heads: Vec<u32> = order.into_iter().map(|_| Self::END).collect();
+        let add = |(number, &f): (u32, &FaceId)| {
             let [a, b, c] = cdt.face_vertices(f).map(|v| ranks[v.index()]);
-            std::mem::replace(&mut last[a.min(b).min(c) as usize], number)
+            std::mem::replace(&mut heads[a.min(b).min(c) as usize], number)
         };
-        let before = (0..).zip(&triangles).map(hang_up).collect();
-        Self { triangles, last, before }
+        let next = (0..).zip(&triangles).map(add).collect();
+        Self { triangles, heads, next }
     }
 
     /// Calls `look` with all triangles, one chain after the other, those of a chain in the order of their vertices.
-    pub(in crate::refine) fn for_each(&self, cdt: &ConstrainedTriangulation, mut look: impl FnMut(FaceId)) {
-        let mut chain = Vec::new();
-        for &last in self.last.iter().filter(|&&last| last != Self::END) {
-            let (f, before) = self.link(last);
-            if before == Self::END {
-                look(f); // Alone, as most are.
+    pub(in crate::refine) fn for_each(&self, cdt: &ConstrainedTriangulation, mut call: impl FnMut(FaceId)) {
+        let mut bucket = Vec::new();
+        for &head in self.heads.iter().filter(|&&head| head != Self::END) {
+            let (f, next) = self.link(head);
+            if next == Self::END {
+                call(f); // Alone, as most are.
                 continue;
             }
-            let mut number = last;
+            let mut number = head;
             while number != Self::END {
-                let (f, before) = self.link(number);
-                chain.push((sorted(cdt.face_vertices(f)), f));
-                number = before;
+                let (f, next) = self.link(number);
+                bucket.push((sorted(cdt.face_vertices(f)), f));
+                number = next;
             }
-            chain.sort_unstable();
-            chain.drain(..).for_each(|(_, f)| look(f));
+            bucket.sort_unstable();
+            bucket.drain(..).for_each(|(_, f)| call(f));
         }
     }
 
-    /// A triangle by its number, and the number of the one before it in its chain.
+    /// A triangle by its number, and the number of the one before it in its bucket.
     #[inline]
     fn link(&self, number: u32) -> (FaceId, u32) {
-        (self.triangles[number as usize], self.before[number as usize])
+        (self.triangles[number as usize], self.next[number as usize])
     }
 }
 

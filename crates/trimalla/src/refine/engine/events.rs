@@ -22,9 +22,9 @@ impl Refinement {
     }
 
     /// One step of a run, told to an observer.
-    pub(super) fn told(&mut self, observer: &mut dyn Observer) -> StepOutcome {
-        self.ledger.steps_told += 1;
-        let event = self.recorded(|refinement| refinement.advance_with_event(refinement.ledger.steps_told));
+    pub(super) fn step_observed(&mut self, observer: &mut dyn Observer) -> StepOutcome {
+        self.ledger.steps_observed += 1;
+        let event = self.recorded(|refinement| refinement.advance_with_event(refinement.ledger.steps_observed));
         observer.event(&event, &self.cdt);
         event.outcome
     }
@@ -51,13 +51,13 @@ impl Refinement {
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_selected(&mut self, face: FaceId) {
         if self.ledger.event.is_some() {
-            self.tell_selected(face);
+            self.add_selected(face);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn tell_selected(&mut self, face: FaceId) {
+    fn add_selected(&mut self, face: FaceId) {
         let path = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule);
         let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
         let (selected, faces) = ((name(face), self.badness(face)), path.faces.iter().map(|&f| name(f)).collect());
@@ -71,13 +71,13 @@ impl Refinement {
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
         if self.ledger.event.is_some() {
-            self.tell_candidate(place, tried);
+            self.add_candidate(place, tried);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn tell_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
+    fn add_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
         // Where it was taken the half-edge is another one now, but its ends are told by the event's other fields.
         let (point, edge) = match place {
             Proposal::Free { point, .. } => (Some(point), None),

@@ -4,8 +4,8 @@ use super::{Refinement, ends_of};
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
-use crate::refine::agenda::chains::Chains;
 use crate::refine::agenda::queue::Queue;
+use crate::refine::agenda::rank_buckets::RankBuckets;
 use crate::refine::criteria::bad_triangles::{Criterion, Side, UniformBounds, sorted};
 use crate::refine::criteria::badness::Badness;
 use crate::refine::steps::{SelectStep, View};
@@ -13,7 +13,7 @@ use crate::refine::watch::stopwatch::Part;
 use crate::triangulation::corners_of_two;
 
 /// Looks at one triangle after the other.
-struct Looker<'a> {
+struct Tester<'a> {
     view: View<'a>,
     test: &'a Criterion,
     select: &'a (dyn SelectStep + Send + Sync),
@@ -26,14 +26,14 @@ struct Looker<'a> {
     /// The subsegments beside what was looked at.
     beside: &'a mut Vec<HalfEdgeId>,
     queue: &'a mut Queue,
-    joined: &'a mut u64,
+    sequence: &'a mut u64,
 }
 
-impl Looker<'_> {
+impl Tester<'_> {
     /// Queues a face if it is bad.
     #[inline(never)]
-    fn look_at(&mut self, f: FaceId) {
-        self.queue.pass(f);
+    fn test(&mut self, f: FaceId) {
+        self.queue.invalidate(f);
         let corners = self.view.cdt.corners_from_newest(f);
         if self.is_bad(f, corners) {
             self.queue_bad(f, corners, self.queue.patch_at(corners[0]));
@@ -41,7 +41,7 @@ impl Looker<'_> {
     }
 
     /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
-    fn look_at_all(&mut self, order: Vec<VertexId>) {
+    fn test_all(&mut self, order: Vec<VertexId>) {
         let cdt = self.view.cdt;
         let bounds = self.uniform_bounds();
         let mut bad = Vec::new();
@@ -49,12 +49,12 @@ impl Looker<'_> {
             for (t, is_bad) in two[..n].iter().zip(bounds.are_bad(corners_of_two(two))) {
                 let is_bad = is_bad.unwrap_or_else(|| self.is_bad(t.face, cdt.corners_from_newest(t.face)));
                 push_if(&mut bad, t.face, is_bad);
-                self.queue.pass(t.face);
+                self.queue.invalidate(t.face);
             }
         });
         self.queue.reserve(bad.len(), cdt.face_slots());
         let mut in_order = Vec::with_capacity(bad.len());
-        Chains::of(cdt, bad, order).for_each(cdt, |f| in_order.push(f));
+        RankBuckets::of(cdt, bad, order).for_each(cdt, |f| in_order.push(f));
         cdt.for_each_with_corners(&in_order, |f, corners| self.queue_bad(f, corners, self.queue.patch_at(corners[0])));
     }
 
@@ -73,8 +73,8 @@ impl Looker<'_> {
     /// Queues a bad face.
     #[inline(always)] // Once for each bad triangle.
     fn queue_bad(&mut self, f: FaceId, corners: [Point; 3], patch: usize) {
-        let priority = self.select.priority_of_corners(self.view, f, corners, *self.joined);
-        *self.joined += 1;
+        let priority = self.select.priority_of_corners(self.view, f, corners, *self.sequence);
+        *self.sequence += 1;
         self.queue.push(self.view.cdt, f, patch, priority);
     }
 
@@ -90,11 +90,11 @@ impl Looker<'_> {
     ///        f ─ a
     /// ```
     #[inline(never)]
-    fn look_at_fan(&mut self, v: VertexId, p: Point) {
+    fn test_fan(&mut self, v: VertexId, p: Point) {
         let cavity = self.cavity;
         let (faces, rim, starts) = (cavity.faces(), cavity.rim(), cavity.rim_starts());
         self.queue.make_room_for(self.view.cdt.face_slots());
-        self.queue.note_looks(faces);
+        self.queue.note_stamps(faces);
         self.bad.clear();
         let (mut first, mut turn, mut lowest, mut newest, mut marks) = (0, 0, VertexId::INFINITE, v, 0);
         let (bounds, mut spoke) = (self.uniform_bounds(), Side::new(p, starts[0]));
@@ -108,7 +108,7 @@ impl Looker<'_> {
             let is_bad = bounds.is_bad(corners, [spoke, next]);
             let is_bad = is_bad.unwrap_or_else(|| self.view.cdt.is_real(face) && self.is_bad(face, corners));
             push_if(self.bad, k, is_bad);
-            self.queue.pass_unnoted(face);
+            self.queue.invalidate_unnoted(face);
             spoke = next;
         }
         // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
@@ -121,7 +121,7 @@ impl Looker<'_> {
             }
         } else {
             let real = |f: &FaceId| self.view.cdt.is_real(*f);
-            faces[first..].iter().chain(&faces[..first]).copied().filter(real).for_each(|f| self.look_at(f));
+            faces[first..].iter().chain(&faces[..first]).copied().filter(real).for_each(|f| self.test(f));
         }
         if marks != 0 {
             self.add_subsegments_of_fan();
@@ -142,8 +142,8 @@ impl Looker<'_> {
 }
 
 impl Refinement {
-    fn looker(&mut self) -> Looker<'_> {
-        Looker {
+    fn tester(&mut self) -> Tester<'_> {
+        Tester {
             view: self.problem.view(&self.cdt, &self.strategy),
             test: &self.problem.test,
             select: self.strategy.steps.select.as_ref(),
@@ -152,22 +152,22 @@ impl Refinement {
             bad: &mut self.scratch.bad_in_fan,
             beside: &mut self.scratch.beside,
             queue: &mut self.agenda.queue,
-            joined: &mut self.agenda.joined,
+            sequence: &mut self.agenda.sequence,
         }
     }
 
     /// Queues every subsegment that needs a split, and every bad triangle.
-    pub(super) fn look_at_everything(&mut self) {
+    pub(super) fn test_everything(&mut self) {
         let before = self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
         self.ledger.stopwatch.enter(Part::Select);
         let order = self.cdt.take_order_along_curve();
-        self.looker().look_at_all(order);
+        self.tester().test_all(order);
         self.ledger.stopwatch.enter(before);
     }
 
     /// A new vertex is in to stay: looks at the faces and subsegments around it.
-    pub(super) fn look_around(&mut self, v: VertexId) {
+    pub(super) fn test_star(&mut self, v: VertexId) {
         let before = self.ledger.stopwatch.enter(Part::Select);
         let mut spokes = std::mem::take(&mut self.scratch.spokes);
         spokes.clear();
@@ -178,7 +178,7 @@ impl Refinement {
         for &spoke in &spokes {
             let is_real = self.cdt.is_real(spoke.face());
             if is_real {
-                self.look_at_bad(spoke.face());
+                self.test_face(spoke.face());
             }
             let beside = &mut self.scratch.beside;
             beside.extend(self.cdt.is_marked(spoke).then_some(spoke));
@@ -189,24 +189,24 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// [`look_around`](Self::look_around) a vertex at `p` that has just filled its cavity: what is around it is known.
-    pub(super) fn look_around_cavity(&mut self, v: VertexId, p: Point) {
+    /// [`test_star`](Self::test_star) a vertex at `p` that has just filled its cavity: what is around it is known.
+    pub(super) fn test_fan(&mut self, v: VertexId, p: Point) {
         let before = self.ledger.stopwatch.enter(Part::Select);
-        self.looker().look_at_fan(v, p);
+        self.tester().test_fan(v, p);
         self.queue_encroached_beside();
         self.ledger.stopwatch.enter(before);
     }
 
     /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
-    pub(super) fn put_in_order(&self, faces: &mut [FaceId]) {
+    pub(super) fn sort_by_vertices(&self, faces: &mut [FaceId]) {
         faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
     }
 
     /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
-    pub(super) fn look_at_faces(&mut self, faces: &[FaceId]) {
+    pub(super) fn test_faces(&mut self, faces: &[FaceId]) {
         let before = self.ledger.stopwatch.enter(Part::Select);
         for &f in faces {
-            self.look_at_bad(f);
+            self.test_face(f);
             self.scratch.beside.extend(f.half_edges().into_iter().filter(|&h| self.cdt.is_marked(h)));
         }
         self.queue_encroached_beside();
@@ -246,7 +246,7 @@ impl Refinement {
     }
 
     /// Queues a face if it is bad.
-    pub(super) fn look_at_bad(&mut self, f: FaceId) {
-        self.looker().look_at(f);
+    pub(super) fn test_face(&mut self, f: FaceId) {
+        self.tester().test(f);
     }
 }
