@@ -10,16 +10,16 @@
 //! file for every choice, and [`Refinement`] is the loop that calls them:
 //!
 //! 1. *Prepare*: subsegments with a vertex in their protecting region are split.
-//! 2. *Select*: the most urgent bad triangle is taken from a queue.
-//! 3. *Point*: a point is proposed for it. Where a subsegment is in the way of it, or would be encroached upon by
-//!    it, the subsegment is split instead and the triangle waits.
-//! 4. *Insert*: the point goes in; triangles around it that are bad join the queue.
+//! 2. *Select*: the bad triangle of lowest priority is taken from a queue.
+//! 3. *Point*: a point is proposed for it. If a subsegment is in the way of the point, or the point would encroach upon
+//!    it, the subsegment is split instead and the triangle stays queued.
+//! 4. *Insert*: the point is inserted; bad triangles around it are queued.
 //! 5. *Recover*: segments stay edges throughout (`whole-edge`).
 //!
-//! Under an area bound, wide parts are filled with a lattice of equilateral triangles first ([`Fill`]), if the recipe
-//! says so, as the default does up to 30 degrees: that takes less time than the loop, and fewer triangles.
+//! Under an area bound, wide parts are first filled with a lattice of equilateral triangles ([`Fill`]), if the recipe
+//! enables that. The default does so up to 30 degrees: it takes less time and fewer triangles than the loop.
 //!
-//! Before the loop, an [`Outlook`] says how large the mesh will be and which angles are out of reach.
+//! Before the loop, an [`Outlook`] estimates the size of the mesh and names the angles that are out of reach.
 //!
 //! # Guarantees
 //! The loop ends: the number of vertices and of insertions is bounded, and so are the lengths of edges from below.

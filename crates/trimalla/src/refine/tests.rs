@@ -210,7 +210,8 @@ impl InsertStep for Halving {
     }
 }
 
-/// Where bisection stops was told by the recipe's step 4 alone, so that one of the caller's own went on to its budget.
+/// Only the recipe's step 4 decided where bisection stops, so that a bisection of the caller's own ran up to the
+/// budget.
 #[test]
 fn bisection_from_outside_stops_where_ours_does() {
     let wedge = Pslg::of_ring([[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
@@ -226,7 +227,8 @@ fn bisection_from_outside_stops_where_ours_does() {
     assert!(!report.leftovers.is_empty() && report.leftovers.iter().all(|l| l.reason == Reason::StrategyCannotImprove));
 }
 
-/// A clock of one tick a reading: every reading ends a part, so the parts add up to all readings but the first.
+/// A clock that advances by one at each reading: every reading ends a part, so the parts add up to all readings but the
+/// first.
 fn ticks() -> u64 {
     thread_local!(static READINGS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) });
     READINGS.with(|readings| readings.replace(readings.get() + 1))
@@ -272,7 +274,7 @@ impl SelectStep for AllAtOnce {
 #[test]
 fn large_drawings_are_as_small_by_patches_as_all_at_once() {
     let mut domain = Pslg::of_ring([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
-    // Evenly spread without a pattern: multiples of two irrational numbers, their whole parts away.
+    // Evenly spread without a pattern: the fractional parts of multiples of two irrational numbers.
     let spread = |i: u32, step: f64| 0.001 + 0.998 * (f64::from(i) * step).fract();
     domain
         .points

@@ -1,20 +1,20 @@
-//! The queue in which bad triangles wait.
+//! The queue of bad triangles, ordered by priority.
 //!
 //! ```text
-//!    1 ── 2   7 ── 8       Where step 2 allows, a large drawing is cut into patches along a Hilbert curve. Those that wait in
-//!         │   │    │       the present patch lie in buckets of priority; those of every other patch in a list, until it is its
-//!    4 ── 3   6   …        turn: when nothing waits in the present patch any more, the next one along the curve comes up in
-//!    └──────── 5           which anything does, after the last the first again.
+//!    1 ── 2   7 ── 8       If step 2 allows, a large drawing is divided into patches along a Hilbert curve. Triangles of
+//!         │   │    │       the current patch are in buckets of priority; those of every other patch are in a list. When
+//!    4 ── 3   6   …        the current patch is empty, the queue continues with the next non-empty one along the curve,
+//!    └──────── 5           cyclically.
 //! ```
 //!
-//! Work that stays in one patch finds what it needs in the cache.
+//! Working in one patch at a time keeps its part of the mesh in the cache.
 
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::CurveCells;
 use crate::geometry::{BoundingBox, Point};
 use crate::half_edge::FaceId;
 
-/// Parts of the drawing's box: pieces of equal length of a Hilbert curve over a grid.
+/// The patches of the drawing's bounding box: pieces of equal length of a Hilbert curve over a grid.
 #[derive(Clone, Debug)]
 pub(in crate::refine) struct Patches {
     cells: CurveCells,
@@ -22,14 +22,14 @@ pub(in crate::refine) struct Patches {
 }
 
 impl Patches {
-    /// Vertices in a patch to begin with, those included that an area bound asks for: many enough that the edges of
-    /// patches, where the order does not hold, hardly matter, and few enough for the cache.
+    /// Vertices in a patch at the start, counting those that an area bound will need. Large enough that the patch
+    /// boundaries, across which priority does not order triangles, hardly matter; small enough for the cache.
     const VERTICES: usize = 6000;
 
-    /// No more than so many, however fine the mesh is to be.
+    /// The largest number of patches.
     const MOST: usize = 1 << 14;
 
-    /// Patches for so many vertices within a box.
+    /// Patches for a number of vertices in a box.
     pub(in crate::refine) fn new(bounds: Option<BoundingBox>, vertices: usize) -> Self {
         let count = (vertices / Self::VERTICES).clamp(1, Self::MOST);
         Self { cells: CurveCells::around(bounds), count: count as u32 }
@@ -41,37 +41,37 @@ impl Patches {
     }
 }
 
-/// A triangle as it was at a look: gone as soon as its slot is looked at again, as it is whenever it changes. So a
-/// triangle that goes and comes again is another one, whether it gets its old slot back or not.
+/// A face with the generation stamp of its slot. The ticket is void as soon as the slot gets a newer stamp, as it does
+/// whenever its triangle changes. A triangle that is destroyed and created again gets a new ticket, in whichever slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::refine) struct Ticket {
     pub(in crate::refine) face: FaceId,
     stamp: u32,
 }
 
-/// A triangle of another patch, with its bucket of priority.
+/// A queued triangle with its bucket of priority.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
     ticket: Ticket,
     bucket: u32,
 }
 
-/// Triangles of one bucket of priority, the newest last.
+/// The triangles of one bucket of priority, the newest last.
 #[derive(Clone, Debug, Default)]
 struct Bucket {
     tickets: Vec<Ticket>,
-    /// How many at the front have been taken.
+    /// Number of entries at the front that have been taken.
     taken: usize,
 }
 
 impl Bucket {
-    /// Takes the newest.
+    /// Takes the newest triangle.
     #[inline]
     fn take_newest(&mut self) -> Option<Ticket> {
         if self.tickets.len() > self.taken { self.tickets.pop() } else { None }
     }
 
-    /// Takes the oldest. Room at the front is given back when half of the list is gone.
+    /// Takes the oldest triangle. Frees the taken entries when they are more than half of the list.
     fn take_oldest(&mut self) -> Option<Ticket> {
         let ticket = self.tickets.get(self.taken).copied()?;
         self.taken += 1;
@@ -83,11 +83,11 @@ impl Bucket {
     }
 }
 
-/// Steps of priority that follow each other; room for them is made where one is needed, as few of all that there could
-/// be are.
+/// 64 consecutive buckets. Most rows are never used, so a row allocates its buckets when it gets the first triangle.
 #[derive(Clone, Debug, Default)]
 struct BucketRow {
-    /// One bit a bucket: whether anything waits there, or did until just now.
+    /// One bit for each bucket: 0 if it is empty. The bit of an emptied bucket is cleared when the bucket is next
+    /// visited.
     occupied: u64,
     buckets: Option<Box<[Bucket; Self::BUCKETS]>>,
 }
@@ -95,12 +95,12 @@ struct BucketRow {
 impl BucketRow {
     const BUCKETS: usize = 64;
 
-    /// The buckets, which are made where there are none yet.
+    /// The buckets; allocates them on first use.
     fn buckets_mut(&mut self) -> &mut [Bucket; Self::BUCKETS] {
         self.buckets.get_or_insert_with(|| Box::new(std::array::from_fn(|_| Bucket::default())))
     }
 
-    /// Takes one from the lowest bucket where anything waits; the bucket, too.
+    /// Takes a triangle from the lowest non-empty bucket; returns the number of the bucket, too.
     #[inline]
     fn take(&mut self, oldest_first: bool) -> Option<(Ticket, u32)> {
         let buckets = self.buckets.as_mut()?;
@@ -116,12 +116,12 @@ impl BucketRow {
         None
     }
 
-    /// Puts back what was taken from a bucket.
+    /// Undoes a [`take`](Self::take).
     fn put_back(&mut self, ticket: Ticket, bucket: usize, is_oldest: bool) {
         let list = &mut self.buckets_mut()[bucket];
         match (is_oldest, list.taken) {
             (false, _) => list.tickets.push(ticket),
-            // Room at the front was given back since.
+            // The taken entries have been freed since.
             (true, 0) => list.tickets.insert(0, ticket),
             (true, _) => list.taken -= 1,
         }
@@ -129,36 +129,37 @@ impl BucketRow {
     }
 }
 
-/// Bad triangles by priority. Triangles that are gone stay until they come up.
+/// Bad triangles by priority. Entries of destroyed triangles stay in the queue until they are popped, and are then
+/// dropped.
 ///
-/// Priority is cut into buckets of a 128th of an octave, each a list of its own: adding and taking cost a constant.
-/// Within a bucket those that came last leave first, which lie near in memory and, measured, makes smaller meshes than
-/// the other way round; for an order that asks for it, those that came first.
+/// Priorities are quantised to a 128th of an octave, one bucket for each value: push and pop take constant time. Within
+/// a bucket the newest triangle is popped first: newest triangles lie close together in memory, and in measurements
+/// this order makes smaller meshes than oldest first. A step 2 that asks for it gets the oldest first.
 ///
-/// Each bad triangle that was looked at waits exactly once: what waited in its slot before is void, so that it does not
-/// matter whether a triangle that went and came again got its old slot back.
+/// Each bad triangle has exactly one valid ticket, since a new ticket for a slot voids the previous one. So the order
+/// does not depend on whether a re-created triangle gets its old slot back.
 #[derive(Clone, Debug, Default)]
 pub(in crate::refine) struct Queue {
-    /// `None` where the whole drawing is one patch.
+    /// `None` if the whole drawing is one patch.
     patches: Option<Patches>,
-    /// The patch whose triangles lie in the buckets.
+    /// The current patch; its triangles are in the buckets.
     present: usize,
-    /// Triangles of other patches.
+    /// For each patch, its triangles that are not in the buckets yet.
     elsewhere: Vec<Vec<Waiting>>,
     rows: Vec<BucketRow>,
-    /// Nothing waits in a row below this one.
+    /// All rows below this one are empty.
     lowest: usize,
     len: usize,
-    /// The newest look at each slot; 0 where there was nothing bad.
+    /// The newest stamp of each slot; 0 if the slot holds no bad triangle.
     stamps: Vec<u32>,
     last_stamp: u32,
-    /// What was overwritten since the record began, where one is kept.
+    /// What has been overwritten since the record began, if one is kept.
     record: Option<Changes>,
 }
 
-/// What was overwritten in a queue, so that it can be put back.
+/// Journal of a queue: what was overwritten, so that it can be restored.
 ///
-/// Room that was made stays, and so do bits of buckets that are empty: neither changes what comes up.
+/// Allocated memory and the bits of emptied buckets are not restored: neither affects the order.
 #[derive(Clone, Debug, Default)]
 pub(in crate::refine) struct Changes {
     present: usize,
@@ -171,7 +172,7 @@ pub(in crate::refine) struct Changes {
 /// One change of a queue.
 #[derive(Clone, Debug)]
 enum Change {
-    /// The look at a slot was this.
+    /// The previous stamp of a slot.
     Stamp { slot: u32, stamp: u32 },
     /// A triangle was added to a bucket.
     Added { bucket: u32 },
@@ -186,7 +187,7 @@ enum Change {
 }
 
 impl Changes {
-    /// About how many bytes they take.
+    /// Approximate size in bytes.
     pub(in crate::refine) fn bytes(&self) -> usize {
         let emptied = |change: &Change| match change {
             Change::Emptied { list, .. } => size_of_val(&**list),
@@ -199,28 +200,28 @@ impl Changes {
 impl Queue {
     /// Mantissa bits that do not choose the bucket.
     const SHIFT: u32 = 45;
-    /// Exponents below this one, biased, share the first bucket: priority is measured in units that fit the drawing.
+    /// Biased exponents below this one share the first bucket. Priorities are measured in units that fit the drawing.
     const LEAST: u64 = (1023 - 220) << 7;
 
-    /// An empty queue that takes one patch after the other.
+    /// An empty queue that works patch by patch.
     pub(in crate::refine) fn by_patches(patches: Patches) -> Self {
         Self { elsewhere: vec![Vec::new(); patches.count as usize], patches: Some(patches), ..Self::default() }
     }
 
-    /// The patch in which a place lies.
+    /// The patch of a point.
     #[inline]
     pub(in crate::refine) fn patch_at(&self, place: Point) -> usize {
         self.patches.as_ref().map_or(0, |patches| patches.of(place))
     }
 
-    /// Makes room for so many triangles, spread over all patches, in a mesh of so many slots.
+    /// Reserves memory for a number of triangles, spread over all patches, in a mesh with a number of face slots.
     pub(in crate::refine) fn reserve(&mut self, triangles: usize, slots: usize) {
         self.stamps.reserve(2 * slots);
         let each = triangles / self.elsewhere.len().max(1);
         self.elsewhere.iter_mut().for_each(|patch| patch.reserve(each + each / 4));
     }
 
-    /// Adds a triangle of a patch, whose priority is not negative.
+    /// Adds a triangle of a patch. The priority must not be negative.
     #[inline]
     pub(in crate::refine) fn push(
         &mut self,
@@ -230,7 +231,7 @@ impl Queue {
         priority: f64,
     ) {
         let bucket = Self::bucket_of(priority);
-        // Nothing follows the call, so that nothing has to be kept across it.
+        // A tail call: no value has to be kept across it.
         if self.record.is_some() {
             self.note_and_push(cdt, face, patch, bucket)
         } else {
@@ -238,7 +239,7 @@ impl Queue {
         }
     }
 
-    /// Adds a triangle and notes what that changes.
+    /// Adds a triangle and records the change.
     #[cold]
     #[inline(never)]
     fn note_and_push(&mut self, cdt: &ConstrainedTriangulation, face: FaceId, patch: usize, bucket: u32) {
@@ -261,7 +262,7 @@ impl Queue {
 
     #[inline]
     fn bucket_of(priority: f64) -> u32 {
-        // Positive numbers are ordered as their bits.
+        // Positive floating-point numbers have the order of their bits.
         let bits = if priority > 0.0 { priority.to_bits() } else { 0 };
         (bits >> Self::SHIFT).saturating_sub(Self::LEAST) as u32
     }
@@ -277,7 +278,7 @@ impl Queue {
         buckets[number].tickets.push(ticket);
     }
 
-    /// Adds a triangle to a bucket of a row that has no room yet.
+    /// Adds a triangle to a bucket of a row that is not allocated yet.
     #[cold]
     #[inline(never)]
     fn put_into_new_row(&mut self, ticket: Ticket, row: usize, number: usize) {
@@ -288,7 +289,7 @@ impl Queue {
         self.rows[row].occupied |= 1 << number;
     }
 
-    /// Goes on to the next patch in which anything waits; says whether there is one.
+    /// Moves on to the next non-empty patch, cyclically; returns whether there is one.
     fn take_next_patch(&mut self) -> bool {
         let count = self.elsewhere.len();
         let Some(next) = (1..=count).map(|i| (self.present + i) % count).find(|&p| !self.elsewhere[p].is_empty())
@@ -313,7 +314,7 @@ impl Queue {
         true
     }
 
-    /// Claims a slot: earlier tickets to it are void.
+    /// Issues a ticket for a face; earlier tickets for its slot become void.
     #[inline(always)] // For each bad triangle.
     pub(in crate::refine) fn issue(&mut self, cdt: &ConstrainedTriangulation, face: FaceId) -> Ticket {
         if self.record.is_some() {
@@ -332,7 +333,7 @@ impl Queue {
         Ticket { face, stamp: self.last_stamp }
     }
 
-    /// Makes room for stamps at so many slots.
+    /// Extends the stamps to this number of slots.
     #[inline]
     pub(in crate::refine) fn make_room_for(&mut self, slots: usize) {
         if slots > self.stamps.len() {
@@ -340,18 +341,18 @@ impl Queue {
         }
     }
 
-    /// Whether a triangle is still the one that was claimed.
+    /// Whether the triangle that the ticket was issued for still exists.
     pub(in crate::refine) fn is_valid(&self, cdt: &ConstrainedTriangulation, ticket: Ticket) -> bool {
         self.is_newest(ticket) && cdt.is_real(ticket.face)
     }
 
-    /// Whether nobody has looked at the slot since; what lay there may be gone all the same.
+    /// Whether the stamp is current. The face itself may be dead all the same.
     #[inline]
     fn is_newest(&self, ticket: Ticket) -> bool {
         self.stamps.get(ticket.face.index()) == Some(&ticket.stamp)
     }
 
-    /// Notes that there is nothing bad in a slot now.
+    /// Voids the ticket of a slot, which holds no bad triangle now.
     pub(in crate::refine) fn invalidate(&mut self, face: FaceId) {
         if self.record.is_some() {
             self.note_stamp(face);
@@ -359,7 +360,7 @@ impl Queue {
         self.invalidate_unnoted(face);
     }
 
-    /// [`invalidate`](Self::invalidate) for one of several faces that were [noted](Self::note_stamps) before.
+    /// [`invalidate`](Self::invalidate) for one of several faces whose stamps [were recorded](Self::note_stamps).
     #[inline(always)] // For each face around a new vertex.
     pub(in crate::refine) fn invalidate_unnoted(&mut self, face: FaceId) {
         if let Some(stamp) = self.stamps.get_mut(face.index()) {
@@ -367,7 +368,7 @@ impl Queue {
         }
     }
 
-    /// Notes the stamps at some slots, where a record is kept.
+    /// Records the stamps of some slots, if a record is kept.
     #[inline(always)] // For each new vertex.
     pub(in crate::refine) fn note_stamps(&mut self, faces: &[FaceId]) {
         if self.record.is_some() {
@@ -390,7 +391,7 @@ impl Queue {
         }
     }
 
-    /// Begins to record what is overwritten.
+    /// Begins a record of what is overwritten.
     pub(in crate::refine) fn begin_record(&mut self) {
         let (present, lowest, len, last_stamp) = (self.present, self.lowest, self.len, self.last_stamp);
         self.record = Some(Changes { present, lowest, len, last_stamp, list: Vec::new() });
@@ -401,7 +402,7 @@ impl Queue {
         self.record.take().unwrap_or_default()
     }
 
-    /// Puts everything back that was overwritten while a record was kept.
+    /// Restores everything that was overwritten while the record was kept.
     pub(in crate::refine) fn take_back(&mut self, changes: Changes) {
         for change in changes.list.into_iter().rev() {
             match change {
@@ -422,7 +423,7 @@ impl Queue {
         (self.len, self.last_stamp) = (changes.len, changes.last_stamp);
     }
 
-    /// Notes that a triangle was taken from a bucket.
+    /// Records that a triangle was taken from a bucket.
     #[cold]
     #[inline(never)]
     fn note_taken(&mut self, ticket: Ticket, bucket: u32, is_oldest: bool) {
@@ -443,10 +444,11 @@ impl Queue {
         (bucket as usize / BucketRow::BUCKETS, bucket as usize % BucketRow::BUCKETS)
     }
 
-    /// The most urgent triangle of the patch that is still there; every face that changes is looked at again.
+    /// Pops the triangle of lowest priority in the current patch, or in the next non-empty one. Drops entries of
+    /// triangles that no longer exist.
     ///
     /// # Complexity
-    /// Constant, amortised over the triangles that are gone.
+    /// Constant, amortised over the dropped entries.
     pub(in crate::refine) fn pop(&mut self, cdt: &ConstrainedTriangulation, oldest_first: bool) -> Option<FaceId> {
         loop {
             let here = self.pop_here(cdt, oldest_first);
@@ -473,12 +475,12 @@ impl Queue {
         None
     }
 
-    /// About how many bytes it takes.
+    /// Approximate size in bytes.
     pub(in crate::refine) fn bytes(&self) -> usize {
         self.stamps.len() * size_of::<u32>() + self.len * size_of::<Waiting>()
     }
 
-    /// How many wait, those that are gone included.
+    /// Number of entries, those of destroyed triangles included.
     pub(in crate::refine) fn len(&self) -> usize {
         self.len
     }

@@ -1,6 +1,6 @@
-//! Triangles in an order that depends on no slot, neighbours near each other.
+//! An order of triangles that does not depend on their slots and keeps neighbours close to each other.
 //!
-//! Vertices have ranks along a space-filling curve, and each triangle hangs in the chain of its vertex of lowest rank:
+//! Vertices have ranks along a space-filling curve. Each triangle is in the bucket of its vertex of lowest rank:
 //!
 //! ```text
 //!     1 ──── 2 ──── 5
@@ -13,26 +13,26 @@ use crate::constrained::ConstrainedTriangulation;
 use crate::half_edge::{FaceId, VertexId};
 use crate::refine::criteria::bad_triangles::sorted;
 
-/// Triangles by the rank of a vertex.
+/// Triangles in buckets by rank. Each bucket is a linked list.
 pub(in crate::refine) struct RankBuckets {
     triangles: Vec<FaceId>,
-    /// By rank: the number of the triangle hung up last.
+    /// By rank: the number of the triangle added last.
     heads: Vec<u32>,
-    /// By number: that of the one hung up before it.
+    /// By number: the number of the triangle added to the bucket before.
     next: Vec<u32>,
 }
 
 impl RankBuckets {
-    /// The end of a bucket.
+    /// The end of a list.
     const END: u32 = u32::MAX;
 
-    /// Hangs triangles up by the ranks of vertices in that order.
+    /// Buckets triangles by the lowest rank among their vertices in that order.
     ///
     /// # Complexity
     /// Linear in triangles and vertices.
     pub(in crate::refine) fn of(cdt: &ConstrainedTriangulation, triangles: Vec<FaceId>, order: Vec<VertexId>) -> Self {
         let ranks = ranks_in(&order);
-        // Where the order was: no new pages need to be fetched.
+        // Collecting in place reuses the allocation of `order`, so that its pages are already mapped.
         let mut heads: Vec<u32> = order.into_iter().map(|_| Self::END).collect();
         let add = |(number, &f): (u32, &FaceId)| {
             let [a, b, c] = cdt.face_vertices(f).map(|v| ranks[v.index()]);
@@ -42,13 +42,13 @@ impl RankBuckets {
         Self { triangles, heads, next }
     }
 
-    /// Calls `look` with all triangles, one chain after the other, those of a chain in the order of their vertices.
+    /// Calls `call` with every triangle, bucket by bucket; the triangles of a bucket are sorted by their vertices.
     pub(in crate::refine) fn for_each(&self, cdt: &ConstrainedTriangulation, mut call: impl FnMut(FaceId)) {
         let mut bucket = Vec::new();
         for &head in self.heads.iter().filter(|&&head| head != Self::END) {
             let (f, next) = self.link(head);
             if next == Self::END {
-                call(f); // Alone, as most are.
+                call(f); // Most buckets hold one triangle.
                 continue;
             }
             let mut number = head;
@@ -62,14 +62,14 @@ impl RankBuckets {
         }
     }
 
-    /// A triangle by its number, and the number of the one before it in its bucket.
+    /// A triangle by its number, and the number of the next one in its bucket.
     #[inline]
     fn link(&self, number: u32) -> (FaceId, u32) {
         (self.triangles[number as usize], self.next[number as usize])
     }
 }
 
-/// The rank of each vertex in an order of all.
+/// The rank of each vertex in an order of all vertices.
 fn ranks_in(order: &[VertexId]) -> Vec<u32> {
     let mut ranks = vec![0; order.len()];
     for (rank, v) in (0..).zip(order) {

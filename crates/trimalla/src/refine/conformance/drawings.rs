@@ -1,9 +1,9 @@
-//! The drawings that suites are run on: small, and each with something that a strategy may trip over.
+//! The drawings of the suites: small, each with something difficult for a strategy.
 
 use crate::drawing::Pslg;
 use crate::geometry::Point;
 
-/// A drawing and what it is called.
+/// A drawing with its name.
 pub(super) type Named = (&'static str, Pslg);
 
 /// All of them.
@@ -11,7 +11,7 @@ pub(super) fn all() -> [Named; 4] {
     [("holed", holed()), ("wedge", wedge()), ("fenced", fenced()), ("crowded", crowded())]
 }
 
-/// A box with a triangular hole, and a segment inside that hangs on nothing.
+/// A box with a triangular hole, and an isolated segment inside.
 fn holed() -> Pslg {
     let corners =
         [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0], [1.0, 2.5], [3.0, 1.0], [5.0, 3.5]];
@@ -32,7 +32,7 @@ fn fenced() -> Pslg {
     drawing(&corners, vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
 }
 
-/// A box with cocircular vertices in one corner, and collinear ones that crowd towards another.
+/// A box with cocircular vertices in one corner, and collinear ones that converge to another corner.
 fn crowded() -> Pslg {
     let mut corners = vec![[0.0, 0.0], [16.0, 0.0], [16.0, 16.0], [0.0, 16.0]];
     corners.extend([[3.0, 4.0], [4.0, 3.0], [5.0, 0.5], [5.0, 4.0], [4.0, 5.0], [3.0, 5.0]]);

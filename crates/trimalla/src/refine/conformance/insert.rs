@@ -59,7 +59,7 @@ fn places(cdt: &ConstrainedTriangulation) -> Vec<Proposal> {
     inside.chain(cdt.edges().map(on_edge)).collect()
 }
 
-/// Puts a vertex in at a place as the step plans it; `None` where it was refused.
+/// Inserts a vertex at a place as the step plans it; `None` if the place was refused.
 fn put_in(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal) -> (Point, Option<VertexId>) {
     let site = match place {
         Proposal::Free { point, locus } => Site::Free(point, locus),
@@ -72,14 +72,15 @@ fn put_in(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal) 
     (site.point(), carried_out(step, edit, place, site))
 }
 
-/// Carries out what the step plans for a place, at a site.
+/// Executes the plan of the step for a place, at a site.
 fn carried_out(step: &dyn InsertStep, edit: &mut Edit<'_, UndoLog>, place: Proposal, site: Site) -> Option<VertexId> {
     let (mut faces, options) = (Vec::new(), RefineOptions::default());
     let plan = step.plan(view(edit, &options), place, &mut faces);
     carry_out(edit, (plan, &faces), site, step.traits().keeps_delaunay)
 }
 
-/// The vertex lies where it was put, the triangulation is sound, segments are whole, and all of it can be taken back.
+/// The vertex lies where it was inserted, the triangulation is sound, segments are whole, and rollback restores
+/// everything.
 fn goes_in_and_comes_out(
     step: &dyn InsertStep,
     start: &ConstrainedTriangulation,
@@ -101,7 +102,7 @@ fn goes_in_and_comes_out(
     ensure(cdt == *start, || format!("{point} taken out, it is not what it was"))
 }
 
-/// What is flipped instead of an insertion is no segment, and fails the circle test where that is kept.
+/// An edge that is flipped instead of an insertion is no segment, and fails the circle test if that is kept.
 fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(), Breach> {
     let (step, options) = (subject.steps().insert, subject.options());
     let Plan::Flip(h) = step.plan(view(cdt, &options), place, &mut Vec::new()) else { return Ok(()) };
@@ -110,7 +111,7 @@ fn flips_only_what_can_be(subject: &Subject, cdt: &ConstrainedTriangulation, pla
     ensure(is_fine, || format!("half-edge {h} is to be flipped, and must not be"))
 }
 
-/// The mesh of all middles, one after the other, each where it lies by then.
+/// The mesh after inserting all middles in turn, each at its locus by then.
 fn all_in(step: &Arc<dyn InsertStep + Send + Sync>, mut cdt: ConstrainedDelaunay) -> (Vec<Point>, Vec<[VertexId; 3]>) {
     let mut log = UndoLog::new();
     let middles: Vec<Point> = places(&cdt)

@@ -1,11 +1,11 @@
-//! The laws of refinement: what holds whatever the strategies are.
+//! The laws of refinement, which hold with all strategies.
 //!
 //! 1. *Sound*: after every step the triangulation has all its invariants, the circle test among them where step 4 keeps
 //!    it. (Before the loop, while many edges are being flipped, only at the end.)
 //! 2. *Faithful*: the vertices of the drawing stay where they are.
-//! 3. *Bounded*: it ends by itself, and with no more vertices than the budget.
-//! 4. *Deterministic*: another triangulator before it leads to the same mesh; ties and rounding depend on no slot.
-//! 5. *Reversible*: taken back step by step, it comes to the arrays of the start.
+//! 3. *Bounded*: it ends by itself, with no more vertices than the budget.
+//! 4. *Deterministic*: the mesh does not depend on the triangulator before it; ties and rounding depend on no slot.
+//! 5. *Reversible*: taking back all steps restores the arrays of the start.
 
 use super::{Breach, MOST_STEPS, MOST_VERTICES, Subject, drawings, ensure};
 use crate::constrained::ConstrainedTriangulation;
@@ -46,7 +46,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     ensure(*refinement.triangulation() == end, || "once more, it goes another way".to_owned())
 }
 
-/// Runs step by step under the first three laws, asking `more` of each step; says how many there were.
+/// Runs step by step under the first three laws, and calls `more` after each step; returns the number of steps.
 pub(super) fn run(
     subject: &Subject,
     pslg: &Pslg,

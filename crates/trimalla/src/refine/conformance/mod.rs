@@ -1,13 +1,13 @@
-//! What every strategy must keep: one suite for each of the five steps, for the library's own strategies and for any
-//! other.
+//! The laws that every strategy must keep: one suite for each of the five steps, for the library's own strategies and
+//! for others.
 //!
-//! | suite | asks of the step itself | and of refinement with it |
+//! | suite | requires of the step itself | and of refinement with it |
 //! |---|---|---|
-//! | [`prepare()`] | one answer for both sides of a subsegment | nothing that asks for a split is left unsplit |
-//! | [`select()`] | priority is a number and depends on no slot | the most urgent is taken; what is taken is there, and bad |
-//! | [`point()`] | places lie where their locus says, and depend on no slot | |
-//! | [`insert()`] | the vertex is where it was put, and can be taken back | with the circle test kept: the mesh of Lawson's flips |
-//! | [`recover()`] | | segments are locked as it says; what is missing is reported |
+//! | [`prepare()`] | the same answer for both sides of a subsegment | no subsegment that needs a split is left |
+//! | [`select()`] | priority is a number and does not depend on slots | the lowest priority is treated first; the triangle exists, and is bad |
+//! | [`point()`] | places lie at their locus, and do not depend on slots | |
+//! | [`insert()`] | the vertex lies at its place, and rollback restores everything | with the circle test kept: the mesh of Lawson's flips |
+//! | [`recover()`] | | segments are locked as its traits say; missing ones are reported |
 //!
 //! Each of them ends with the [laws of refinement](laws()): sound after every step, bounded, deterministic, reversible.
 //!
@@ -65,7 +65,7 @@ pub use select::select;
 
 /// Vertices that a run of a suite may have.
 const MOST_VERTICES: usize = 80;
-/// Steps after which a run of so few vertices must have ended.
+/// The largest number of steps of such a run.
 const MOST_STEPS: usize = 20_000;
 /// The angle bound of the suites, in degrees: above what is proved, so that limits are met too.
 const BOUND_DEG: f64 = 28.0;
@@ -75,10 +75,10 @@ const BOUND_DEG: f64 = 28.0;
 #[error("{0}")]
 pub struct Breach(pub String);
 
-/// Puts steps of the caller's own in the place of the recipe's.
+/// Replaces steps of the recipe by the caller's own.
 type Change = dyn Fn(&RefineOptions, &mut Steps) + Send + Sync;
 
-/// What is put through a suite: a recipe, perhaps with steps from outside.
+/// The subject of a suite: a recipe, perhaps with steps from outside.
 #[derive(Clone, Default)]
 pub struct Subject {
     recipe: Recipe,
@@ -92,7 +92,7 @@ impl Subject {
         Self { recipe, change: None }
     }
 
-    /// The same with steps of the caller's own: `change` puts them in the place of the recipe's.
+    /// Adds steps of the caller's own: `change` replaces those of the recipe.
     #[must_use]
     pub fn with_steps(mut self, change: impl Fn(&RefineOptions, &mut Steps) + Send + Sync + 'static) -> Self {
         self.change = Some(Arc::new(change));
@@ -141,7 +141,7 @@ fn ensure(holds: bool, breach: impl FnOnce() -> String) -> Result<(), Breach> {
     if holds { Ok(()) } else { Err(Breach(breach())) }
 }
 
-/// Three vertices in order: what a triangle is called, whatever slot it has.
+/// Three vertices in ascending order: the name of a triangle, which does not depend on its slot.
 fn name(cdt: &ConstrainedTriangulation, face: FaceId) -> [VertexId; 3] {
     super::criteria::bad_triangles::sorted(cdt.face_vertices(face))
 }
@@ -156,13 +156,13 @@ fn by_name(cdt: &ConstrainedTriangulation) -> Vec<FaceId> {
 /// The options of the suites bound no size, and their drawings have no regions.
 static NO_SIZE_BOUNDS: SizeBounds = SizeBounds::NONE;
 
-/// What a step sees.
+/// The view that a step gets.
 fn view<'a>(cdt: &'a ConstrainedTriangulation, options: &'a RefineOptions) -> View<'a> {
     let ruler = Ruler::for_box(cdt.bounding_box());
     View { cdt, criteria: &options.criteria, size: &NO_SIZE_BOUNDS, ruler, longest_walk: usize::MAX }
 }
 
-/// Makes a test of each named strategy, and one that none is missing.
+/// Makes a test of each named strategy, and a test that no strategy is missing.
 #[cfg(test)]
 macro_rules! conforms {
     ($suite:ident, $field:ident: $kind:ty { $($test:ident => $variant:ident,)* }) => {

@@ -11,7 +11,7 @@ use crate::refine::steps::{Places, Proposal};
 
 /// No strategy needs more places than this for one triangle.
 const MOST_PLACES: usize = 16;
-/// A point on an edge may be off it by its rounding: so many units in the last place of the largest coordinate.
+/// The largest distance of a point on an edge from the edge, in units in the last place of the largest coordinate.
 const ROUNDING_ULPS: f64 = 4.0;
 
 /// Puts a step 3 through its suite.
@@ -19,7 +19,7 @@ const ROUNDING_ULPS: f64 = 4.0;
 /// # Errors
 /// The first [`Breach`].
 pub fn point(subject: &Subject) -> Result<(), Breach> {
-    // A false locus would spoil a triangulation: nothing is inserted before the start has been looked at.
+    // A false locus would break a triangulation, so the proposals at the start are tested before anything is inserted.
     for (drawing, pslg) in drawings::all() {
         at_the_start(subject, &pslg).map_err(|Breach(breach)| Breach(format!("{drawing}: {breach}")))?;
     }
@@ -44,10 +44,10 @@ fn on_the_way(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     Ok(())
 }
 
-/// A place in words that know no slot: kind, edge, point.
+/// A description of a place that does not depend on slots: kind, edge, point.
 type Description = (&'static str, Option<[VertexId; 2]>, Option<[u64; 2]>);
 
-/// The places of every triangle, each where it says it is.
+/// The places of every triangle; each must lie at its locus.
 fn described(subject: &Subject, cdt: &ConstrainedTriangulation) -> Result<Vec<Vec<Description>>, Breach> {
     let (step, options) = (subject.steps().point, subject.options());
     let of_face = |face: FaceId| {

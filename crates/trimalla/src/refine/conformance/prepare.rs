@@ -33,7 +33,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     Ok(())
 }
 
-/// Both half-edges of a subsegment get one answer, and the same one when asked again.
+/// Both half-edges of a subsegment get the same answer, also when tested again.
 fn one_answer_for_both_sides(subject: &Subject, refinement: &Refinement, step: &dyn PrepareStep) -> Result<(), Breach> {
     let (cdt, options) = (refinement.triangulation(), subject.options());
     for h in marked(refinement) {
@@ -47,7 +47,7 @@ fn one_answer_for_both_sides(subject: &Subject, refinement: &Refinement, step: &
     Ok(())
 }
 
-/// A step that lasts leaves no subsegment that asks for a split and has room for one.
+/// A lasting step leaves no subsegment that needs a split and has room for one.
 fn nothing_is_left(subject: &Subject, refinement: &Refinement, step: &dyn PrepareStep) -> Result<(), Breach> {
     let (cdt, options) = (refinement.triangulation(), subject.options());
     let floor = 1e-9 * cdt.bounding_box().map_or(0.0, |b| b.width().max(b.height()));

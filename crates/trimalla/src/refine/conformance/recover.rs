@@ -33,16 +33,18 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
         })
     })?;
     let (cdt, report) = refinement.finish();
-    let told: BTreeSet<u32> = report.lost_segments.iter().map(|s| s.0).collect();
+    let reported: BTreeSet<u32> = report.lost_segments.iter().map(|s| s.0).collect();
     let missing = missing(&cdt, pslg);
-    ensure(missing == told, || format!("segments {missing:?} are missing in the end, and {told:?} are told of"))?;
+    ensure(missing == reported, || {
+        format!("segments {missing:?} are missing in the end, and {reported:?} are reported")
+    })?;
     let must_be_whole = promised.locks_segments || promised.restores_segments && is_finished;
-    ensure(told.is_empty() || !must_be_whole, || {
-        format!("segments {told:?} are lost, though the step promises none is")
+    ensure(reported.is_empty() || !must_be_whole, || {
+        format!("segments {reported:?} are lost, though the step promises none is")
     })
 }
 
-/// Every edge with a triangle on one side alone is marked, so that nothing flips it or walks across.
+/// Every edge with a triangle on only one side is marked, so that no flip and no walk crosses it.
 fn the_boundary_is_locked(cdt: &ConstrainedTriangulation) -> Result<(), Breach> {
     let open = cdt.edges().find(|&h| {
         let sides = [h, cdt.twin(h)].map(|side| cdt.is_real(side.face()));

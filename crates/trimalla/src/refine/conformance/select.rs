@@ -29,7 +29,7 @@ pub fn select(subject: &Subject) -> Result<(), Breach> {
     laws(subject)
 }
 
-/// Priority is neither negative nor no number, the same when asked again, and depends on no slot.
+/// Priority is neither negative nor NaN, the same when computed again, and does not depend on slots.
 fn priority_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     let (step, options) = (subject.steps().select, subject.options());
     let priorities = |algorithm: AlgorithmKey| -> Result<Vec<([VertexId; 3], u64)>, Breach> {
@@ -47,11 +47,12 @@ fn priority_is_a_number(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     ensure(both[0] == both[1], || "priority depends on where a triangle is stored".to_owned())
 }
 
-/// The first triangle that is treated is one of those that can wait least.
+/// The first triangle that is treated has the lowest priority value.
 fn the_most_urgent_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     let (step, options) = (subject.steps().select, subject.options());
     let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
-    // Splits of subsegments come first, and change what is bad: only where there are none the order of the start holds.
+    // Splits of subsegments come first, and change which triangles are bad: the order of the start holds only without
+    // them.
     let before = refinement.triangulation().clone();
     let event = refinement.step();
     let Some((taken, badness)) = event.selected else { return Ok(()) };
@@ -69,7 +70,7 @@ fn the_most_urgent_is_taken(subject: &Subject, pslg: &Pslg) -> Result<(), Breach
     ensure(own <= least * STEP, || format!("{taken:?} of priority {own} is taken, though one has {least}"))
 }
 
-/// What is selected is a triangle of the mesh, and bad, or picked.
+/// The selected triangle exists in the mesh, and is bad or picked.
 fn what_is_taken_is_there(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
     let (is_manual, options) = (subject.steps().select.traits().is_manual, subject.options());
     let mut refinement = subject.begin(pslg, AlgorithmKey::Incremental)?;
@@ -92,11 +93,15 @@ fn what_is_taken_is_there(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> 
     Ok(())
 }
 
-/// In the end every triangle that is still bad is told of.
-fn everything_was_taken(cdt: &ConstrainedTriangulation, told: usize, options: &RefineOptions) -> Result<(), Breach> {
+/// At the end the report lists every triangle that is still bad.
+fn everything_was_taken(
+    cdt: &ConstrainedTriangulation,
+    reported: usize,
+    options: &RefineOptions,
+) -> Result<(), Breach> {
     let bad: BTreeSet<_> =
         by_name(cdt).into_iter().filter(|&f| is_bad(cdt, f, options)).map(|f| name(cdt, f)).collect();
-    ensure(bad.len() == told, || format!("{} triangles are bad in the end, and {told} are told of", bad.len()))
+    ensure(bad.len() == reported, || format!("{} triangles are bad in the end, and {reported} are reported", bad.len()))
 }
 
 fn is_bad(cdt: &ConstrainedTriangulation, face: FaceId, options: &RefineOptions) -> bool {

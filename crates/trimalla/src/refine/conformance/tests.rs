@@ -1,4 +1,4 @@
-//! Strategies that break a law, and the suite that notices.
+//! Strategies that break a law, and the suites that detect them.
 
 use super::*;
 use crate::geometry::{Point, Triangle};
@@ -20,7 +20,7 @@ impl PrepareStep for OneSided {
     }
 }
 
-/// Wants long subsegments split once there are some new vertices: by then most of them are never looked at again.
+/// Needs long subsegments split once there are some new vertices: by then most of them are never tested again.
 struct LateDemand {
     after: usize,
 }
@@ -33,7 +33,7 @@ impl PrepareStep for LateDemand {
 }
 
 #[test]
-fn a_step_1_without_one_answer_is_noticed() {
+fn a_step_1_without_one_answer_is_detected() {
     let subject = Subject::default().with_steps(|_, steps| steps.prepare = Arc::new(OneSided));
     assert!(breach(prepare(&subject)).contains("on one side and not on the other"));
     let found = (MOST_VERTICES / 4..MOST_VERTICES).find_map(|after| {
@@ -60,7 +60,7 @@ impl SelectStep for BySlot {
 }
 
 #[test]
-fn a_step_2_without_order_is_noticed() {
+fn a_step_2_without_order_is_detected() {
     let subject = Subject::default().with_steps(|_, steps| steps.select = Arc::new(NoNumber));
     assert!(breach(select(&subject)).contains("NaN"));
     let subject = Subject::default().with_steps(|_, steps| steps.select = Arc::new(BySlot));
@@ -68,7 +68,7 @@ fn a_step_2_without_order_is_noticed() {
     assert!(found.contains("where a triangle is stored") || found.contains("another mesh"), "{found}");
 }
 
-/// Says that its point is inside the triangle, which it need not be.
+/// Claims that its point is inside the triangle, which need not be so.
 struct FalseLocus;
 
 impl PointStep for FalseLocus {
@@ -100,7 +100,7 @@ impl PointStep for FirstStored {
 }
 
 #[test]
-fn a_step_3_that_does_not_say_where_is_noticed() {
+fn a_step_3_that_does_not_say_where_is_detected() {
     let with = |step: Arc<dyn PointStep + Send + Sync>| {
         breach(point(&Subject::default().with_steps(move |_, steps| steps.point = Arc::clone(&step))))
     };
@@ -132,13 +132,13 @@ impl InsertStep for Flipper {
 }
 
 #[test]
-fn a_step_4_that_spoils_is_noticed() {
+fn a_step_4_that_breaks_the_mesh_is_detected() {
     let with = |step: Arc<dyn InsertStep + Send + Sync>| {
         insert(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step)))
     };
     assert!(breach(with(Arc::new(CornerRemover))).contains("another mesh than Lawson's flips"));
     assert!(breach(with(Arc::new(Flipper))).contains("must not be"));
-    // What they plan is refused: nothing is spoiled.
+    // The loop refuses their plans, so the triangulation stays sound.
     for step in [Arc::new(CornerRemover) as Arc<dyn InsertStep + Send + Sync>, Arc::new(Flipper)] {
         laws(&Subject::default().with_steps(move |_, steps| steps.insert = Arc::clone(&step))).unwrap();
     }
@@ -157,8 +157,8 @@ impl InsertStep for Neighbourhood {
     }
 }
 
-/// Where the point does not see all of the faces, its place is refused, so that the mesh is another one; the circle
-/// test is kept all the same.
+/// If the point does not see all of the faces, its place is refused, so the mesh differs; the circle test is kept all
+/// the same.
 #[test]
 fn faces_of_a_steps_own_are_replaced() {
     let subject = Subject::default().with_steps(|_, steps| steps.insert = Arc::new(Neighbourhood));

@@ -3,7 +3,7 @@
 //! [`Criterion::badness`] decides for one triangle. Two faster tests decide for most triangles without it:
 //!
 //! * [`UniformBounds`]: bounds on angle and area that hold for all triangles alike. A triangle that misses one is bad;
-//!   one that keeps all is good where nothing further is required.
+//!   one that keeps all is good, unless more is required.
 //! * [`SufficientBounds`]: a triangle that keeps them is good, whatever its region.
 
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::quality::aspect_ratio;
 use crate::refine::recipe::options::Criteria;
 use crate::size::{AreaBound, SizeBounds, SizeField, TriangleInRegion};
 
-/// Bounds that no bad triangle keeps, whatever its region.
+/// Sufficient bounds: a triangle that keeps them is good, whatever its region.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::refine) struct SufficientBounds {
     /// The squared sine of the smallest angle is above this.
@@ -51,15 +51,15 @@ pub(in crate::refine) struct UniformBounds {
 }
 
 impl UniformBounds {
-    /// The same bounds, where they decide for no triangle alone.
+    /// These bounds, marked so that they decide for no triangle alone.
     pub(in crate::refine) fn undecided(self) -> Self {
         Self { are_all: false, ..self }
     }
 
     /// Whether a triangle is bad; `None` where [`Criterion::badness`] must decide: where more than these bounds is
-    /// required, or rounding leaves the answer open.
+    /// required, or rounding leaves the result open.
     ///
-    /// The two sides are those from the first corner to the second and to the third.
+    /// The two sides lead from the first corner to the second and to the third.
     #[inline(always)] // In the loop over the triangles around a new vertex.
     pub(in crate::refine) fn is_bad(self, [_, b, c]: [Point; 3], [u, v]: [Side; 2]) -> Option<bool> {
         let doubled_area = u.along.cross(v.along);
@@ -71,7 +71,7 @@ impl UniformBounds {
     }
 
     /// Whether each of two triangles with these corners is bad; `None` where [`Criterion::badness`] must decide, as
-    /// wherever the area is bounded.
+    /// always under an area bound.
     #[inline(always)] // In the loop over all triangles.
     pub(in crate::refine) fn are_bad(self, [a, b, c]: [[Point; 2]; 3]) -> [Option<bool>; 2] {
         let are_all = self.are_all && self.doubled_area == f64::INFINITY;
@@ -83,7 +83,7 @@ impl UniformBounds {
 /// A test of the caller's own: whether a triangle must be refined.
 pub type UserTest = dyn Fn(TriangleInRegion) -> bool + Send + Sync;
 
-/// What makes a triangle bad, ready to be tested.
+/// The test for bad triangles.
 #[derive(Clone)]
 pub(in crate::refine) struct Criterion {
     /// The squared cosine of the angle bound; `None` where no angle is required.
@@ -115,17 +115,18 @@ impl Criterion {
         &self.size
     }
 
-    /// The caller's own test, if there is one.
+    /// The caller's own test, if any.
     pub(in crate::refine) fn user_test(&self) -> Option<Arc<UserTest>> {
         self.user_test.clone()
     }
 
-    /// The criterion with a test of the caller's own, in place of one that it had.
+    /// The criterion with this test of the caller's own, which replaces the one before.
     pub(in crate::refine) fn with_user_test(self, user_test: Arc<UserTest>) -> Self {
         Self { user_test: Some(user_test), ..self }
     }
 
-    /// What is wrong with a face that has these corners; the size is tested first. Angles are certified exactly.
+    /// What is wrong with a face that has these corners, if anything; tests the size first. Angles are certified
+    /// exactly.
     #[inline(never)]
     pub(in crate::refine) fn badness(
         &self,
@@ -158,13 +159,13 @@ impl Criterion {
     #[inline]
     pub(in crate::refine) fn uniform_bounds(&self) -> UniformBounds {
         let asks_more = self.user_test.is_some() || self.max_aspect_ratio < f64::INFINITY;
-        // Without a bound on angles a triangle need only be more than flat.
+        // Without a bound on angles a triangle must only have a positive area.
         let sine_sq = 1.0 - self.cos_sq.unwrap_or(1.0);
         let are_all = !asks_more && self.size.are_uniform();
         UniformBounds { sine_sq, doubled_area: self.size.everywhere().doubled(), are_all }
     }
 
-    /// Bounds that no bad triangle keeps; none can be kept where a user test or an aspect ratio decides.
+    /// Sufficient bounds; no triangle keeps them if there is a user test or a bound on the aspect ratio.
     pub(in crate::refine) fn sufficient_bounds(&self) -> SufficientBounds {
         let is_sure = self.user_test.is_none() && self.max_aspect_ratio == f64::INFINITY;
         SufficientBounds {
@@ -173,7 +174,7 @@ impl Criterion {
         }
     }
 
-    /// The area bound by which a face is filled and its share of the mesh estimated.
+    /// The area bound by which a face is filled, and its number of triangles estimated.
     pub(in crate::refine) fn expected_bound(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> AreaBound {
         if self.size.are_uniform() {
             self.size.everywhere()
@@ -194,7 +195,7 @@ impl Criterion {
     }
 }
 
-/// Three vertices in ascending order, which name a triangle whatever its slot.
+/// Three vertices in ascending order: the name of a triangle, which does not depend on its slot.
 #[inline]
 pub(in crate::refine) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
     let (low, high) = (a.min(b), a.max(b));

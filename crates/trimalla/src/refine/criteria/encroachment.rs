@@ -12,7 +12,7 @@ use crate::refine::measure::ruler::Ruler;
 use crate::refine::recipe::Encroachment;
 use crate::refine::recipe::options::Criteria;
 
-/// The points from which a subsegment is seen at a given angle or more, 90 degrees at least.
+/// The points that see a subsegment at a given angle or more, at least 90 degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::refine) struct Region {
     /// Squared cosine of that angle; 0 for the disk.
@@ -34,8 +34,7 @@ impl Region {
         Self { cos_sq }
     }
 
-    /// Whether free vertices in the diametral disk are deleted before a split: where the region is smaller than the
-    /// disk.
+    /// Whether free vertices in the diametral disk are deleted before a split: if the region is smaller than the disk.
     pub(in crate::refine) fn is_lens(self) -> bool {
         self.cos_sq > 0.0
     }
@@ -47,7 +46,7 @@ impl Region {
         }
         let (u, v) = (ruler.vector(p, a), ruler.vector(p, b));
         let dot = u.dot(v);
-        // Not `&&`: nobody can guess which of the two fails.
+        // Branch-free `&`: which of the two fails is unpredictable.
         (dot < 0.0) & (dot * dot >= self.cos_sq * u.length_sq() * v.length_sq())
     }
 }

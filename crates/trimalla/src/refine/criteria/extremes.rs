@@ -1,7 +1,8 @@
-//! Which triangles of a mesh have its smallest and its largest angle, behind a filter that passes over nearly all.
+//! The triangles of a mesh with its smallest and its largest angle, found behind a filter that skips nearly all
+//! triangles.
 //!
-//! The filter tests two triangles at a time, with few products and no quotient, in the units of the drawing and from
-//! any corner on. A triangle that it passes is good, and has neither of the extreme angles; its margin is far above
+//! The filter tests two triangles at a time, with few products and no division, in the units of the drawing and from
+//! any corner. A triangle that it passes is good, and has neither of the extreme angles; its margin is far above
 //! rounding. [`Extremes::include`] measures the other triangles, and the caller tests whether they are bad.
 
 use super::bad_triangles::SufficientBounds;
@@ -11,9 +12,9 @@ use crate::geometry::{BoundingBox, Point, Triangle};
 use crate::half_edge::FaceId;
 use crate::refine::measure::ruler::Ruler;
 
-/// The relative error of every sum and quotient of products here is below this.
+/// Bound on the relative error of every sum and quotient of products here.
 const SLACK: f64 = 1e-12;
-/// A product of four lengths that is at least this has lost nothing to underflow.
+/// A product of four lengths that is at least this has not lost digits to underflow.
 const ORDINARY: f64 = 1e-280;
 /// Coordinates up to this have finite differences.
 const HUGE: f64 = 1e307;
@@ -77,7 +78,7 @@ impl Sides<f64> {
     }
 }
 
-/// The triangles with the smallest and with the largest angle, of those included so far.
+/// The triangles with the smallest and with the largest angle, among those included so far.
 pub(in crate::refine) struct Extremes {
     pub(in crate::refine) sharpest: Option<FaceId>,
     pub(in crate::refine) bluntest: Option<FaceId>,

@@ -1,4 +1,4 @@
-//! The shortest lengths: what the caller asks, and what rounding leaves room for.
+//! The shortest lengths allowed: the caller's length floor, and the precision floor that rounding requires.
 
 use super::reason::Reason;
 use crate::constrained::ConstrainedTriangulation;
@@ -8,22 +8,22 @@ use crate::refine::measure::ruler::Ruler;
 use crate::refine::recipe::options::RefineOptions;
 use crate::refine::steps::InsertTraits;
 
-/// Bisection may shorten the shortest edge of the input by this factor for the sake of angles.
+/// Bisection may shorten the shortest edge of the input by this factor to improve angles.
 const BISECTIONS: f64 = 4.0;
 
-/// The shortest lengths.
+/// The shortest lengths allowed.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::refine) struct Floors {
     /// The square of the shortest distance allowed between vertices, in the ruler's units.
     pub(in crate::refine) floor_sq: f64,
-    /// What a distance below it is called.
+    /// The reason reported for a distance below it.
     pub(in crate::refine) floor_reason: Reason,
-    /// The square of the shortest distance at which rounding leaves room, in the ruler's units: the floor or less.
+    /// The square of the precision floor, in the ruler's units: the length floor or less.
     pub(in crate::refine) precision_sq: f64,
-    /// That distance in coordinate units.
+    /// The precision floor in coordinate units.
     pub(in crate::refine) precision: f64,
-    /// Bisection stops at triangles with an edge shorter than this, squared; 0 for a step 4 that does not keep small
-    /// angles.
+    /// Bisection stops at triangles with an edge whose squared length is below this; 0 for a step 4 that does not keep
+    /// small angles.
     pub(in crate::refine) bisection_floor_sq: f64,
 }
 
@@ -46,9 +46,9 @@ impl Floors {
         floors.for_insert(cdt, ruler, insert)
     }
 
-    /// The same for that step 4.
+    /// Replaces the bisection floor by that of this step 4.
     ///
-    /// Edges that are shorter than rounding leaves room for do not count.
+    /// Edges below the precision floor do not count.
     pub(in crate::refine) fn for_insert(
         self,
         cdt: &ConstrainedTriangulation,
@@ -68,7 +68,7 @@ impl Floors {
     }
 }
 
-/// The length floor in the ruler's units, and the reason it is given as.
+/// The length floor in the ruler's units, and the reason reported for distances below it.
 pub(in crate::refine) fn length_floor(
     bounds: Option<BoundingBox>,
     options: &RefineOptions,
@@ -81,7 +81,7 @@ pub(in crate::refine) fn length_floor(
     }
 }
 
-/// The shortest distance at which rounding leaves room for vertices, in the ruler's units.
+/// The precision floor, the shortest distance at which rounding leaves room for vertices, in the ruler's units.
 pub(in crate::refine) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
     let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
     largest * ruler.scale() * 256.0 * f64::EPSILON

@@ -64,7 +64,7 @@ impl Reason {
         }
     }
 
-    /// Whether the input itself forces it, so that no refinement could do better.
+    /// Whether the input itself forces the triangle to stay bad: no refinement could do better.
     #[must_use]
     pub const fn is_forced(self) -> bool {
         matches!(self, Self::InputAngle | Self::AcrossSmallInputAngle | Self::InputGap)

@@ -1,4 +1,4 @@
-//! Going on under other options.
+//! Changing the options of a refinement under way.
 
 use super::Refinement;
 use super::start::Start;
@@ -8,9 +8,9 @@ use crate::refine::watch::report::Report;
 use crate::triangulation::Triangulation;
 
 impl Refinement {
-    /// Goes on under other options, with the steps of their recipe: all triangles are held against the new criteria.
-    /// Size fields and a test of the caller's own stay; what was picked does not. [`back`](Self::back) leads to the old
-    /// options, too.
+    /// Continues under other options, with the steps of their recipe: all triangles are tested by the new criteria.
+    /// Size fields and a test of the caller's own stay; picked triangles are dropped. [`back`](Self::back) restores the
+    /// old options, too.
     ///
     /// # Errors
     /// [`OptionError`]; nothing has changed then.

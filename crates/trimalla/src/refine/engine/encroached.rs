@@ -1,24 +1,24 @@
-//! Subsegments that wait for their split, and what is known of it.
+//! Queued splits of subsegments.
 
 use crate::geometry::Point;
 use crate::half_edge::{HalfEdgeId, VertexId};
 
-/// A subsegment that waits to be split, lower vertex first.
+/// A subsegment queued for its split, lower vertex first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Encroached {
     pub(super) ends: [VertexId; 2],
-    /// Split it even if nothing encroaches upon it: it stood in the way of a point.
+    /// Whether it is split even if no vertex encroaches upon it, since it was in the way of a point.
     pub(super) forced: bool,
-    /// What was found when it was queued: it needed the split, and had room.
+    /// The plan made when it was queued: it needed the split, and there was room.
     pub(super) plan: SplitPlan,
 }
 
-/// What is found about the split of a subsegment; it holds as long as the two triangles beside it stay.
+/// How a subsegment is split; valid as long as its two triangles do not change.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SplitPlan {
     pub(super) half_edge: HalfEdgeId,
     pub(super) apexes: [VertexId; 2],
-    /// Whether at its ends other segments join.
+    /// Whether other segments meet its origin and its dest, in this order.
     pub(super) acute: [bool; 2],
     pub(super) place: SplitPlace,
 }
@@ -27,6 +27,6 @@ pub(super) struct SplitPlan {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SplitPlace {
     pub(super) point: Point,
-    /// The circle that it lies on around an end, as its number, and whether that end is `dest`.
+    /// The exponent of its circle around an end, if it lies on one, and whether that end is `dest`.
     pub(super) shell: Option<(i16, bool)>,
 }

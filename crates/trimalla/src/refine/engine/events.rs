@@ -1,4 +1,4 @@
-//! Telling what a step did, where somebody wants to know.
+//! Events: what a step did, for callers and observers that ask for events.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::refine::watch::event::{Candidate, Event, InsertedKind, InsertedVertex
 use crate::refine::watch::observer::Observer;
 
 impl Refinement {
-    /// One step, and what it did; [`back`](Self::back) takes it back.
+    /// Makes one step and returns what it did; [`back`](Self::back) takes it back.
     ///
     /// # Complexity
     /// That of the step.
@@ -21,7 +21,7 @@ impl Refinement {
         self.recorded(|refinement| refinement.advance_with_event(number))
     }
 
-    /// One step of a run, told to an observer.
+    /// Makes one step of a run and passes its event to an observer.
     pub(super) fn step_observed(&mut self, observer: &mut dyn Observer) -> StepOutcome {
         self.ledger.steps_observed += 1;
         let event = self.recorded(|refinement| refinement.advance_with_event(refinement.ledger.steps_observed));
@@ -40,14 +40,14 @@ impl Refinement {
         event
     }
 
-    /// Adds to the event, where there is one.
+    /// Adds to the event, if one is recorded.
     pub(super) fn note(&mut self, add: impl FnOnce(&mut Event)) {
         if let Some(event) = &mut self.ledger.event {
             add(event);
         }
     }
 
-    /// Adds to the event, where there is one, which triangle is to be treated.
+    /// Adds the selected triangle to the event, if one is recorded.
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_selected(&mut self, face: FaceId) {
         if self.ledger.event.is_some() {
@@ -67,7 +67,7 @@ impl Refinement {
         });
     }
 
-    /// Adds to the event, where there is one, what became of a place.
+    /// Adds a place and the result of trying it to the event, if one is recorded.
     #[inline(always)] // For each triangle, and there is hardly ever an event.
     pub(super) fn note_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
         if self.ledger.event.is_some() {
@@ -78,7 +78,7 @@ impl Refinement {
     #[cold]
     #[inline(never)]
     fn add_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
-        // Where it was taken the half-edge is another one now, but its ends are told by the event's other fields.
+        // After an insertion the half-edge is another one; other fields of the event give its ends.
         let (point, edge) = match place {
             Proposal::Free { point, .. } => (Some(point), None),
             Proposal::OnEdge { edge, point } => (Some(point), tried.is_err().then(|| self.ends(edge))),
@@ -87,7 +87,7 @@ impl Refinement {
         self.note(|event| event.candidates.push(Candidate { point, edge, refused: tried.err() }));
     }
 
-    /// Counts a vertex that is in to stay, and notes it.
+    /// Counts an inserted vertex, and adds it to the event.
     pub(super) fn note_inserted(&mut self, vertex: VertexId, kind: InsertedKind) {
         self.ledger.report.inserted[kind as usize] += 1;
         self.ledger.newest = Some(vertex);
@@ -100,10 +100,11 @@ impl Refinement {
         [a.min(b), a.max(b)]
     }
 
-    /// The triangles that the log says are no more, and those that are new.
+    /// The triangles that the step destroyed and those that it made, by the log.
     fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
         let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
-        // The oldest entry of a half-edge is what stood there before the step: later ones overwrite, so go backwards.
+        // The oldest entry of a half-edge holds its value before the step. Going backwards, older entries overwrite
+        // newer ones.
         for entry in self.scratch.log.entries().rev().filter(|e| e.column == columns::ORIGIN) {
             let (face, corner) = (entry.index / 3, (entry.index % 3) as usize);
             let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));

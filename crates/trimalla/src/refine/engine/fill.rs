@@ -5,19 +5,19 @@
 //!     │ \             │        │               │        │\/ \/ \/ \/ \/│
 //!     │    \          │  ──>   │   o  o  o  o  │  ──>   │ o──o──o──o─ │     1. Long subsegments beside triangles that are
 //!     │       \       │        │  o  o  o  o   │        │/ \/ \/ \/ \ │        too large are halved.
-//!     │          \    │        │   o  o  o  o  │        │ o──o──o──o─ │     2. Nodes go in that keep clear of vertices and
+//!     │          \    │        │   o  o  o  o  │        │ o──o──o──o─ │     2. Nodes are inserted that keep clear of vertices and
 //!     │             \ │        │               │        │/\ /\ /\ /\ /│        subsegments.
-//!     └───────────────┘        └──┴──┴──┴──┴──┘        └──┴──┴──┴──┴──┘     3. The loop does what is left along them.
+//!     └───────────────┘        └──┴──┴──┴──┴──┘        └──┴──┴──┴──┴──┘     3. The loop refines the rest along the subsegments.
 //! ```
 //!
-//! Nodes go in in the order in which a point set is triangulated, with no look at what is around them: only when all
-//! are in the bad triangles are looked for. That is faster than the loop, and the mesh is smaller: a lattice of
-//! triangles just below the bound has about two for every three that the loop makes.
+//! Nodes are inserted in the order in which a point set is triangulated, without testing the faces around them: all
+//! triangles are tested after the last node. That is faster than the loop, and the mesh is smaller: of triangles just
+//! below the area bound, a lattice has about two for every three that the loop makes.
 //!
 //! # Guarantees
-//! Those of the loop, which has the last word. When a node goes in, no vertex that it sees and no subsegment around its
-//! cavity is nearer than [`CLEARANCE`] spacings, and it encroaches upon none of these: it is no finer a feature than
-//! what the area bound asks for anyhow.
+//! Those of the loop, which runs afterwards. When a node is inserted, no vertex that it sees and no subsegment on the
+//! rim of its cavity is nearer than [`CLEARANCE`] spacings, and it encroaches upon none of these. So a node makes no
+//! feature finer than the area bound requires.
 //!
 //! # Source
 //! Ours. The lattice is the densest packing, `[FejesToth53]`.
@@ -36,7 +36,7 @@ use crate::refine::recipe::Initial;
 use crate::refine::watch::event::InsertedKind;
 use crate::refine::watch::stopwatch::Part;
 
-/// A node goes in where nothing is nearer than this, in spacings.
+/// The least distance of a node from vertices and subsegments, in spacings.
 const CLEARANCE: f64 = 0.65;
 /// Subsegments beside the lattice are at most this long, squared, in spacings: about as long as the loop would leave
 /// them under the same area bound at 30 degrees.
@@ -45,7 +45,7 @@ const LONGEST_SQ: f64 = 3.0;
 const NARROWEST_SQ: f64 = 0.25;
 
 impl Refinement {
-    /// Where the filling begins.
+    /// The first stage of the filling.
     pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> FillStage {
         let is_delaunay =
             self.strategy.traits.insert.keeps_delaunay && self.problem.options.recipe.initial != Initial::Given;
@@ -61,7 +61,7 @@ impl Refinement {
         bounds.filter(is_wanted).map_or(FillStage::Done, FillStage::Segments)
     }
 
-    /// One step of the filling; says whether there was anything left to do.
+    /// Makes one step of the filling; returns whether there was anything left to do.
     pub(super) fn fill_step(&mut self) -> bool {
         match std::mem::take(&mut self.filling) {
             FillStage::Done => return false,
@@ -88,12 +88,12 @@ impl Refinement {
         true
     }
 
-    /// Whether there is anything left to fill.
+    /// Whether the filling is under way.
     pub(super) fn is_filling(&self) -> bool {
         !matches!(self.filling, FillStage::Done)
     }
 
-    /// How many nodes still wait.
+    /// The number of nodes not treated yet.
     pub(super) fn nodes_left(&self) -> usize {
         match &self.filling {
             FillStage::Nodes(nodes) => nodes.left(),
@@ -106,7 +106,7 @@ impl Refinement {
         (b - a).cross(c - a)
     }
 
-    /// The lattice for a face, if it is too large, and nodes that keep clear keep the length floor.
+    /// The lattice for a face, if the face is too large and nodes with their clearance keep the length floor.
     fn lattice_for(&self, f: FaceId, bounds: BoundingBox) -> Option<Lattice> {
         let bound = self.problem.test.expected_bound(&self.cdt, f);
         if bound.admits(self.doubled_area(f)) {
@@ -116,15 +116,15 @@ impl Refinement {
         Lattice::for_area(bounds, bound.area()).filter(|lattice| least(lattice).powi(2) >= self.problem.floors.floor_sq)
     }
 
-    /// Queues the subsegments that are too long; says whether there is any that can be split.
+    /// Queues the subsegments that are too long; returns whether any of them can be split.
     fn queue_long_subsegments(&mut self, bounds: BoundingBox) -> bool {
         let mut long: Vec<HalfEdgeId> = self.cdt.marked_edges().filter(|&h| self.is_long(h, bounds)).collect();
         long.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         long.into_iter().filter(|&h| self.queue_subsegment(h, true).is_ok()).count() > 0
     }
 
-    /// Whether a subsegment is longer than the lattice needs, and not because the domain is narrow there: a triangle
-    /// beside it that is so wide and stays so long is too large.
+    /// Whether a subsegment is longer than the lattice needs, and a triangle beside it is too large and wide. In a
+    /// narrow part of the domain subsegments may be long.
     fn is_long(&self, h: HalfEdgeId, bounds: BoundingBox) -> bool {
         let [a, b] = self.cdt.edge_points(h);
         let is_long_beside = |f: FaceId| {
@@ -142,7 +142,7 @@ impl Refinement {
         self.doubled_area(f) / longest_sq * self.doubled_area(f)
     }
 
-    /// The triangles that are too large, each with its lattice, in an order that depends on no slot.
+    /// The triangles that are too large, each with its lattice, in an order that does not depend on slots.
     fn large_faces(&self, bounds: BoundingBox) -> Vec<(FaceId, Lattice)> {
         let lattice = |f: FaceId| Some((f, self.lattice_for(f, bounds)?));
         let mut faces: Vec<(FaceId, Lattice)> = self.cdt.real_faces().filter_map(lattice).collect();
@@ -150,7 +150,7 @@ impl Refinement {
         faces
     }
 
-    /// Whether as many nodes as these triangles hold fit into the limits, and so does the work to find them.
+    /// Whether the nodes in these triangles fit into the limits, and so does the work to find them.
     fn has_room_for(&self, faces: &[(FaceId, Lattice)]) -> bool {
         let room = self.problem.options.limits.max_vertices.saturating_sub(self.ledger.vertices) as f64;
         let nodes = |&(f, lattice): &(FaceId, Lattice)| lattice.nodes_in_area(0.5 * self.doubled_area(f));
@@ -158,7 +158,7 @@ impl Refinement {
         faces.iter().map(nodes).sum::<f64>() < room && faces.iter().map(rows).sum::<f64>() < room + faces.len() as f64
     }
 
-    /// The nodes in all triangles that are too large; none where there is no room for them.
+    /// Plans the nodes in all triangles that are too large; none if there is no room for them.
     fn planned(&mut self, bounds: BoundingBox) -> FillStage {
         let faces = self.large_faces(bounds);
         if !self.has_room_for(&faces) {
@@ -193,14 +193,14 @@ impl Refinement {
         FillStage::Nodes(Box::new(Nodes { points, part_of, order, done: 0, near: None, parts, bounds }))
     }
 
-    /// How many faces there are at each vertex.
+    /// The number of faces at each vertex.
     fn degrees(&self) -> Vec<u32> {
         let mut degrees = vec![0; self.cdt.points().len()];
         self.cdt.real_faces().flat_map(|f| self.cdt.face_vertices(f)).for_each(|v| degrees[v.index()] += 1);
         degrees
     }
 
-    /// Inserts the next node, if there is room for it; says whether there was a next one.
+    /// Inserts the next node, if there is room for it; returns whether there was a next one.
     fn try_next_node(&mut self, nodes: &mut Nodes) -> bool {
         let near = nodes.near;
         if let (Some(node), Some(record)) = (nodes.next(), self.record()) {
@@ -219,7 +219,7 @@ impl Refinement {
         true
     }
 
-    /// Looks at everything, with an empty queue: only bad triangles are put in order.
+    /// Tests all triangles and subsegments, with an empty queue; sorts only the bad triangles.
     fn test_after_filling(&mut self, bounds: BoundingBox) {
         self.ledger.stopwatch.enter(Part::Prepare);
         self.queue_all_encroached();
@@ -231,7 +231,7 @@ impl Refinement {
         bad.into_iter().for_each(|f| self.test_face(f));
     }
 
-    /// Where a point lies, by a walk from a face that crosses no subsegment.
+    /// The locus of a point, by a walk from a face; `None` if a subsegment is in the way.
     fn locus_by_walk(&self, p: Point, from: FaceId) -> Option<Locus> {
         match self.cdt.walk_within(from, p) {
             Walk::Arrived(locus @ Locus::Face(_)) => Some(locus),
@@ -240,7 +240,8 @@ impl Refinement {
         }
     }
 
-    /// The same from the face at a vertex through which a straight line leaves it for the point.
+    /// The locus of a point, by a walk that starts in the face at `v` through which the straight line to the point
+    /// leaves.
     fn locus_from_vertex(&self, v: VertexId, p: Point) -> Option<Locus> {
         let from = self.cdt.point(v);
         let leaves = |&spoke: &HalfEdgeId| {
@@ -254,8 +255,8 @@ impl Refinement {
         self.locus_by_walk(p, spoke.face())
     }
 
-    /// Whether the cavity found last has no vertex and no subsegment on its rim nearer than this to its point, and none
-    /// upon which the point encroaches.
+    /// Whether no vertex and no subsegment on the rim of the cavity is nearer to the point than the clearance, and the
+    /// point encroaches upon none of these subsegments.
     fn is_clear(&self, p: Point, clearance_sq: f64) -> bool {
         let (rim, starts) = (self.scratch.cavity.rim(), self.scratch.cavity.rim_starts());
         let is_near = starts.iter().fold(false, |near, &q| near | ((q - p).length_sq() < clearance_sq));
@@ -274,7 +275,7 @@ impl Refinement {
     }
 }
 
-/// The vertex of lowest degree, so that looking around the corners of all triangles takes linear time.
+/// The vertex of lowest degree, so that the walks around the corners of all triangles take linear time.
 fn least_of(vertices: [VertexId; 3], degrees: &[u32]) -> VertexId {
     let [first, ..] = vertices;
     vertices.into_iter().min_by_key(|v| (degrees[v.index()], *v)).unwrap_or(first)

@@ -1,33 +1,33 @@
-//! How far the filling of wide parts is: the nodes of lattices that wait.
+//! The state of the filling of wide parts: the nodes of lattices that are left.
 
 use std::sync::Arc;
 
 use crate::geometry::{BoundingBox, Point};
 use crate::half_edge::{FaceId, VertexId};
 
-/// How far the filling is.
+/// The stage of the filling.
 #[derive(Clone, Debug, Default)]
 pub(super) enum FillStage {
-    /// Subsegments are halved; lattices begin at a corner of this box.
+    /// Subsegments are being halved; lattices begin at a corner of this box.
     Segments(BoundingBox),
-    /// Nodes go in.
+    /// Nodes are being inserted.
     Nodes(Box<Nodes>),
-    /// There is nothing to fill, or no more.
+    /// There is nothing to fill, or the filling is done.
     #[default]
     Done,
 }
 
-/// The filling before a node was taken.
+/// What the filling overwrites when a node is taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TakenNode {
     pub(super) near: Option<FaceId>,
-    /// The part that the node is in, and the vertex that was known of it.
+    /// The part that the node is in, and the vertex known in it before.
     pub(super) part: u32,
     pub(super) known: VertexId,
 }
 
 impl FillStage {
-    /// Takes it back that a node was taken.
+    /// Puts a node back.
     pub(super) fn put_back(&mut self, node: TakenNode) {
         if let Self::Nodes(nodes) = self {
             nodes.done -= 1;
@@ -37,17 +37,17 @@ impl FillStage {
     }
 }
 
-/// What goes in.
+/// The nodes to insert.
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
-    /// Row by row, and the triangle that each is in.
+    /// The nodes, row by row, and the part that each is in.
     pub(super) points: Arc<[Point]>,
     pub(super) part_of: Arc<[u32]>,
     /// The order of insertion.
     pub(super) order: Arc<[u32]>,
-    /// How many of them have had their turn.
+    /// The number of nodes that have been treated.
     pub(super) done: usize,
-    /// The face at the node that went in last.
+    /// A face at the node inserted last.
     pub(super) near: Option<FaceId>,
     pub(super) parts: Vec<FilledPart>,
     pub(super) bounds: BoundingBox,
@@ -56,21 +56,21 @@ pub(super) struct Nodes {
 /// A triangle that is filled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FilledPart {
-    /// The node that went into it last, before the first one a corner.
+    /// The node inserted into it last; a corner before the first insertion.
     pub(super) known: VertexId,
     /// The square of the clearance.
     pub(super) clearance_sq: f64,
 }
 
 impl Nodes {
-    /// The next node, and the triangle that it is in.
+    /// Takes the next node; returns it with the part that it is in.
     pub(super) fn take(&mut self) -> Option<(Point, &mut FilledPart)> {
         let i = *self.order.get(self.done)? as usize;
         self.done += 1;
         Some((self.points[i], &mut self.parts[self.part_of[i] as usize]))
     }
 
-    /// What is to be remembered before the next node is taken.
+    /// What taking the next node will overwrite.
     pub(super) fn next(&self) -> Option<TakenNode> {
         let i = *self.order.get(self.done)? as usize;
         let part = self.part_of[i];

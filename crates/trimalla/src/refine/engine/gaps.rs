@@ -2,14 +2,14 @@
 //! split beside one.
 //!
 //! ```text
-//!             r                      The vertices p and q are nearer to each other than rounding lets a new vertex be to
-//!           /  \                     either. Whatever third corner r a triangle on p–q has: if that is a new vertex, the
-//!         /     \                    angle at r is at most that of the isosceles triangle whose two sides are as long as
-//!       p ────── q                   rounding asks. Where that is bad, every triangle on p–q is.
+//!             r                      The vertices p and q are nearer to each other than the precision floor. If the third
+//!           /  \                     corner r of a triangle on p–q is a new vertex, the angle at r is at most that of the
+//!         /     \                    isosceles triangle whose two sides are as long as the precision floor. Where that
+//!       p ────── q                   angle is bad, every triangle on p–q is bad.
 //!
 //!     a ───── v ──────── b           The segments a–b and c–d are within rounding of each other. v splits one of them, so
-//!     c ───────── w ──── d           the other one cannot be split as far along: it is split at w, in the middle of the
-//!                                    longest part that v leaves of it.
+//!     c ───────── w ──── d           the other one cannot be split beside v: it is split at w, in the middle of the
+//!                                    longest part between v and its ends.
 //! ```
 
 use super::Refinement;
@@ -21,9 +21,9 @@ use crate::refine::measure::joints::{Piece, common_end};
 use crate::refine::steps::Proposal;
 
 impl Refinement {
-    /// Why a triangle has a bad shape whose shortest edge joins two vertices of the input, or on segments, that are
-    /// within rounding of each other; and whether that holds for every triangle on that edge, so that no point can
-    /// help.
+    /// Why a triangle has a bad shape, if its shortest edge joins two vertices that are within rounding of each other
+    /// and belong to the input or lie on segments; and whether every triangle on that edge has one, so that no point
+    /// can help.
     #[inline]
     pub(super) fn across_gap(&self, f: FaceId) -> Option<(Reason, bool)> {
         let [a, b, c] = self.cdt.corners(f);
@@ -49,8 +49,8 @@ impl Refinement {
         Some((reason, self.problem.test.is_misshapen(best)))
     }
 
-    /// Whether two vertices are on, or at the ends of, two pieces of segments that meet elsewhere, at an angle that is
-    /// bad itself.
+    /// Whether two vertices are on, or at the ends of, two pieces of segments that meet at another vertex, at an angle
+    /// that is bad itself.
     fn joins_wedge(&self, [p, q]: [VertexId; 2]) -> bool {
         let apexes =
             self.pieces_at(p).flat_map(|one| self.pieces_at(q).filter_map(move |other| common_end(one, other)));
@@ -58,8 +58,8 @@ impl Refinement {
         apexes.into_iter().any(|apex| apex != p && apex != q && is_bad(apex))
     }
 
-    /// The reason of a triangle that was given up for a reason: where two of its corners are within rounding of each
-    /// other, the gap.
+    /// The reason reported for a triangle that was given up for `reason`: the gap, if two of its corners are within
+    /// rounding of each other.
     pub(super) fn reason_of_given_up(&self, f: FaceId, reason: Reason) -> Reason {
         if reason != Reason::PrecisionFloor {
             return reason;
@@ -67,8 +67,8 @@ impl Refinement {
         self.across_gap(f).map_or(reason, |(reason, _)| reason)
     }
 
-    /// Why a subsegment has no room for a split that was refused for a reason: where a vertex beside it is within
-    /// rounding of it, the gap.
+    /// The reason reported for a split that was refused for `reason`: the gap, if a vertex beside the subsegment is
+    /// within rounding of it.
     #[cold]
     pub(super) fn reason_of_refusal(&self, h: HalfEdgeId, reason: Reason) -> Reason {
         let is_beside_gap =
@@ -76,7 +76,7 @@ impl Refinement {
         if reason == Reason::PrecisionFloor && is_beside_gap() { Reason::InputGap } else { reason }
     }
 
-    /// Whether another part of the boundary is within rounding of a boundary edge outside of the domain.
+    /// Whether another part of the boundary is within rounding of a boundary edge, outside the domain.
     fn is_crack_outside(&self, h: HalfEdgeId) -> bool {
         let ends = self.cdt.edge_points(h);
         self.cdt.apex_outside(h).is_some_and(|apex| {
@@ -86,8 +86,8 @@ impl Refinement {
         })
     }
 
-    /// The reason of a triangle for which all places were refused for a reason: where one of them lies in a triangle
-    /// across a gap, the gap.
+    /// The reason reported for a triangle whose places were all refused for `reason`: the gap, if one of the places
+    /// lies in a triangle across a gap.
     #[cold]
     pub(super) fn reason_of_refused_places(&self, places: &[Proposal], reason: Reason) -> Reason {
         let is_across = |f: FaceId| self.cdt.is_real(f) && self.across_gap(f).is_some();
@@ -100,7 +100,8 @@ impl Refinement {
         if reason == Reason::PrecisionFloor && places.iter().any(lies_across) { Reason::InputGap } else { reason }
     }
 
-    /// Places last places beside one on an edge that has a triangle across a gap on one side; none on other edges.
+    /// Alternatives to a place on an edge, a few last places beside it, if a triangle at the edge lies across a gap;
+    /// none on other edges.
     #[cold]
     pub(super) fn places_beside_on_edge(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
         let faces = [h, self.cdt.twin(h)].map(HalfEdgeId::face);
@@ -108,7 +109,7 @@ impl Refinement {
         if is_beside_gap { beside(place, self.cdt.edge_points(h)).skip(1).collect() } else { Vec::new() }
     }
 
-    /// Places at which a boundary edge can be split that are last places beside one, for boundaries that come near
+    /// Alternatives to a place on a boundary edge, a few last places beside it, for boundaries that come near
     /// themselves outside: there the rounded place may lie beyond the other part.
     #[cold]
     pub(super) fn places_beside_on_boundary(&self, h: HalfEdgeId, place: Point) -> Vec<Point> {
@@ -119,8 +120,8 @@ impl Refinement {
         beside(place, self.cdt.edge_points(h)).skip(1).filter(is_possible).collect()
     }
 
-    /// Where a subsegment is split instead of at a place that rounding does not allow: last places beside that, or else
-    /// [staggered](Self::staggered_place).
+    /// Where a subsegment is split if rounding does not allow the given place: a few last places beside it, or else at
+    /// a [staggered](Self::staggered_place) place.
     #[cold]
     pub(super) fn place_beside_gap(&self, h: HalfEdgeId, place: Point) -> Option<Point> {
         if ![h, self.cdt.twin(h)].into_iter().any(|side| self.is_gap_beside(side)) {
@@ -143,12 +144,11 @@ impl Refinement {
         is_near(self.cdt.apex(h)) || is_near(self.cdt.apex(self.cdt.twin(h)))
     }
 
-    /// Where `h` is split beside vertices that are within rounding of it: in the middle of the longest part that those
-    /// leave of it;
-    /// `None` where there are none, or no such place.
+    /// Where `h` is split beside vertices that are within rounding of it: in the middle of the longest part of it
+    /// between those vertices and its ends; `None` without such vertices or without a possible place.
     ///
-    /// Two pieces of segments that are within rounding of each other over a part only are none of that kind: beyond
-    /// that part their vertices must lie side by side.
+    /// The rule does not apply to two pieces that are within rounding of each other only over a part of their length:
+    /// beyond that part their vertices must lie side by side.
     #[cold]
     pub(super) fn staggered_place(&self, h: HalfEdgeId) -> Option<Point> {
         let sides = [h, self.cdt.twin(h)].into_iter().filter(|&side| self.is_apex_within_rounding(side));
@@ -161,7 +161,7 @@ impl Refinement {
         self.possible_place(h, self.point_at(h, self.middle_between(h, &apexes)))
     }
 
-    /// A place at which `h` can be split: a given one, or one that is last places beside it.
+    /// The given place, or one a few last places beside it, at which `h` can be split.
     fn possible_place(&self, h: HalfEdgeId, place: Point) -> Option<Point> {
         let is_possible = |&p: &Point| self.cdt.keeps_course(h, p) && self.cdt.can_split(h, p).is_ok();
         beside(place, self.cdt.edge_points(h)).find(is_possible)
@@ -192,8 +192,8 @@ impl Refinement {
     }
 }
 
-/// A place on an edge, and some that are last places beside it, on both sides: where a vertex is a last place beside
-/// the edge, the rounded place may lie beyond it.
+/// A place on an edge, and places a few last places beside it on both sides: where a vertex is one last place beside
+/// the edge, the rounded place may lie beyond that vertex.
 fn beside(place: Point, [a, b]: [Point; 2]) -> impl Iterator<Item = Point> {
     let along = b - a;
     let is_flat = along.x.abs() > along.y.abs();
@@ -202,6 +202,6 @@ fn beside(place: Point, [a, b]: [Point; 2]) -> impl Iterator<Item = Point> {
         let off = places * unit;
         if is_flat { Point::new(place.x, place.y + off) } else { Point::new(place.x + off, place.y) }
     });
-    // At the end of the range of doubles there is none beyond.
+    // Near the largest double the next place may be infinite.
     places.filter(|p| p.is_finite())
 }

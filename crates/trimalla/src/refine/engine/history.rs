@@ -1,16 +1,16 @@
-//! Going back: what each step overwrote, put back in reverse order.
+//! Taking steps back: what each step overwrote is restored in reverse order.
 //!
 //! ```text
-//!     records   step 1 │ step 2 │ own test │ step 3          the newest first: step 3, the test, step 2, …
+//!     records   step 1 │ step 2 │ own test │ step 3          taken back newest first: step 3, the test, step 2, …
 //!               ───────┴────────┴──────────┴───────>
 //! ```
 //!
-//! A step's record holds the journal of the triangulation, the journal of the queue, and what little else a step
-//! changes: so both making it and going back cost what the step itself cost. Lists that a step adds to at one end and
-//! takes from at the other are put back by their lengths. What the caller changes between two steps is recorded as a
-//! whole, but for picks, which a step's lengths tell.
+//! A record of a step holds the journal of the triangulation, the journal of the queue, and the few other values that a
+//! step changes, so that a step and taking it back cost the same. Lists to which a step appends, and from whose front
+//! it takes, are restored by their lengths. A change that the caller makes between two steps is recorded as a copy of
+//! the refinement; picks are an exception, since the recorded lengths restore them.
 //!
-//! Old records are dropped when all of them take more memory than was allowed.
+//! The oldest records are dropped when the records exceed the memory budget.
 
 use super::Refinement;
 use super::parts::Ledger;
@@ -19,43 +19,43 @@ use crate::half_edge::{Checkpoint, UndoLog};
 use crate::refine::agenda::queue::Changes;
 use crate::refine::watch::event::StepOutcome;
 
-/// Bytes that a copy of a refinement takes for each vertex, about.
+/// Approximate bytes for each vertex that a copy of a refinement takes.
 const BYTES_A_VERTEX: usize = 128;
 
 impl Refinement {
-    /// Records every step from now on, those of [`run`](Self::run) too, so that [`back`](Self::back) can take it back,
-    /// and drops the oldest records when all of them take more than so many bytes.
+    /// Records every step from now on, those of [`run`](Self::run) included, so that [`back`](Self::back) can take them
+    /// back. Drops the oldest records when the records exceed `most_bytes`.
     ///
-    /// [`step`](Self::step) and [`run_until`](Self::run_until) record their steps without being told, in up to a
-    /// gibibyte.
+    /// [`step`](Self::step) and [`run_until`](Self::run_until) always record their steps, within one gibibyte unless
+    /// this is called.
     pub fn keep_history(&mut self, most_bytes: usize) {
         let history = self.history.take().unwrap_or_default();
         self.history = Some(History { most_bytes, with_runs: true, ..history });
     }
 
-    /// About how many bytes the records take of what can be taken back.
+    /// Approximate size of the records in bytes.
     #[must_use]
     pub fn history_bytes(&self) -> usize {
         self.history.as_ref().map_or(0, |history| history.bytes)
     }
 
-    /// How many steps can be taken back.
+    /// The number of steps that can be taken back.
     #[must_use]
     pub fn steps_made(&self) -> u64 {
         self.history.as_ref().map_or(0, |history| history.recorded)
     }
 
-    /// Ends what can be taken back, unless steps of runs are recorded, too.
+    /// Drops the records, unless steps of runs are recorded, too.
     pub(super) fn history_of_run(&mut self) {
         self.history = self.history.take().filter(|history| history.with_runs);
     }
 
-    /// Begins to record steps made one by one, and returns the number of the step that is about to be made.
+    /// Begins to record steps made one by one; returns the number of the next step.
     pub(super) fn history_of_step(&mut self) -> u64 {
         self.history.get_or_insert_default().steps + 1
     }
 
-    /// Does something that is one step, and records it where steps are recorded.
+    /// Executes one step, and records it if steps are recorded.
     #[inline(always)] // Before each step of a run, and there is hardly ever a history.
     pub(super) fn recorded<T>(&mut self, step: impl FnOnce(&mut Self) -> T) -> T {
         if self.history.is_none() {
@@ -117,13 +117,13 @@ impl Refinement {
         }
     }
 
-    /// The record of the step at work, if steps are recorded.
+    /// The record of the current step, if steps are recorded.
     #[inline(always)] // Several times a step, and there is hardly ever a history.
     pub(super) fn record(&mut self) -> Option<&mut StepRecord> {
         self.history.as_mut().and_then(|history| history.under_way.as_deref_mut())
     }
 
-    /// Records that the caller is about to change something other than picks.
+    /// Records the refinement before the caller changes something other than picks.
     pub(super) fn record_change(&mut self) {
         if let Some(mut history) = self.history.take() {
             history.push(Record::Change {
@@ -134,7 +134,7 @@ impl Refinement {
         }
     }
 
-    /// Records the work on segments, before the step at work changes it.
+    /// Records the work on segments before the current step changes it.
     pub(super) fn record_segments(&mut self) {
         if self.history.is_some() {
             let segments = Box::new(self.segments.clone());
@@ -144,19 +144,19 @@ impl Refinement {
         }
     }
 
-    /// Takes the last step back: everything is what it was right before it, with what was picked and chosen by then.
-    /// Says whether there was one.
+    /// Takes the last step back: restores the state right before it, with the options and picks of that moment. Returns
+    /// whether there was a step.
     ///
-    /// A [`run`](Self::run) can be taken back step by step where [`keep_history`](Self::keep_history) was asked for;
-    /// otherwise it ends what can be taken back.
+    /// A [`run`](Self::run) can be taken back step by step after a call of [`keep_history`](Self::keep_history);
+    /// otherwise a run drops the records.
     ///
     /// # Complexity
-    /// That of the step; where the caller has changed options or steps since, a copy of the triangulation.
+    /// That of the step; a copy of the triangulation if the caller has changed options or steps since.
     pub fn back(&mut self) -> bool {
         let Some(mut history) = self.history.take() else { return false };
         let has_step = history.recorded > 0;
         let mut is_back = !has_step;
-        // Each round takes a record; the last one is a step.
+        // Each round pops a record; the last one popped is a step.
         while !is_back {
             match history.pop() {
                 Some(Record::Change { before, .. }) => *self = *before,
@@ -172,7 +172,7 @@ impl Refinement {
         has_step
     }
 
-    /// Puts back what a step overwrote.
+    /// Restores what a step overwrote.
     fn take_back(&mut self, mut step: StepRecord) {
         self.cdt.rollback(&mut step.triangulation, Checkpoint(0));
         let agenda = &mut self.agenda;
@@ -183,7 +183,7 @@ impl Refinement {
         agenda.sequence = step.sequence;
         agenda.current = step.current;
         (agenda.changes_at_retry, agenda.retries) = (step.changes_at_retry, step.retries);
-        // What the step, and the caller after it, added at the end; what the step took from the front.
+        // Drops what the step, or the caller after it, appended; restores what the step took from the front.
         agenda.encroached.truncate(step.encroached - usize::from(step.split.is_some()));
         agenda.encroached.extend(step.split);
         agenda.encroached.rotate_right(usize::from(step.split.is_some()));
@@ -208,8 +208,8 @@ impl Refinement {
         self.ledger = Ledger { stopwatch: self.ledger.stopwatch, ..step.ledger };
     }
 
-    /// Runs step by step until a condition holds, asked after each step, or nothing is left to do; says how the last
-    /// step ended. The steps can be taken back.
+    /// Runs step by step until a condition, evaluated after each step, holds or nothing is left to do; returns the
+    /// outcome of the last step. The steps can be taken back.
     pub fn run_until(&mut self, mut holds: impl FnMut(&Self) -> bool) -> StepOutcome {
         loop {
             self.history_of_step();

@@ -1,20 +1,20 @@
 //! Whether a refinement still improves, at bounds that no strategy is proved or known to meet.
 //!
-//! Up to about 33 degrees refinements end. Above, many go on for ever: every vertex leaves more bad triangles than it
-//! removes, until the mesh is full of them. So above [`UNPROVED_DEG`] the bad triangles are counted when the mesh has
-//! [`FACTOR`] times the vertices of the [forecast](forecast_under), and each time it has doubled since. When there are
-//! no fewer than the time before, the refinement stops.
+//! Up to about 33 degrees refinements end. Above, many never end: every vertex creates more bad triangles than it
+//! removes. So above [`UNPROVED_DEG`] the bad triangles are counted when the mesh has [`FACTOR`] times the vertices of
+//! the [forecast](forecast_under), and whenever that number has doubled. If a count is no lower than the one before,
+//! the refinement stops.
 //!
 //! ```text
 //!   vertices   forecast ······ 10 × ─────── 20 × ─────── 40 ×
 //!                              count        count        count
 //! ```
 //!
-//! Measured on the drawings of `data/shapes` at 34 to 38 degrees: the runs that end by themselves end at 3.4 times the
-//! forecast at most. Those that do not stop at 20 times the forecast.
+//! Measured on the drawings of `data/shapes` at 34 to 38 degrees: runs that end by themselves have at most 3.4 times
+//! the vertices of the forecast. The others stop at 20 times the forecast.
 //!
-//! Not watched: recipes that never make a smallest angle smaller, since they end by themselves; orders by hand; and
-//! refinements with a test of the caller's own, which no forecast knows of.
+//! Bad triangles are not counted for recipes that never make a smallest angle smaller, since they end by themselves;
+//! for the order `manual`; and for refinements with a test of the caller's own, which the forecast does not know.
 
 use super::Refinement;
 use super::parts::Improvement;
@@ -27,14 +27,14 @@ const UNPROVED_DEG: f64 = 33.0;
 /// The first count is due at this many times the forecast.
 const FACTOR: f64 = 10.0;
 
-/// Whether the bound on angles is one that refinements need not meet: incenters meet none.
+/// Whether refinements may fail to meet the bound on angles; with incenters they may fail at any bound.
 fn is_unproved(options: &RefineOptions) -> bool {
     let bound = options.criteria.effective_min_angle().degrees();
     bound > UNPROVED_DEG || bound > 0.0 && options.recipe.point == PlacePoint::Incenter
 }
 
 impl Refinement {
-    /// What to watch from the start on.
+    /// When the bad triangles are counted first.
     pub(super) fn improvement_from_start(&self) -> Improvement {
         if !is_unproved(&self.problem.options)
             || self.strategy.traits.select.is_manual
@@ -55,7 +55,7 @@ impl Refinement {
         Improvement { due, ..Improvement::UNWATCHED }
     }
 
-    /// Counts the bad triangles, which is due; says whether there are no fewer than the last time.
+    /// Counts the bad triangles; returns whether there are no fewer than at the last count.
     #[cold]
     pub(super) fn no_longer_improves(&mut self) -> bool {
         let bad = self.cdt.real_faces().filter(|&f| self.badness(f).is_some()).count();

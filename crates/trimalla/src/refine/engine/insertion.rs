@@ -1,8 +1,8 @@
-//! Step 4 carried out: the plan of a step becomes a vertex in the triangulation, or nothing has changed.
+//! Executes step 4: inserts a vertex by the plan of the step, or changes nothing.
 //!
 //! Whether a vertex is too near to another one, and upon which subsegments it encroaches, is read from the rim of the
 //! faces that it replaces. With [`Plan::Fan`] these faces are found before anything changes. With other plans they are
-//! known only when the vertex is in: it goes in through the journal, and comes out again where it must not stay.
+//! known only after the insertion: the vertex is inserted under the journal, and rolled back if it must not stay.
 
 use super::parts::Scratch;
 use super::{Refinement, ends_of};
@@ -13,7 +13,7 @@ use crate::half_edge::{Checkpoint, FaceId, HalfEdgeId, Journal, NoJournal, UndoL
 use crate::locate::Locus;
 use crate::refine::steps::{Plan, Proposal};
 
-/// Where a vertex goes in, and what it is there.
+/// Where a vertex is inserted, and its provenance.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::refine) enum Site {
     /// A free point at its exact locus.
@@ -31,14 +31,14 @@ impl Site {
     }
 }
 
-/// What the vertex is whose cavity was found.
+/// What kind of vertex fills a cavity.
 #[derive(Clone, Copy, Debug)]
 enum Fan {
     Free,
     Split(SplitCavity, Provenance),
 }
 
-/// A vertex that is in.
+/// An inserted vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inserted {
     pub(super) vertex: VertexId,
@@ -52,11 +52,11 @@ pub(super) enum Changed {
     Fan,
     /// Faces around the vertex.
     Star,
-    /// Faces anywhere: those that the log names since then.
+    /// Faces anywhere: those in the log since the checkpoint.
     Since(Checkpoint),
 }
 
-/// Why a vertex is not in.
+/// Why a vertex was not inserted.
 #[derive(Clone, Debug)]
 pub(super) enum Refused {
     /// Rounding leaves no room.
@@ -68,7 +68,7 @@ pub(super) enum Refused {
 }
 
 impl Refinement {
-    /// The plan of step 4 for a place; the faces it lists are in the scratch.
+    /// The plan of step 4 for a place; the scratch holds the faces that it lists.
     #[inline(always)] // Before each insertion.
     pub(super) fn plan(&mut self, place: Proposal) -> Plan {
         self.scratch.planned.clear();
@@ -76,7 +76,7 @@ impl Refinement {
         self.strategy.steps.insert.plan(view, place, &mut self.scratch.planned)
     }
 
-    /// Carries out a plan. Where the point strategy keeps clear of segments, a free vertex encroaches upon none.
+    /// Executes a plan. Where step 3 minds encroachment, a free vertex that encroaches upon a subsegment is refused.
     ///
     /// # Errors
     /// [`Refused`]; nothing has changed then.
@@ -85,7 +85,7 @@ impl Refinement {
         if plan == Plan::Fan { self.insert_fan(site) } else { self.insert_on_trial(plan, site) }
     }
 
-    /// Finds the faces to be replaced, looks at their rim, and replaces them.
+    /// Finds the faces to be replaced, tests their rim, and replaces them.
     #[inline(always)] // Before each insertion.
     fn insert_fan(&mut self, site: Site) -> Result<Inserted, Refused> {
         let cavity = &mut self.scratch.cavity;
@@ -110,8 +110,8 @@ impl Refinement {
         Ok(self.fill(site.point(), fan))
     }
 
-    /// Fills the cavity in the scratch. Nothing takes the vertex back, so it is noted in the log only where somebody
-    /// wants to know what the step changed.
+    /// Fills the cavity in the scratch. This insertion is never rolled back within the step, so the log is written only
+    /// while the step is recorded or has an event.
     #[inline(always)] // Before each insertion.
     fn fill(&mut self, point: Point, fan: Fan) -> Inserted {
         let Scratch { work, log, cavity, is_recorded, .. } = &mut self.scratch;
@@ -122,7 +122,7 @@ impl Refinement {
         }
     }
 
-    /// Puts a free vertex into the cavity in the scratch.
+    /// Inserts a free vertex into the cavity in the scratch.
     pub(super) fn fill_cavity(&mut self, point: Point) -> VertexId {
         self.fill(point, Fan::Free).vertex
     }
@@ -148,7 +148,7 @@ impl Refinement {
         marked.filter(|&h| self.is_encroached(h, point)).collect()
     }
 
-    /// Inserts a vertex, and takes it back where it must not stay.
+    /// Inserts a vertex, and rolls back if it must not stay.
     #[inline(never)]
     fn insert_on_trial(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
         let here = self.scratch.log.checkpoint();
@@ -170,14 +170,14 @@ impl Refinement {
         Err(Refused::Encroaches(self.roll_back_to(here, &encroached)))
     }
 
-    /// Takes everything since a checkpoint back, and returns the edges that some edges of the present were before.
+    /// Rolls back to a checkpoint, and returns those of some edges that existed before it.
     fn roll_back_to(&mut self, here: Checkpoint, edges: &[HalfEdgeId]) -> Vec<HalfEdgeId> {
         let ends: Vec<[VertexId; 2]> = edges.iter().map(|&h| ends_of(&self.cdt, h)).collect();
         self.cdt.rollback(&mut self.scratch.log, here);
         ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect()
     }
 
-    /// The faces that the log names since a checkpoint, as far as they are there.
+    /// The faces in the log since a checkpoint that still exist.
     pub(super) fn faces_changed_since(&self, here: Checkpoint) -> Vec<FaceId> {
         let entries = self.scratch.log.entries_since(here).filter(|entry| entry.column == columns::ORIGIN);
         let mut faces: Vec<FaceId> = entries.map(|entry| FaceId(entry.index / 3)).collect();
@@ -209,7 +209,7 @@ impl Refinement {
     }
 }
 
-/// Fills a cavity that was just found.
+/// Fills the cavity that was found last.
 #[inline(always)] // Before each insertion.
 fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, point: Point, fan: Fan) -> Inserted {
     match fan {
@@ -221,10 +221,10 @@ fn fill<J: Journal>(edit: &mut Edit<'_, J>, cavity: &mut Cavity, point: Point, f
     }
 }
 
-/// Inserts a vertex by a plan; the faces are those of [`Plan::Faces`]. `None`, and nothing changed, where rounding
-/// leaves no room, or the faces cannot be replaced by a fan.
+/// Inserts a vertex by a plan; `faces` are those of [`Plan::Faces`]. Returns `None`, and changes nothing, where
+/// rounding leaves no room, or the faces cannot be replaced by a fan.
 ///
-/// Where the circle test is to be kept, edges are flipped around the vertex as far as the plan does not see to it.
+/// If the circle test is to be kept and the plan does not restore it, edges are flipped around the vertex.
 pub(in crate::refine) fn carry_out(
     edit: &mut Edit<'_, UndoLog>,
     (plan, faces): (Plan, &[FaceId]),
@@ -251,7 +251,7 @@ pub(in crate::refine) fn carry_out(
     vertex
 }
 
-/// Whether a plan keeps the circle test by itself.
+/// Whether a plan restores the circle test by itself.
 fn sees_to_circle_test(plan: Plan) -> bool {
     matches!(plan, Plan::Fan | Plan::Flips)
 }

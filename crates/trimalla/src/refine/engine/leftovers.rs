@@ -1,4 +1,4 @@
-//! What stayed bad, and why.
+//! The end of a refinement: which triangles stayed bad, and why.
 
 use super::Refinement;
 use crate::constrained::ConstrainedTriangulation;
@@ -14,14 +14,14 @@ use crate::refine::watch::report::{Leftover, Report};
 use crate::refine::watch::stopwatch::Part;
 use crate::triangulation::{TriangleInBlock, corners_of_two};
 
-/// What one look at every triangle tells.
+/// What one pass over all triangles collects.
 struct Survey {
     triangles: usize,
     leftovers: Vec<Leftover>,
     extremes: Extremes,
 }
 
-/// Where a vertex lies that is within rounding of the line of a subsegment.
+/// Where a vertex within rounding of the line of a subsegment lies along that line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Place {
     /// Between the two ends.
@@ -31,7 +31,7 @@ enum Place {
 }
 
 impl Place {
-    /// The place of a vertex, by the vectors to it and along the subsegment from the start of that.
+    /// The place of a vertex, by the vector along the subsegment and the vector from its start to the vertex.
     #[cold]
     fn of(along: Vector, to_vertex: Vector) -> Self {
         let dot = along.dot(to_vertex);
@@ -39,7 +39,7 @@ impl Place {
     }
 }
 
-/// Squared distances this close, relatively, are on one shell.
+/// Squared distances that differ relatively by at most this belong to one shell.
 const SAME_SHELL: f64 = 1e-3;
 
 impl Refinement {
@@ -68,7 +68,7 @@ impl Refinement {
         (self.cdt, report)
     }
 
-    /// Looks at every triangle once: which stayed bad, and which have the extreme angles.
+    /// Tests every triangle once: which stayed bad, and which have the extreme angles.
     fn survey(&self) -> Survey {
         let extremes = Extremes::new(self.problem.ruler, self.problem.test.sufficient_bounds());
         let mut survey = Survey { triangles: 0, leftovers: Vec::new(), extremes };
@@ -87,7 +87,7 @@ impl Refinement {
         survey
     }
 
-    /// Tests those of two triangles that the filter did not pass.
+    /// Tests those of two triangles that the filter does not pass.
     #[cold]
     #[inline(never)]
     fn test_unfiltered(&self, two: &[TriangleInBlock], are_passed: [bool; 2], survey: &mut Survey) {
@@ -102,7 +102,7 @@ impl Refinement {
         }
     }
 
-    /// Why a bad triangle was left: what the input forces first, then what was met when it was treated.
+    /// Why a bad triangle was left: first the reasons that the input forces, then the reason for which it was given up.
     fn reason_of(&self, f: FaceId) -> Reason {
         let is_of_shape = self.badness(f).is_some_and(Badness::is_of_shape);
         if is_of_shape && self.has_small_input_angle(f) {
@@ -128,7 +128,7 @@ impl Refinement {
 
     /// Whether the smallest angle lies between two input segments, or two pieces of segments, at their common end.
     fn has_small_input_angle(&self, f: FaceId) -> bool {
-        // It is opposite the shortest edge.
+        // The smallest angle is opposite the shortest edge.
         let shortest = self.shortest_edge(f);
         let is_between = self.is_input(shortest.next()) && self.is_input(shortest.prev());
         is_between && self.problem.joints.piece_of(&self.cdt, self.cdt.apex(shortest)).is_none()
@@ -139,7 +139,7 @@ impl Refinement {
         self.cdt.is_marked(h)
     }
 
-    /// Why no point can help a triangle of bad shape that lies between two pieces of segments, where none can.
+    /// Why no point can improve a triangle of bad shape that lies between two pieces of segments, if none can.
     #[inline(always)] // Once for each bad triangle; most have neither a side on a segment nor two corners inside segments.
     pub(super) fn hopeless_between_segments(&self, f: FaceId) -> Option<Reason> {
         let is_across = self.cdt.count_bound(self.cdt.face_vertices(f)) >= 2;
@@ -150,11 +150,11 @@ impl Refinement {
         across.or_else(|| self.within_rounding(f))
     }
 
-    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end,
-    /// where they meet at an angle that is bad itself: splitting the triangle would only make the same one smaller.
+    /// Why a triangle is left whose shortest edge joins two pieces of segments on one shell around their common end, if
+    /// the pieces meet at an angle that is bad itself: splitting such a triangle only makes a smaller similar one.
     ///
-    /// Where the pieces meet at a wider angle, the triangle is treated like any other. That may go on with smaller and
-    /// smaller shells, at bounds that are hard to reach; the length floor ends it after some forty of them.
+    /// Where the pieces meet at a wider angle, the triangle is treated like any other. At bounds that are hard to reach
+    /// this may continue with smaller and smaller shells; the length floor ends it after some forty of them.
     ///
     /// # Source
     /// `[MillerPavWalkington03]`.
@@ -167,16 +167,17 @@ impl Refinement {
         is_forced.then_some(Reason::AcrossSmallInputAngle)
     }
 
-    /// Why a triangle is left that lies within rounding of a subsegment: a split would not part what is there already.
+    /// Why a triangle is left that lies within rounding of a subsegment: a split cannot separate the vertices that
+    /// exist already.
     fn within_rounding(&self, f: FaceId) -> Option<Reason> {
         let corners = self.cdt.face_vertices(f).map(|v| self.cdt.point(v));
         if self.may_be_within_rounding(corners) { self.within_rounding_of_side(f) } else { None }
     }
 
-    /// Whether some corner of a triangle may lie within rounding of the line through the two others: where its height
-    /// over the longest side is below twice the distance that rounding lets vertices be apart.
+    /// Whether some corner of a triangle may lie within rounding of the line through the two others: its height over
+    /// the longest side is below twice the precision floor.
     ///
-    /// What the area loses to rounding is less than a tenth of what is between the two distances.
+    /// The rounding error of the area is less than a tenth of the difference between the two distances.
     #[inline]
     pub(super) fn may_be_within_rounding(&self, [a, b, c]: [Point; 3]) -> bool {
         let (ab, ac, bc) =
@@ -198,19 +199,19 @@ impl Refinement {
         })
     }
 
-    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it.
+    /// Whether the vertex opposite `h` is nearer to `h` than the precision floor, and lies beside it.
     pub(super) fn is_apex_within_rounding(&self, h: HalfEdgeId) -> bool {
         self.place_within_rounding(h) == Some(Place::Beside)
     }
 
-    /// Whether the vertex opposite `h` is no farther from it than rounding lets vertices be, and lies beside it or on a
-    /// piece of a segment that leaves the piece of `h` at less than 90 degrees.
+    /// Whether the vertex opposite `h` is nearer to `h` than the precision floor, and lies beside it or on a piece of a
+    /// segment that leaves the piece of `h` at less than 90 degrees.
     pub(super) fn is_gap_beside(&self, h: HalfEdgeId) -> bool {
         self.place_within_rounding(h).is_some_and(|place| place == Place::Beside || self.lies_in_wedge(h))
     }
 
-    /// Where the vertex opposite `h` lies, if it is to stay and no farther from the line of `h` than rounding lets
-    /// vertices be.
+    /// Where the vertex opposite `h` lies, if it is no free vertex and is nearer to the line of `h` than the precision
+    /// floor.
     fn place_within_rounding(&self, h: HalfEdgeId) -> Option<Place> {
         let apex = self.cdt.apex(h);
         if !apex.is_finite() {
@@ -253,7 +254,7 @@ impl Refinement {
         marked.map(|h| self.problem.joints.whole_of(&self.cdt, h))
     }
 
-    /// The shortest edge of a face; of equal ones that with the lowest vertices.
+    /// The shortest edge of a face; of equal ones the one with the lowest vertices.
     pub(super) fn shortest_edge(&self, f: FaceId) -> HalfEdgeId {
         let corners = self.cdt.face_vertices(f);
         let [a, b, c] = corners.map(|v| self.cdt.point(v));
@@ -267,8 +268,8 @@ impl Refinement {
         f.half_edges()[if less(2, shorter) { 2 } else { shorter }]
     }
 
-    /// The common end of the two pieces of segments that two vertices lie inside, if those are on one circle around it,
-    /// less than 60 degrees apart.
+    /// The common end of the two pieces of segments that two vertices lie inside, if the vertices are on one circle
+    /// around it, less than 60 degrees apart.
     fn apex_of_shell(&self, p: VertexId, q: VertexId) -> Option<VertexId> {
         let [one, other] = [self.problem.joints.piece_of(&self.cdt, p)?, self.problem.joints.piece_of(&self.cdt, q)?];
         let apex = common_end(one, other)?;
@@ -278,7 +279,7 @@ impl Refinement {
         (same && self.problem.ruler.length_sq(p, q) < to_p.max(to_q)).then_some(apex)
     }
 
-    /// The smallest and the largest angle in degrees, measured in the two triangles alone.
+    /// The smallest and the largest angle in degrees, computed for the two extreme triangles alone.
     fn extreme_angles(&self, survey: &Survey) -> (f64, f64) {
         let corners = |f: FaceId| triangle(self.cdt.corners(f));
         let least = survey.extremes.sharpest.map_or(180.0, |f| corners(f).min_angle().degrees());

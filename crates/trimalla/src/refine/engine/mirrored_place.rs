@@ -39,7 +39,7 @@ impl Refinement {
         if wedge.is_below(SMALL_SINE_SQ, self.problem.ruler) { wedge.mirrored(self.problem.ruler) } else { None }
     }
 
-    /// The first subsegment among a spoke and those that it is turned to, once around.
+    /// The first subsegment among `spoke` and the spokes that `turn` leads to, once around.
     fn first_marked(&self, spoke: HalfEdgeId, turn: impl Fn(HalfEdgeId) -> HalfEdgeId) -> Option<HalfEdgeId> {
         let next = |&at: &HalfEdgeId| Some(turn(at)).filter(|&next| next != spoke);
         std::iter::successors(Some(spoke), next).find(|&spoke| self.cdt.is_marked(spoke))

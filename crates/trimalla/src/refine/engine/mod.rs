@@ -43,9 +43,9 @@ use parts::{Agenda, Improvement, Ledger, Opening, Picked, Problem, Scratch, Segm
 use records::History;
 use start::Start;
 
-/// No more rounds than this for triangles that had no room.
+/// The largest number of retries of triangles for which there was no room.
 const MOST_RETRIES: u32 = 64;
-/// Steps and insertions between two calls of the observer.
+/// Number of steps and insertions between two calls of the observer.
 const PROGRESS_EVERY: u64 = 128;
 
 /// A refinement under way.
@@ -64,7 +64,7 @@ pub struct Refinement {
     filling: FillStage,
     ledger: Ledger,
     scratch: Scratch,
-    /// How to go back, where somebody may want to.
+    /// The records by which steps are taken back, if they are kept.
     history: Option<History<Self>>,
 }
 
@@ -87,7 +87,7 @@ impl Refinement {
     /// [`carve_hull`](crate::constrained::ConstrainedDelaunay::carve_hull) says what that changes. Its convex hull is
     /// refined then, whatever its segments enclose.
     ///
-    /// Where step 4 keeps the circle test and the start does not pass it, the start is flipped until it does.
+    /// If step 4 keeps the circle test and the start fails it somewhere, edges are flipped until it holds.
     ///
     /// # Errors
     /// [`OptionError`].
@@ -95,7 +95,7 @@ impl Refinement {
         Self::timed(start, options, None)
     }
 
-    /// [`new`](Self::new) with a clock, if there is one, to measure the steps by:
+    /// Like [`new`](Self::new), with a clock, if there is one, that measures the steps:
     /// [`Report::step_times`](super::Report::step_times).
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// [`timed`](Self::timed) with steps of the caller's own in the place of the recipe's.
+    /// Like [`timed`](Self::timed), with these steps in place of the recipe's.
     ///
     /// # Errors
     /// [`OptionError`].
@@ -121,7 +121,7 @@ impl Refinement {
         if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
             return Err(OptionError::NoTriangles);
         }
-        // No budget is larger than what the indices of half-edges can name.
+        // The indices of half-edges bound the number of vertices.
         options.limits.max_vertices = options.limits.max_vertices.min(max_points());
         let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
@@ -140,8 +140,8 @@ impl Refinement {
         Ok(refinement)
     }
 
-    /// Wide parts are to be filled first, if the recipe asks for it and there are any; otherwise everything is looked
-    /// at.
+    /// Starts the lattice stage if the recipe enables it and a triangle is large enough; otherwise queues all bad
+    /// triangles and encroached subsegments.
     pub(super) fn begin(&mut self) {
         let bounds = self.problem.bounds;
         let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
@@ -156,7 +156,7 @@ impl Refinement {
         }
     }
 
-    /// Puts a queue in the place of the present one.
+    /// Replaces the queue.
     pub(super) fn replace_queue(&mut self, queue: Queue) {
         let before = std::mem::replace(&mut self.agenda.queue, queue);
         if let Some(record) = self.record() {
@@ -164,7 +164,7 @@ impl Refinement {
         }
     }
 
-    /// An empty queue in the order of step 2 for so many vertices: by patches of the drawing's box, if it allows.
+    /// An empty queue for an expected number of vertices: by patches of the drawing's box, if step 2 allows that.
     pub(super) fn empty_queue(&self, bounds: Option<BoundingBox>, vertices: usize) -> Queue {
         if self.strategy.traits.select.works_by_patches {
             Queue::by_patches(Patches::new(bounds, vertices.min(self.problem.options.limits.max_vertices)))
@@ -173,13 +173,12 @@ impl Refinement {
         }
     }
 
-    /// Whether triangles anywhere are held against a bound on their area, or perhaps against a test of the caller's
-    /// own.
+    /// Whether the area of triangles is bounded anywhere, or may be by a test of the caller.
     pub(super) fn has_area_bound(&self) -> bool {
         self.problem.test.sufficient_bounds().doubled_area < f64::INFINITY
     }
 
-    /// How many vertices area bounds ask for at least: half as many as triangles.
+    /// A lower estimate of the vertices that the area bounds need: half as many as triangles.
     fn vertices_for_area(&self) -> usize {
         if !self.has_area_bound() {
             return 0;
@@ -198,7 +197,7 @@ impl Refinement {
         vertices
     }
 
-    /// The same with a step 2 of the caller's own.
+    /// Replaces step 2 by one of the caller's own.
     #[must_use]
     pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
         self.record_change();
@@ -210,7 +209,7 @@ impl Refinement {
         self
     }
 
-    /// The same with a step 3 of the caller's own; [`Steps`] shows one.
+    /// Replaces step 3 by one of the caller's own; [`Steps`] shows one.
     #[must_use]
     pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
         self.record_change();
@@ -219,7 +218,7 @@ impl Refinement {
         self
     }
 
-    /// The same with a step 4 of the caller's own.
+    /// Replaces step 4 by one of the caller's own.
     #[must_use]
     pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
         self.record_change();
@@ -232,10 +231,10 @@ impl Refinement {
         self
     }
 
-    /// Asks for more: triangles that the caller's own test refuses are bad, too.
+    /// Adds a test of the caller's own: triangles that it refuses are bad, too.
     ///
-    /// The test is asked about a triangle and the attribute of its region. It must answer the same for the
-    /// same triangle, or the result depends on when it is asked; whatever it answers, the limits end the work.
+    /// The test gets a triangle and the attribute of its region. It must return the same result for the same triangle,
+    /// or the mesh depends on the order of tests. Whatever it returns, the limits end the refinement.
     ///
     /// # Examples
     /// ```
@@ -267,8 +266,8 @@ impl Refinement {
         self
     }
 
-    /// Whether every edge that is not constrained passes the circle test between steps: not in a mesh that is refined
-    /// as it was given.
+    /// Whether every unconstrained edge passes the circle test between steps: not in a given mesh that is refined as it
+    /// is.
     pub(super) fn holds_circle_test(&self) -> bool {
         self.strategy.traits.insert.keeps_delaunay && !self.problem.is_as_given
     }
@@ -279,7 +278,7 @@ impl Refinement {
         &self.cdt
     }
 
-    /// What changes the triangulation, noted in the log of the step.
+    /// The operations on the triangulation, with the log of the step.
     #[inline(always)]
     pub(super) fn edit(&mut self) -> Edit<'_, UndoLog> {
         self.cdt.edit(&mut self.scratch.work, &mut self.scratch.log)
@@ -295,7 +294,7 @@ impl Refinement {
         self.ledger.stopwatch = self.ledger.stopwatch.or_clock(observer.clock());
         let (mut steps, mut reported_at) = (0, None);
         let stop = loop {
-            // Steps count, too: many may pass without an insertion.
+            // Counts steps, too: many steps may insert nothing.
             let work = steps + self.ledger.insertions;
             if reported_at.is_none_or(|reported| work >= reported + PROGRESS_EVERY) {
                 reported_at = Some(work);
@@ -330,9 +329,9 @@ impl Refinement {
         }
     }
 
-    /// One step: a waiting subsegment first, then the most urgent bad triangle.
+    /// Makes one step: splits a queued subsegment, or else treats the bad triangle of lowest priority.
     ///
-    /// The log holds what it changed, and nothing else.
+    /// Afterwards the log holds the changes of this step alone.
     pub(super) fn advance(&mut self) -> StepOutcome {
         self.ledger.stopwatch.enter(Part::Prepare);
         self.scratch.log.clear();
@@ -383,10 +382,10 @@ impl Refinement {
         StepOutcome::Triangle
     }
 
-    /// Lets triangles wait again that were given up for want of room, and subsegments that could not be split, if
-    /// anything has changed since; says whether it did.
+    /// Queues triangles again that were given up because there was no room, and subsegments that could not be split, if
+    /// anything has changed since; returns whether it did.
     ///
-    /// So a mesh that is refined again finds nothing left to do.
+    /// So a second refinement of the resulting mesh has nothing to do.
     fn retry(&mut self) -> bool {
         let had_no_room = |reason: Reason| matches!(reason, Reason::PrecisionFloor | Reason::InputGap);
         let is_refused = self.agenda.given_up.iter().any(|g| had_no_room(g.1)) || !self.agenda.unsplittable.is_empty();
@@ -406,7 +405,7 @@ impl Refinement {
         true
     }
 
-    /// The triangle at work if it is still there, else the most urgent one.
+    /// The current triangle if it still exists, else the triangle of lowest priority.
     fn next_face(&mut self) -> Option<FaceId> {
         if let Some(ticket) = self.agenda.current.take().filter(|&ticket| self.agenda.queue.is_valid(&self.cdt, ticket))
         {
@@ -429,10 +428,10 @@ impl Refinement {
         None
     }
 
-    /// Beginning a triangle to be treated, after those picked before; for the order `manual`. One that is gone by then
-    /// is passed over.
+    /// Picks a triangle to be treated after those picked before, for the order `manual`. A triangle that no longer
+    /// exists when its turn comes is skipped.
     ///
-    /// Says whether there is such a triangle.
+    /// Returns whether there is such a triangle.
     pub fn pick(&mut self, face: FaceId) -> bool {
         let is_there = face.index() < self.cdt.face_slots() && self.cdt.is_real(face);
         if is_there {
@@ -441,13 +440,14 @@ impl Refinement {
         is_there
     }
 
-    /// Deletions make room again, so insertions are counted too: no run goes on for ever.
+    /// Whether the budget is spent. Deletions lower the number of vertices, so insertions are bounded, too: every run
+    /// ends.
     fn is_exhausted(&self) -> bool {
         let most = self.problem.options.limits.max_vertices;
         self.ledger.vertices >= most || self.ledger.insertions >= 16 * most as u64 + 1024
     }
 
-    /// Whether the point strategy keeps clear of segments.
+    /// Whether free points that encroach upon a subsegment are refused.
     pub(super) fn minds_encroachment(&self) -> bool {
         self.strategy.traits.point.minds_encroachment
     }

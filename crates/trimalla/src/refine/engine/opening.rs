@@ -1,13 +1,13 @@
-//! What comes before the loop, in slices that can be cancelled between.
+//! The stages before the loop, in slices; a run can be cancelled between two slices.
 //!
 //! ```text
-//!   legalise a given mesh ─> let segments inside go ─> split them until they are edges ─> let them go ─> look at everything
-//!          (as given)          (conforming, or not              (conforming)                (not
-//!                                   locked)                                                locked)
+//!   legalise a given mesh ─> release segments inside ─> split them until they are edges ─> release them ─> test all faces
+//!          (as given)           (conforming, or not               (conforming)                (not
+//!                                    locked)                                                 locked)
 //! ```
 //!
-//! Where a recipe asks for none of this, as the default does not, everything is looked at when the refinement is made.
-//! Otherwise each slice is a step.
+//! Where a recipe needs none of these stages, as the default does not, all triangles are tested when the refinement is
+//! constructed. Otherwise each slice is a step.
 
 use super::Refinement;
 use super::parts::Opening;
@@ -18,16 +18,16 @@ use crate::refine::watch::event::StepOutcome;
 use crate::refine::watch::observer::Observer;
 use crate::refine::watch::stopwatch::Part;
 
-/// Edges looked at in one slice.
+/// Number of edges tested in one slice.
 const SLICE: usize = 1 << 14;
 
 impl Refinement {
-    /// Whether the loop is on, or may be.
+    /// Whether the stages before the loop are done.
     pub(super) fn is_open(&self) -> bool {
         self.segments.opening == Opening::Done
     }
 
-    /// Passes over what the recipe does not ask for; looks at everything if that is all there is to do.
+    /// Skips the stages that the recipe does not need; tests all triangles if that is the only stage left.
     pub(super) fn begin_opening(&mut self) {
         self.ledger.stopwatch.enter(Part::Rest);
         self.skip();
@@ -37,7 +37,7 @@ impl Refinement {
         self.ledger.stopwatch.enter(Part::Outside);
     }
 
-    /// Goes on from stages that the recipe does not ask for.
+    /// Skips the stages that the recipe does not need.
     fn skip(&mut self) {
         let recipe = self.problem.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
@@ -60,9 +60,10 @@ impl Refinement {
         }
     }
 
-    /// Does what comes before the loop, asking an observer before each slice whether to go on; says whether it is done.
+    /// Runs the stages before the loop. Calls the observer before each slice, which may cancel; returns whether all
+    /// stages are done.
     ///
-    /// [`run`](Self::run) does it too. Before that, triangles of a mesh that is not Delaunay may still be flipped away.
+    /// [`run`](Self::run) does so, too. Until then, triangles of a mesh that is not Delaunay may be flipped away.
     pub fn prepare(&mut self, observer: &mut dyn Observer) -> bool {
         self.ledger.report.stop = StopReason::default();
         while !self.is_open() || self.segments.recovery.is_some() {
@@ -75,7 +76,7 @@ impl Refinement {
         true
     }
 
-    /// All slices that are left, where nobody has made a step.
+    /// Runs all slices that are left: for a refinement that is finished before its first step.
     pub(super) fn finish_opening(&mut self) {
         while !self.is_open() || self.segments.recovery.is_some() {
             self.scratch.log.clear();
@@ -85,7 +86,7 @@ impl Refinement {
         }
     }
 
-    /// One slice.
+    /// Runs one slice.
     pub(super) fn opening_step(&mut self) -> StepOutcome {
         self.record_segments();
         match self.segments.opening {
@@ -123,12 +124,13 @@ impl Refinement {
         StepOutcome::Prepared
     }
 
-    /// Lets step 1 change the triangulation, and goes on to the loop if it wants no more.
+    /// Lets step 1 change the triangulation; the loop begins when it needs no further call.
     fn prepare_by_step(&mut self) {
         self.segments.opening = if self.begin_by_step() { Opening::Prepare } else { Opening::Done };
     }
 
-    /// Flips some of the edges that wait, and goes on to the next stage if none waits any more; how many flips it took.
+    /// Flips one slice of the illegal edges, and goes on to the next stage when none is left; returns the number of
+    /// flips.
     fn flip_slice(&mut self, next: Opening) -> u64 {
         let flips = self
             .cdt

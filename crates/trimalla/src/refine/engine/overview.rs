@@ -1,4 +1,4 @@
-//! How large a triangulation under refinement is at the moment, and its smallest angle.
+//! The present size and smallest angle of a triangulation under refinement.
 
 use super::Refinement;
 use crate::geometry::Triangle;
@@ -8,7 +8,7 @@ use crate::refine::watch::observer::Overview;
 use crate::triangulation::corners_of_two;
 
 impl Refinement {
-    /// Size and smallest angle of the triangulation as it is now.
+    /// The present size and smallest angle of the triangulation.
     ///
     /// # Complexity
     /// Linear.

@@ -1,4 +1,4 @@
-//! What a refinement consists of: the question, the way to answer it, what is to be done, and what was done.
+//! The parts of a refinement: the problem, the strategy, the agenda, the work on segments, the ledger and the scratch.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
@@ -28,7 +28,7 @@ use crate::size::{SizeBounds, SizeField};
 /// A triangle, by its slot and its sorted vertices.
 pub(super) type Picked = (FaceId, [VertexId; 3]);
 
-/// What is asked, and what of the input answers depend on. It stays as it is while points go in.
+/// The options, and what is derived from them and from the input. It does not change while points are inserted.
 #[derive(Clone)]
 pub(super) struct Problem {
     pub(super) options: RefineOptions,
@@ -36,15 +36,15 @@ pub(super) struct Problem {
     pub(super) test: Criterion,
     /// What encroaches upon a subsegment.
     pub(super) region: Region,
-    /// The box around the vertices, which no point leaves that goes in.
+    /// The bounding box of the vertices; inserted points lie in it.
     pub(super) bounds: Option<BoundingBox>,
     pub(super) ruler: Ruler,
     pub(super) floors: Floors,
     /// Where segments are split into pieces.
     pub(super) joints: Joints,
-    /// Whether pieces meet at so small an angle somewhere that splits mirror the vertices of other pieces.
+    /// Whether two pieces meet at an angle so small that splits mirror the vertices of other pieces.
     pub(super) has_small_wedge: bool,
-    /// Whether a mesh is refined as it was given, although edges may fail the circle test.
+    /// Whether a given mesh is refined as it is, although edges may fail the circle test.
     pub(super) is_as_given: bool,
 }
 
@@ -74,7 +74,7 @@ impl Problem {
 }
 
 impl Problem {
-    /// What the steps are shown of a triangulation.
+    /// The view of a triangulation that the steps get.
     #[inline(always)] // Several times for each triangle treated.
     pub(super) fn view<'a>(&'a self, cdt: &'a ConstrainedTriangulation, strategy: &Strategy) -> View<'a> {
         View {
@@ -87,14 +87,14 @@ impl Problem {
     }
 }
 
-/// How it is answered: the five steps, and what they say of themselves.
+/// The five steps with their traits.
 #[derive(Clone)]
 pub(super) struct Strategy {
     pub(super) steps: Steps,
     pub(super) traits: StepTraits,
-    /// Whether step 3 is of the library: what it proposes inside a face was found there by a walk.
+    /// Whether step 3 is the library's own: a walk has then proved that its proposals inside a face lie there.
     pub(super) walks_prove_places: bool,
-    /// How many triangles a walk may cross.
+    /// The number of triangles that a walk may cross.
     pub(super) longest_walk: usize,
 }
 
@@ -109,7 +109,7 @@ impl Strategy {
         }
     }
 
-    /// The same strategy after one of its steps has been exchanged.
+    /// Derives the traits again after a step has been replaced.
     pub(super) fn renewed(self) -> Self {
         let walks_prove_places = self.walks_prove_places;
         Self { walks_prove_places, ..Self::of(self.steps) }
@@ -122,40 +122,41 @@ impl fmt::Debug for Strategy {
     }
 }
 
-/// What is to be done, and what cannot be.
+/// What is queued, and what has been given up.
 #[derive(Clone, Default)]
 pub(super) struct Agenda {
     /// Bad triangles.
     pub(super) queue: Queue,
-    /// How many triangles joined the queue.
+    /// The number of triangles that have been queued so far.
     pub(super) sequence: u64,
-    /// The triangle to be treated until it is gone.
+    /// The triangle that is treated until it is destroyed.
     pub(super) current: Option<Ticket>,
     /// Triangles that the caller picked.
     pub(super) picked: VecDeque<Picked>,
-    /// Subsegments that wait for their split.
+    /// Subsegments queued for their split.
     pub(super) encroached: VecDeque<Encroached>,
-    /// Subsegments whose split failed although it had seemed possible.
+    /// Subsegments whose split failed although it was possible when they were queued.
     pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
     /// Triangles that were given up, and why.
     pub(super) given_up: Vec<([VertexId; 3], Reason)>,
-    /// How many vertices had come and gone at the last retry of those.
+    /// The number of insertions and deletions at the last retry.
     pub(super) changes_at_retry: u64,
     pub(super) retries: u32,
 }
 
-/// The work on segments before the loop, between and after: what was let go, and what is on its way back.
+/// The work on segments before the loop, between its steps and after it: which are released, and which are being
+/// recovered.
 #[derive(Clone, Default)]
 pub(super) struct SegmentWork {
-    /// What comes before the loop, as far as it is not done.
+    /// The current stage before the loop.
     pub(super) opening: Opening,
-    /// Edges that fail the circle test before the loop begins, or may.
+    /// Edges that fail the circle test before the loop begins, or may fail it.
     pub(super) illegal: Lawson,
-    /// Pieces of segments that are not locked.
+    /// The released pieces: segments that are not locked.
     pub(super) released: Vec<Released>,
-    /// Such pieces on their way back.
+    /// The recovery of released pieces under way.
     pub(super) recovery: Option<Box<RunningRecovery>>,
-    /// Pieces that could not come back.
+    /// Released pieces that could not be recovered.
     pub(super) lost: Vec<Released>,
 }
 
@@ -163,17 +164,17 @@ pub(super) struct SegmentWork {
 #[derive(Clone)]
 pub(super) struct Ledger {
     pub(super) report: Report,
-    /// Vertices that the mesh would have now.
+    /// The present number of vertices.
     pub(super) vertices: usize,
-    /// Vertices inserted in all, those deleted or taken back included.
+    /// The number of insertions so far, those of vertices that were deleted or taken back included.
     pub(super) insertions: u64,
-    /// The vertex inserted last for the triangle at work, if any was.
+    /// The vertex inserted last for the current triangle, if any.
     pub(super) newest: Option<VertexId>,
-    /// Whether it still improves, where that is watched.
+    /// When the bad triangles are counted next, if they are counted.
     pub(super) improvement: Improvement,
-    /// What the step at work did, where somebody wants to know.
+    /// The event of the current step, if events are recorded.
     pub(super) event: Option<Box<Event>>,
-    /// Steps of runs that an observer was shown.
+    /// The number of steps of runs whose events an observer got.
     pub(super) steps_observed: u64,
     /// Time per step.
     pub(super) stopwatch: Stopwatch,
@@ -194,56 +195,56 @@ impl Ledger {
     }
 }
 
-/// Lists that a step works with, kept from one to the next.
+/// Scratch lists, reused from step to step.
 #[derive(Clone, Default)]
 pub(super) struct Scratch {
-    /// What changing the triangulation takes.
+    /// The workspace of operations on the triangulation.
     pub(super) work: Workspace,
-    /// What the step at work has overwritten.
+    /// What the current step has overwritten.
     pub(super) log: UndoLog,
-    /// Whether the step at work is recorded, so that it can be taken back.
+    /// Whether the current step is recorded, so that it can be taken back.
     pub(super) is_recorded: bool,
-    /// The faces that the vertex at work replaces.
+    /// The faces that the current vertex replaces.
     pub(super) cavity: Cavity,
-    /// Places proposed for the triangle at work.
+    /// The places proposed for the current triangle.
     pub(super) places: Places,
     /// Faces that step 4 plans to replace.
     pub(super) planned: Vec<FaceId>,
-    /// The star of the vertex at work.
+    /// The star of the current vertex.
     pub(super) spokes: Vec<HalfEdgeId>,
     /// The numbers of the bad triangles of a fan.
     pub(super) bad_in_fan: Vec<usize>,
-    /// The subsegments beside what is looked at.
+    /// The subsegments at the faces that are tested.
     pub(super) beside: Vec<HalfEdgeId>,
 }
 
-/// What is to be done next.
+/// The stages before the loop.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Opening {
-    /// A mesh that was given is to be flipped until it passes the circle test.
+    /// Edges of a given mesh are to be flipped until it passes the circle test.
     #[default]
     Given,
-    /// Its edges are being flipped.
+    /// Edges of the given mesh are being flipped.
     Legalising,
-    /// Segments inside are to be let go.
+    /// Segments inside the domain are to be released.
     Release,
-    /// They are gone, and edges across them are being flipped.
+    /// Segments are released; edges are being flipped.
     Releasing,
-    /// They are to be split until they are edges.
+    /// Released segments are to be split until they are chains of edges.
     Conform,
-    /// They were split, and are to be let go again.
+    /// The split segments are to be released again.
     ReleaseAgain,
-    /// They are gone again, and edges across them are being flipped.
+    /// Segments are released again; edges are being flipped.
     ReleasingAgain,
-    /// Everything is to be looked at.
+    /// All triangles and subsegments are to be tested.
     Test,
     /// Step 1 changes the triangulation.
     Prepare,
-    /// The loop is on.
+    /// The loop has begun.
     Done,
 }
 
-/// Segments on their way back, and the pieces of all segments, which stay what they are meanwhile.
+/// A recovery of segments under way, with the pieces of all segments, which do not change meanwhile.
 #[derive(Clone, Debug)]
 pub(super) struct RunningRecovery {
     pub(super) recovery: Recovery,
@@ -251,16 +252,16 @@ pub(super) struct RunningRecovery {
     pub(super) pieces: Vec<Piece>,
 }
 
-/// When bad triangles are counted next, and how many there were the last time.
+/// When the bad triangles are counted next, and the last count.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Improvement {
-    /// The count is due when the mesh has so many vertices.
+    /// The number of vertices at which the count is due.
     pub(super) due: usize,
     pub(super) bad: usize,
 }
 
 impl Improvement {
-    /// Nothing is watched.
+    /// Bad triangles are not counted.
     pub(super) const UNWATCHED: Self = Self { due: usize::MAX, bad: usize::MAX };
 
     /// Whether a count is due.

@@ -10,28 +10,28 @@ use crate::half_edge::{Entry, UndoLog, VertexId};
 use crate::refine::agenda::queue::{Changes, Queue, Ticket};
 use crate::refine::criteria::reason::Reason;
 
-/// Bytes that records of steps may take where the caller does not say: a gibibyte.
+/// Default memory budget of the records, in bytes: one gibibyte.
 const BYTES: usize = 1 << 30;
 
-/// What was done, as far as it can be taken back.
+/// The records of the steps that can be taken back.
 #[derive(Clone)]
 pub(super) struct History<R> {
-    /// Steps made since the history began.
+    /// The number of steps since the history began.
     pub(super) steps: u64,
-    /// Steps among the records.
+    /// The number of steps among the records.
     pub(super) recorded: u64,
-    /// The oldest first.
+    /// The records, the oldest first.
     pub(super) records: VecDeque<Record<R>>,
-    /// The step at work.
+    /// The record of the current step.
     pub(super) under_way: Option<Box<StepRecord>>,
-    /// What the records take, about, and what they may take.
+    /// The approximate size of the records, and the budget.
     pub(super) bytes: usize,
     pub(super) most_bytes: usize,
     /// Whether steps of runs are recorded, too.
     pub(super) with_runs: bool,
 }
 
-/// How to take something back.
+/// What is needed to take a step or a change back.
 #[derive(Clone)]
 pub(super) enum Record<R> {
     Step(Box<StepRecord>),
@@ -42,7 +42,7 @@ pub(super) enum Record<R> {
     },
 }
 
-/// How to take a step back.
+/// What is needed to take a step back.
 ///
 /// One field for each thing that a step may overwrite, whichever part of the refinement holds it.
 #[derive(Clone)]
@@ -53,7 +53,7 @@ pub(super) struct StepRecord {
     pub(super) current: Option<Ticket>,
     pub(super) changes_at_retry: u64,
     pub(super) retries: u32,
-    /// How many waited before the step.
+    /// The lengths of the lists before the step.
     pub(super) encroached: usize,
     pub(super) picked: usize,
     pub(super) given_up: usize,
@@ -62,9 +62,9 @@ pub(super) struct StepRecord {
     pub(super) taken: Vec<Picked>,
     /// Subsegments that turned out to be unsplittable.
     pub(super) unsplittable: Vec<[VertexId; 2]>,
-    /// What was given up, and unsplittable, before a retry.
+    /// The triangles given up and the unsplittable subsegments before a retry.
     pub(super) before_retry: Option<Box<Refusals>>,
-    /// The queue before another one took its place, or what the step changed in it.
+    /// The queue if the step replaced it; else the journal of the queue.
     pub(super) queue: Option<Box<Queue>>,
     pub(super) queue_changes: Changes,
     /// Work on segments before it was changed.
@@ -91,7 +91,7 @@ impl<R> Default for History<R> {
 }
 
 impl<R> Record<R> {
-    /// About how many bytes the record takes.
+    /// Approximate size of the record in bytes.
     fn bytes(&self) -> usize {
         match self {
             Self::Step(step) => step.bytes(),
@@ -125,7 +125,7 @@ impl<R> History<R> {
 }
 
 impl StepRecord {
-    /// About how many bytes the record takes, with its lists.
+    /// Approximate size of the record in bytes, with its lists.
     fn bytes(&self) -> usize {
         let refusals = self.before_retry.as_ref().map_or(0, |refusals| {
             refusals.0.len() * size_of::<([VertexId; 3], Reason)>() + refusals.1.len() * size_of::<[VertexId; 2]>()
@@ -142,37 +142,37 @@ impl StepRecord {
             + segments
     }
 
-    /// Notes the subsegment that the step splits.
+    /// Records the subsegment that the step takes from the queue.
     pub(super) fn note_split(&mut self, encroached: Encroached) {
         self.split = Some(encroached);
     }
 
-    /// Notes a subsegment that the step found to be unsplittable.
+    /// Records a subsegment that the step found to be unsplittable.
     pub(super) fn note_unsplittable(&mut self, ends: [VertexId; 2]) {
         self.unsplittable.push(ends);
     }
 
-    /// Notes a picked triangle that the step took.
+    /// Records a picked triangle that the step took.
     pub(super) fn note_taken(&mut self, picked: Picked) {
         self.taken.push(picked);
     }
 
-    /// Notes what a retry forgets.
+    /// Records what a retry clears.
     pub(super) fn note_retry(&mut self, refusals: Refusals) {
         self.before_retry.get_or_insert(Box::new(refusals));
     }
 
-    /// Notes the queue that another one takes the place of.
+    /// Records the queue before it is replaced.
     pub(super) fn note_queue(&mut self, before: Queue) {
         self.queue.get_or_insert(Box::new(before));
     }
 
-    /// Notes how far the filling was.
+    /// Records the stage of the filling.
     pub(super) fn note_filling(&mut self, before: FillStage) {
         self.filling.get_or_insert(before);
     }
 
-    /// Notes the node that the step took.
+    /// Records the node that the step takes.
     pub(super) fn note_node(&mut self, node: TakenNode) {
         self.node = Some(node);
     }

@@ -1,4 +1,4 @@
-//! Segments that were let go, on their way back.
+//! Recovery of released segments.
 
 use super::Refinement;
 use super::parts::RunningRecovery;
@@ -16,17 +16,17 @@ use crate::refine::measure::ruler::Ruler;
 use crate::refine::watch::event::InsertedKind;
 use crate::refine::watch::stopwatch::Part;
 
-/// Pieces of segments looked at in one slice.
+/// Number of pieces of segments treated in one slice.
 const SLICE: usize = 256;
 
 impl Refinement {
-    /// Begins to bring segments back.
+    /// Begins a recovery of segments.
     pub(super) fn begin_recovery(&mut self, recovery: Recovery) {
         self.segments.recovery =
             Some(Box::new(RunningRecovery { recovery, pieces: self.problem.joints.pieces(&self.cdt) }));
     }
 
-    /// Brings some pieces back as whole edges, at once; returns how many are there then. The others cannot come back.
+    /// Recovers some pieces as whole edges, at once; returns how many of them are edges then. The others are lost.
     pub(super) fn bring_back_whole(&mut self, chosen: Vec<Released>) -> usize {
         let count = chosen.len();
         let mut recovery = Recovery::as_whole_edges(chosen);
@@ -42,10 +42,10 @@ impl Refinement {
         there
     }
 
-    /// Splits some of what was let go until it is edges, and locks it; says whether there was anything to do.
+    /// Runs one slice of the recovery under way, if there is one; returns whether there was.
     #[inline(always)] // Before each step.
     pub(super) fn continue_recovery(&mut self) -> bool {
-        // Nearly always there is nothing to recover.
+        // Nearly always there is no recovery.
         self.segments.recovery.is_some() && self.recover_slice()
     }
 
@@ -68,7 +68,7 @@ impl Refinement {
         true
     }
 
-    /// Brings back one slice, with all pieces of all segments where it is done by splitting.
+    /// Recovers one slice; `pieces` are all pieces of all segments for a recovery by splitting.
     fn recover_some(&mut self, recovery: &mut Recovery, pieces: &[Piece]) {
         let (ruler, floor_sq) = (self.problem.ruler, self.problem.floors.floor_sq);
         let may_part = |a: Point, b: Point| a != b && ruler.length_sq(a, b) >= floor_sq;
@@ -87,9 +87,9 @@ impl Refinement {
         self.ledger.report.inserted[InsertedKind::SegmentMiddle as usize] += inserted as u64;
     }
 
-    /// In the end: what is there of segments let go is marked as theirs, and those with a piece missing are reported.
+    /// Finishes the recovery: locks the released pieces that are edges, and reports the segments with a missing piece.
     ///
-    /// Where the caller cancelled, no vertex goes in any more.
+    /// If the caller has cancelled, no vertex is inserted any more.
     pub(super) fn finish_recovery(&mut self) {
         while self.recover_by_step() {
             while self.continue_recovery() {
@@ -109,8 +109,8 @@ impl Refinement {
 /// Splits the segments of a triangulation from which nothing was removed, until each is a chain of edges of the
 /// Delaunay triangulation of all vertices.
 ///
-/// Returns how many pieces are edges only because they are constrained: those that `max_vertices`, or the distance of
-/// 256 units in the last place of the largest coordinate between vertices, left no room to split.
+/// Returns the number of pieces that are edges only because they are constrained: `max_vertices`, or the least distance
+/// between vertices of 256 units in the last place of the largest coordinate, left no room to split them.
 pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize) -> usize {
     let bounds = cdt.bounding_box();
     let ruler = Ruler::for_box(bounds);
@@ -121,7 +121,7 @@ pub(crate) fn make_conforming(cdt: &mut ConstrainedDelaunay, max_vertices: usize
     let mirrors = Mirrors::new(&joints, &pieces, ruler);
     let place = |cdt: &ConstrainedTriangulation, stretch, plan: &SegmentPlan| mirrors.place(cdt, stretch, plan);
     let mut log = UndoLog::new();
-    // Edges of the hull are edges of the Delaunay triangulation, and there are no regions yet.
+    // Edges of the hull are Delaunay edges, and there are no regions yet.
     let mut edit = cdt.edit(&mut log);
     let (released, mut waiting) = edit.release_inner_segments();
     edit.legalise_some(&mut waiting, usize::MAX);

@@ -1,4 +1,4 @@
-//! Splitting encroached subsegments: which wait, where they are split, what is deleted before.
+//! Splits of encroached subsegments: which are queued, where they are split, which vertices are deleted first.
 
 use super::encroached::{Encroached, SplitPlace, SplitPlan};
 use super::insertion::Site;
@@ -12,7 +12,7 @@ use crate::refine::steps::Proposal;
 use crate::refine::watch::event::InsertedKind;
 
 impl Refinement {
-    /// Lets a subsegment wait for its split; says why it never can be split, where it cannot.
+    /// Queues the split of a subsegment; the error says why it cannot be split.
     pub(super) fn queue_subsegment(&mut self, h: HalfEdgeId, forced: bool) -> Result<(), Reason> {
         let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
         let ends = [a.min(b), a.max(b)];
@@ -24,19 +24,19 @@ impl Refinement {
         Ok(())
     }
 
-    /// The half-edge of an edge that starts at the lower vertex: rounded decisions start from it.
+    /// The half-edge of an edge that starts at the lower vertex: rounded decisions start from that vertex.
     fn in_order(&self, h: HalfEdgeId) -> HalfEdgeId {
         if self.cdt.origin(h) < self.cdt.dest(h) { h } else { self.cdt.twin(h) }
     }
 
-    /// Whether step 1 wants a subsegment split, and a split would help: not where all that is in its disk lies within
-    /// rounding of it, since no split parts that from it.
+    /// Whether step 1 wants a subsegment split, and a split would help. It would not if all vertices in its disk lie
+    /// within rounding of it, since no split separates them from it.
     #[inline] // For each subsegment beside what is new; most need no split.
     pub(super) fn needs_split(&self, h: HalfEdgeId) -> bool {
         self.strategy.steps.prepare.needs_split(self.view(), h) && !self.is_encroached_within_rounding(h)
     }
 
-    /// Whether an apex of `h` lies within rounding of it, and none in its disk does not.
+    /// Whether an apex of `h` lies within rounding of it, and every apex in its disk does.
     #[inline(never)]
     fn is_encroached_within_rounding(&self, h: HalfEdgeId) -> bool {
         let sides = [h, self.cdt.twin(h)];
@@ -59,7 +59,7 @@ impl Refinement {
     /// Queues every subsegment that needs a split now, in the order of their vertices.
     pub(super) fn queue_all_encroached(&mut self) {
         let mut found = Vec::new();
-        // Not collected: edge by edge the nested iterators would be a machine of states.
+        // A loop instead of `collect`: the nested iterators would compile to a state machine.
         self.cdt.for_each_marked_edge(|h| {
             if self.needs_split(h) {
                 found.push((ends_of(&self.cdt, h), h));
@@ -67,12 +67,12 @@ impl Refinement {
         });
         found.sort_unstable();
         for (_, h) in found {
-            // One that cannot be split stays encroached; triangles beside it get that as their reason.
+            // A subsegment that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);
         }
     }
 
-    /// Splits the subsegment that waits longest, if it still needs it.
+    /// Takes the oldest queued subsegment, and splits it if it still needs that; returns whether there was one.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(encroached) = self.agenda.encroached.pop_front() else { return false };
         let Encroached { ends: [a, b], forced, plan } = encroached;
@@ -80,14 +80,14 @@ impl Refinement {
             record.note_split(encroached);
         }
         self.note(|event| event.subsegment = Some([a, b]));
-        // The hull of a triangulation that was not carved carries no marks.
+        // Edges of the hull of a triangulation that was not carved carry no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
         let there = self.cdt.half_edge_between_known(a, b, plan.half_edge).filter(is_subsegment);
         if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&[a, b])) {
             let plan = Some(plan).filter(|plan| plan.apexes == self.apexes(h));
             let is_needed = forced || plan.is_some() || self.needs_split(h);
             if is_needed && !self.split(h, plan) {
-                // It could be split when it was queued: do not try again for ever.
+                // It could be split when it was queued: marking it avoids endless attempts.
                 self.agenda.unsplittable.insert([a, b]);
                 if let Some(record) = self.record() {
                     record.note_unsplittable([a, b]);
@@ -97,10 +97,10 @@ impl Refinement {
         true
     }
 
-    /// Splits a subsegment; says whether it could.
+    /// Splits a subsegment; returns whether it was possible.
     ///
-    /// Free vertices in its disk are deleted first. Where there is no room without them, as beside a joint that is
-    /// sharp then and wants a cut on a circle, they come back.
+    /// Deletes the free vertices in its disk first. If there is no room for the split without them, as beside a joint
+    /// that becomes sharp and needs a split on a circle, the deletions are rolled back.
     fn split(&mut self, h: HalfEdgeId, plan: Option<SplitPlan>) -> bool {
         let acute = plan.map_or_else(|| self.acute_ends(h), |plan| plan.acute);
         let place = plan.map(|plan| plan.place);
@@ -125,8 +125,7 @@ impl Refinement {
         self.split_between(ends, place)
     }
 
-    /// Looks at what lies in slots that were looked at before a rollback: what waited there has lost its place in the
-    /// queue.
+    /// Tests the faces in slots that were tested before a rollback, since the tickets of those slots are void.
     fn test_again(&mut self, mut slots: Vec<FaceId>) {
         slots.retain(|f| f.index() < self.cdt.face_slots() && self.cdt.is_real(*f));
         self.sort_by_vertices(&mut slots);
@@ -134,13 +133,14 @@ impl Refinement {
         self.test_faces(&slots);
     }
 
-    /// Splits the subsegment between two vertices, if it is there and there is room; says whether it did.
+    /// Splits the subsegment between two vertices, if it exists and there is room; returns whether it did.
     fn split_between(&mut self, [a, b]: [VertexId; 2], place: Option<SplitPlace>) -> bool {
         let Some(h) = self.cdt.half_edge_between(a, b) else { return false };
         self.split_near(h, place)
     }
 
-    /// Splits a subsegment if there is room, at a cut where one is known; says whether it did.
+    /// Splits a subsegment at the given or planned place, or else a few last places beside it; returns whether there
+    /// was room.
     fn split_near(&mut self, h: HalfEdgeId, place: Option<SplitPlace>) -> bool {
         let Some(place) = place.or_else(|| self.plan_split(h).ok().map(|plan| plan.place)) else { return false };
         if self.split_at_place(h, place) {
@@ -165,7 +165,7 @@ impl Refinement {
         true
     }
 
-    /// How `h` can be split, or why not.
+    /// How `h` can be split, or why it cannot.
     fn plan_split(&self, h: HalfEdgeId) -> Result<SplitPlan, Reason> {
         let acute = self.acute_ends(h);
         let mut place = self.split_place(h, acute)?;
@@ -181,7 +181,7 @@ impl Refinement {
         [self.cdt.apex(h), self.cdt.apex(self.cdt.twin(h))]
     }
 
-    /// Where `h` is split if there is room, or why it must not be.
+    /// Where `h` is to be split, or why it must not be split.
     fn split_place(&self, h: HalfEdgeId, acute: [bool; 2]) -> Result<SplitPlace, Reason> {
         let on_boundary = self.cdt.is_boundary_edge(h);
         let protected = match self.problem.options.protect {
@@ -216,7 +216,7 @@ impl Refinement {
         }
     }
 
-    /// The provenance of a vertex at a cut of `h`: its segment, and its circle if that is around an end of the segment.
+    /// The provenance of a vertex that splits `h`: its segment, and its circle if that is around an end of the segment.
     fn provenance_of(&self, h: HalfEdgeId, place: SplitPlace) -> Provenance {
         let provenance = self.cdt.provenance_on(h, place.point);
         if let (Some((exponent, around_b)), Provenance::OnSegment { segment, t }) = (place.shell, provenance) {
@@ -229,21 +229,21 @@ impl Refinement {
         provenance
     }
 
-    /// Whether a cut of `h` lies on a circle around a joint inside the segment.
+    /// Whether a split of `h` lies on a circle around a joint inside the segment.
     fn is_around_joint(&self, h: HalfEdgeId, place: SplitPlace) -> bool {
         let Some((_, around_dest)) = place.shell else { return false };
         let apex = if around_dest { self.cdt.dest(h) } else { self.cdt.origin(h) };
         self.problem.joints.piece_along(&self.cdt, h).is_some_and(|piece| piece.contains(&apex))
     }
 
-    /// The parameter of the cut: the middle, or a circle around the one end where another segment joins; away from
-    /// there, beside another segment at less than a degree, as far out as that one's vertex.
+    /// The parameter of the split: on a circle around an end, if another segment meets only that end; else the mirror
+    /// image of a vertex of another segment at less than a degree; else the middle.
     ///
-    /// Cuts at distances that are powers of two from a shared end lie on common circles, so that the subsegments of two
-    /// segments that meet at a small angle stop encroaching upon each other.
+    /// Splits at distances that are powers of two from a shared end lie on common circles, so that the subsegments of
+    /// two segments that meet at a small angle stop encroaching upon each other.
     ///
     /// # Source
-    /// Concentric shells: `[Ruppert95]` section 5; the power is chosen so that the cut lies in the middle third.
+    /// Concentric shells: `[Ruppert95]` section 5; the power is chosen so that the split lies in the middle third.
     fn split_parameter(&self, h: HalfEdgeId, acute: [bool; 2]) -> (f64, Option<(i16, bool)>) {
         let around_b = match acute {
             [true, false] => false,
@@ -260,9 +260,9 @@ impl Refinement {
         (if around_b { 1.0 - t } else { t }, Some((exponent, around_b)))
     }
 
-    /// Whether at the origin, and at the dest, of `h` another constrained edge bounds one of its two triangles.
+    /// Whether another constrained edge bounds one of the two triangles of `h`, at its origin and at its dest.
     ///
-    /// For strategies that cut on circles only at sharp joints, where the angle there is below 60 degrees.
+    /// For strategies that split on circles only at sharp joints, the angle there must be below 60 degrees.
     fn acute_ends(&self, h: HalfEdgeId) -> [bool; 2] {
         let t = self.cdt.twin(h);
         let meets = |g: HalfEdgeId, apex: VertexId, end: VertexId| {
@@ -279,7 +279,7 @@ impl Refinement {
         ]
     }
 
-    /// Whether `apex` is seen from an end of `h` at less than 60 degrees from the other end.
+    /// Whether the angle at an end of `h` between `apex` and the other end is less than 60 degrees.
     fn is_sharp(&self, h: HalfEdgeId, apex: VertexId, end: VertexId) -> bool {
         let other = if end == self.cdt.origin(h) { self.cdt.dest(h) } else { self.cdt.origin(h) };
         let [end, other, apex] = [end, other, apex].map(|v| self.cdt.point(v));
@@ -288,8 +288,8 @@ impl Refinement {
         dot > 0.0 && 4.0 * dot * dot > u.length_sq() * v.length_sq()
     }
 
-    /// Deletes free vertices in the diametral disk of subsegment `h`, nearest triangle first; those that
-    /// came with the mesh stay. Returns the faces that were looked at.
+    /// Deletes free vertices in the diametral disk of subsegment `h`, nearest triangle first, except those of a given
+    /// mesh. Returns the faces that were tested.
     ///
     /// # Source
     /// `[Chew93]`: a split then makes no edge shorter than half the subsegment.
@@ -315,7 +315,7 @@ impl Refinement {
 
     /// The real faces inside a rim, given by the half-edges outside it, which no flip has moved.
     ///
-    /// A hole of `n` edges has `n - 2` faces; those without an edge on the rim lie across edges of others.
+    /// A hole of `n` edges has `n - 2` faces; those without an edge on the rim are found across the edges of others.
     fn hole_faces(&self, rim: &[HalfEdgeId]) -> Vec<FaceId> {
         let mut faces: Vec<FaceId> = Vec::with_capacity(rim.len());
         for &outer in rim {
@@ -333,10 +333,11 @@ impl Refinement {
         faces
     }
 
-    /// Deletes a free vertex; looks at the triangles and subsegments of the hole, and adds those triangles to a list.
+    /// Deletes a free vertex; tests the triangles and subsegments of the hole, and adds those triangles to a list.
+    /// Returns whether the vertex could be deleted.
     pub(super) fn delete_free_vertex(&mut self, v: VertexId, tested: &mut Vec<FaceId>) -> bool {
         let at = self.cdt.point(v);
-        // The other sides of the rim stay where they are; what lies across them afterwards fills the hole.
+        // The half-edges outside the rim stay in their slots; the faces across them fill the hole afterwards.
         let rim: Vec<HalfEdgeId> = self.cdt.star(v).map(|h| self.cdt.twin(h.next())).collect();
         let is_delaunay = self.holds_circle_test();
         let link: Vec<VertexId> = if is_delaunay { Vec::new() } else { self.cdt.neighbours(v).collect() };
@@ -349,7 +350,7 @@ impl Refinement {
         let mut faces: Vec<FaceId> = if is_delaunay {
             self.hole_faces(&rim)
         } else {
-            // Flips may have gone on beyond the rim, and the half-edges outside it may lie elsewhere.
+            // Flips may have continued beyond the rim, so the half-edges outside it may have moved.
             link.iter().flat_map(|&w| self.cdt.faces_around(w)).collect()
         };
         self.sort_by_vertices(&mut faces);

@@ -1,4 +1,4 @@
-//! What a refinement starts from, and going on under other options.
+//! What a refinement starts from.
 
 use std::fmt;
 use std::sync::Arc;
@@ -16,9 +16,9 @@ use crate::size::{ByTriangle, SizeBounds, SizeField};
 pub struct Start {
     pub(super) cdt: ConstrainedTriangulation,
     pub(super) work: Workspace,
-    /// Whether it is known that every edge passes the circle test.
+    /// Whether every edge is known to pass the circle test.
     pub(super) is_delaunay: bool,
-    /// What bounds sizes besides the options and the regions.
+    /// The size fields besides the options and the regions.
     pub(super) fields: Vec<Arc<dyn SizeField>>,
 }
 
@@ -35,14 +35,14 @@ impl Start {
         &self.cdt
     }
 
-    /// Bounds sizes by one more field.
+    /// Adds a size field.
     #[must_use]
     pub fn with_size(mut self, field: impl SizeField + 'static) -> Self {
         self.fields.push(Arc::new(field));
         self
     }
 
-    /// What can be said of the refinement before the work.
+    /// The outlook: the forecast, the angle ceiling and the smallest input angle.
     ///
     /// # Complexity
     /// That of the [`forecast()`](crate::refine::forecast()).

@@ -1,4 +1,4 @@
-//! Steps 1 and 5 at work: what [`StepEdit`] promises, done by the loop's own means.
+//! The loop's implementation of [`StepEdit`], for steps 1 and 5.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::half_edge::VertexId;
 use crate::refine::criteria::reason::StopReason;
 use crate::refine::steps::{Bring, Proposal, StepEdit, View};
 
-/// What is counted of a refinement: if one of these is another than before, something has changed.
+/// Counters of a refinement: if one of them differs, the refinement has changed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Counts {
     insertions: u64,
@@ -18,13 +18,14 @@ struct Counts {
 }
 
 impl Refinement {
-    /// Lets step 1 change the triangulation; says whether it wants to go on, and has changed something.
+    /// Calls step 1, which may change the triangulation; returns whether it asks for another call and has changed
+    /// something.
     pub(super) fn begin_by_step(&mut self) -> bool {
         let (step, before) = (Arc::clone(&self.strategy.steps.prepare), self.counts());
         step.begin(self) && self.counts() != before
     }
 
-    /// Lets step 5 change the triangulation; says whether the loop has to go on.
+    /// Calls step 5, which may change the triangulation; returns whether the loop has to continue.
     pub(super) fn recover_by_step(&mut self) -> bool {
         self.record_segments();
         let (step, before) = (Arc::clone(&self.strategy.steps.recover), self.counts());
@@ -41,7 +42,7 @@ impl Refinement {
         }
     }
 
-    /// Whether steps may change anything still.
+    /// Whether steps may still change anything.
     fn may_change(&self) -> bool {
         self.ledger.report.stop != StopReason::Cancelled && !self.is_exhausted()
     }
@@ -53,7 +54,7 @@ impl StepEdit for Refinement {
     }
 
     fn put(&mut self, place: Proposal) -> bool {
-        // A place from outside is proved whoever made it.
+        // Every place from a step is verified.
         self.may_change() && place.is_true(&self.cdt) && self.try_place(place).is_ok()
     }
 

@@ -1,4 +1,4 @@
-//! Looking at what is new: bad triangles join the queue, and so do subsegments that need a split.
+//! Tests of new faces: bad triangles join the queue, and so do subsegments that need a split.
 
 use super::{Refinement, ends_of};
 use crate::delaunay::Cavity;
@@ -12,18 +12,18 @@ use crate::refine::steps::{SelectStep, View};
 use crate::refine::watch::stopwatch::Part;
 use crate::triangulation::corners_of_two;
 
-/// Looks at one triangle after the other.
+/// Tests triangles, and queues the bad ones.
 struct Tester<'a> {
     view: View<'a>,
     test: &'a Criterion,
     select: &'a (dyn SelectStep + Send + Sync),
-    /// Whether the caller picks.
+    /// Whether the caller picks the triangles: then none is queued.
     is_manual: bool,
-    /// The cavity that was filled, where there was one.
+    /// The cavity that was filled last.
     cavity: &'a Cavity,
-    /// The numbers of the bad triangles of its fan.
+    /// Scratch: the numbers of the bad triangles in the fan of that cavity.
     bad: &'a mut Vec<usize>,
-    /// The subsegments beside what was looked at.
+    /// The subsegments at the faces that were tested.
     beside: &'a mut Vec<HalfEdgeId>,
     queue: &'a mut Queue,
     sequence: &'a mut u64,
@@ -40,7 +40,7 @@ impl Tester<'_> {
         }
     }
 
-    /// Looks at all triangles; queues the bad ones by the ranks of their vertices in that order.
+    /// Tests all triangles; queues the bad ones by the ranks of their vertices in that order.
     fn test_all(&mut self, order: Vec<VertexId>) {
         let cdt = self.view.cdt;
         let bounds = self.uniform_bounds();
@@ -64,7 +64,7 @@ impl Tester<'_> {
         !self.is_manual && self.test.badness(self.view.cdt, f, corners).is_some()
     }
 
-    /// Bounds that decide for most faces whether they are to be queued.
+    /// Bounds that decide for most faces whether they are queued.
     fn uniform_bounds(&self) -> UniformBounds {
         let bounds = self.test.uniform_bounds();
         if self.is_manual { bounds.undecided() } else { bounds }
@@ -78,13 +78,13 @@ impl Tester<'_> {
         self.queue.push(self.view.cdt, f, patch, priority);
     }
 
-    /// Looks at the fan that fills the cavity found last, from vertex `v` at `p`: queues what is bad in an order that
-    /// depends on no slot, from the lowest vertex of the rim on. Adds those edges of the rim and those spokes that are
-    /// subsegments to a list.
+    /// Tests the fan that fills the cavity, from vertex `v` at `p`. Queues the bad triangles counter-clockwise from the
+    /// lowest vertex of the rim on, an order that does not depend on slots. Adds the rim edges and spokes that are
+    /// subsegments to the list of subsegments.
     ///
     /// ```text
-    ///        d ─ c           One turn around the rim: each triangle's second spoke is the first one of the next, and what is
-    ///       / \ / \          bad is noted by its number, as the lowest vertex is known at the end only.
+    ///        d ─ c           One pass around the rim: each triangle's second spoke is the first spoke of the next. Bad
+    ///       / \ / \          triangles are listed by number, since the lowest vertex is known only at the end.
     ///      e ─ v ─ b
     ///       \ / \ /
     ///        f ─ a
@@ -111,7 +111,7 @@ impl Tester<'_> {
             self.queue.invalidate_unnoted(face);
             spoke = next;
         }
-        // A new vertex is the newest unless it got the slot of one that went, or infinity is beside it.
+        // The new vertex has the highest id, unless it reuses the slot of a deleted vertex or the fan has a ghost face.
         if v == newest {
             let patch = self.queue.patch_at(p);
             let count = self.bad.len();
@@ -128,7 +128,7 @@ impl Tester<'_> {
         }
     }
 
-    /// Adds the edges of the rim and the spokes that are subsegments, around the fan that fills the cavity found last.
+    /// Adds the rim edges and spokes of the fan that are subsegments to the list of subsegments.
     #[inline(never)]
     fn add_subsegments_of_fan(&mut self) {
         let cavity = self.cavity;
@@ -166,13 +166,13 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// A new vertex is in to stay: looks at the faces and subsegments around it.
+    /// Tests the faces and subsegments around a vertex that has been inserted.
     pub(super) fn test_star(&mut self, v: VertexId) {
         let before = self.ledger.stopwatch.enter(Part::Select);
         let mut spokes = std::mem::take(&mut self.scratch.spokes);
         spokes.clear();
         spokes.extend(self.cdt.star(v));
-        // From the lowest neighbour on, so that the order depends on no slot; infinity is the highest.
+        // Starts at the lowest neighbour, so that the order does not depend on slots; infinity is the highest.
         let first = (0..spokes.len()).min_by_key(|&i| self.cdt.dest(spokes[i])).unwrap_or(0);
         spokes.rotate_left(first);
         for &spoke in &spokes {
@@ -189,7 +189,8 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// [`test_star`](Self::test_star) a vertex at `p` that has just filled its cavity: what is around it is known.
+    /// Tests the fan of a vertex at `p` that has just filled its cavity, which lists the faces: faster than
+    /// [`test_star`](Self::test_star).
     pub(super) fn test_fan(&mut self, v: VertexId, p: Point) {
         let before = self.ledger.stopwatch.enter(Part::Select);
         self.tester().test_fan(v, p);
@@ -197,12 +198,13 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// Puts faces in the order of their vertices: those that wait equally long are taken in the order they came in.
+    /// Sorts faces by their vertices, since triangles of equal priority are treated in the order in which they were
+    /// queued.
     pub(super) fn sort_by_vertices(&self, faces: &mut [FaceId]) {
         faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
     }
 
-    /// Looks at faces that are new or changed: queues the bad ones, and encroached subsegments beside them.
+    /// Tests faces that are new or have changed: queues the bad ones, and the encroached subsegments beside them.
     pub(super) fn test_faces(&mut self, faces: &[FaceId]) {
         let before = self.ledger.stopwatch.enter(Part::Select);
         for &f in faces {
@@ -213,8 +215,8 @@ impl Refinement {
         self.ledger.stopwatch.enter(before);
     }
 
-    /// Queues those subsegments beside what was looked at that need a split, in the order of their vertices, whatever
-    /// the order of faces was; empties the list.
+    /// Queues those subsegments beside the tested faces that need a split, sorted by their vertices, so that the order
+    /// of the faces does not matter; empties the list.
     #[inline(always)] // After each insertion, and most are near no subsegment.
     fn queue_encroached_beside(&mut self) {
         if !self.scratch.beside.is_empty() {
@@ -233,14 +235,14 @@ impl Refinement {
         subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
         subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
         for h in subsegments.drain(..) {
-            // One that cannot be split stays encroached; triangles beside it get that as their reason.
+            // A subsegment that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);
         }
         self.scratch.beside = subsegments;
         self.ledger.stopwatch.enter(before);
     }
 
-    /// What is wrong with a face.
+    /// What is wrong with a face, if anything.
     pub(super) fn badness(&self, f: FaceId) -> Option<Badness> {
         self.problem.test.badness(&self.cdt, f, self.cdt.corners_from_newest(f))
     }

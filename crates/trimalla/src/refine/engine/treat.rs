@@ -1,10 +1,10 @@
 //! The treatment of one bad triangle: steps 3 and 4 of the loop.
 //!
-//! 1. Those that no point can help are given up, with the reason.
-//! 2. The point strategy proposes places, the best first.
-//! 3. Each place is tried until one is taken: a subsegment in the way waits for its split; so does, instead of the
-//!    point, one that the point would encroach upon. Step 4 plans how the point goes in, and `insertion.rs` carries the
-//!    plan out.
+//! 1. A triangle that no point can improve is given up, with the reason.
+//! 2. Step 3 proposes places, the best first.
+//! 3. The places are tried in turn until one is accepted. If a subsegment is in the way of the point, or the point
+//!    would encroach upon one, the subsegment is queued for a split instead. Step 4 plans how the point is inserted,
+//!    and `insertion.rs` executes the plan.
 
 use super::insertion::{Changed, Inserted, Refused, Site};
 use super::{Refinement, ends_of};
@@ -20,7 +20,7 @@ use crate::refine::watch::event::InsertedKind;
 use crate::refine::watch::stopwatch::Part;
 
 impl Refinement {
-    /// Treats a bad triangle; the error says why it is given up.
+    /// Treats a bad triangle; the error is the reason for which it is given up.
     pub(super) fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
         if let Some(reason) = self.is_hopeless(face) {
             return Err(reason);
@@ -31,11 +31,11 @@ impl Refinement {
         let view = self.problem.view(&self.cdt, &self.strategy);
         self.strategy.steps.point.propose(view, face, &mut self.scratch.places);
         self.ledger.stopwatch.enter(Part::Insert);
-        // Without flips a point off the triangle does not destroy it: one that is there already, or far off, never
-        // will.
+        // Without flips a point outside the triangle does not destroy it: neither does a point that exists already, nor
+        // one far away.
         let is_kept = self.strategy.traits.insert.keeps_delaunay;
         let mut refused = if is_kept { Reason::PrecisionFloor } else { Reason::StrategyCannotImprove };
-        // Nothing changes until one is taken, so that the loci stay right.
+        // Nothing changes until a place is accepted, so that the loci stay valid.
         for number in 0..self.scratch.places.proposals().len() {
             let place = self.scratch.places.proposals()[number];
             let tried = self.try_place(place);
@@ -51,7 +51,7 @@ impl Refinement {
         Err(self.reason_of_refused_places(self.scratch.places.proposals(), refused))
     }
 
-    /// Inserts the points that go in together with a place that was taken, if a vertex is there now.
+    /// Inserts the points that belong to an accepted place, if a vertex was inserted there.
     #[inline(always)] // Nearly always there are none.
     fn insert_others(&mut self, number: usize) {
         if self.scratch.places.together_with(number).next().is_some() {
@@ -59,7 +59,7 @@ impl Refinement {
         }
     }
 
-    /// Inserts these points one after the other, each where a walk from the vertex before leads.
+    /// Inserts these points in turn, each where a walk from the previous vertex ends.
     #[cold]
     #[inline(never)]
     fn insert_points_after(&mut self, first: Option<VertexId>, number: usize) {
@@ -75,8 +75,8 @@ impl Refinement {
         }
     }
 
-    /// Why no point can help a triangle of bad shape, where none can; one that is too large is split whatever its shape
-    /// is.
+    /// Why no point can improve a triangle of bad shape, if none can. A triangle that is too large is split whatever
+    /// its shape.
     fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
         if !self.problem.test.bounds_shape() {
             return None;
@@ -93,7 +93,7 @@ impl Refinement {
         self.badness(face).is_some_and(Badness::is_of_shape).then_some(reason)
     }
 
-    /// Counts the length of the path, where the strategy follows it.
+    /// Counts the length of the path, if step 3 follows it.
     fn count_path(&mut self, face: FaceId) {
         if self.strategy.traits.point.follows_path {
             let length = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule).len();
@@ -103,7 +103,7 @@ impl Refinement {
         }
     }
 
-    /// Inserts at a place, or queues the split that must come before; the error says why neither can be.
+    /// Inserts a vertex at a place, or queues the split that must come first; the error says why neither is possible.
     pub(super) fn try_place(&mut self, place: Proposal) -> Result<(), Reason> {
         let is_true = if self.strategy.walks_prove_places {
             place.is_true_after_walk(&self.cdt)
@@ -124,8 +124,8 @@ impl Refinement {
         }
     }
 
-    /// Flips an edge instead of an insertion, if its two faces form a convex quadrilateral. Where the circle test is to
-    /// be kept, only an edge that fails it is flipped. Flips are counted, so that the bound on insertions holds.
+    /// Flips an edge instead of an insertion, if its two faces form a convex quadrilateral. If step 4 keeps the circle
+    /// test, only an edge that fails it is flipped. Flips are counted, so that the bound on insertions holds.
     fn try_flip(&mut self, h: HalfEdgeId) -> Result<(), Reason> {
         let is_there = self.cdt.is_alive(h.face());
         let is_fine = is_there && (!self.strategy.traits.insert.keeps_delaunay || self.cdt.fails_circle_test(h));
@@ -140,10 +140,10 @@ impl Refinement {
         Ok(())
     }
 
-    /// Subsegments are in the way: one that can be is split, and the triangle waits.
+    /// Queues the split of one of the subsegments that are in the way; the triangle stays in the queue.
     ///
-    /// One split often clears the way of the others too, so they are left until they are met again. With lenses the
-    /// longest is split, with disks the shortest: measured on drawings, that leaves fewest vertices.
+    /// One split often makes the others unnecessary, so they are left until they are found again. With lenses the
+    /// longest is split, with disks the shortest: measured on drawings, that needs the fewest vertices.
     fn split_instead(&mut self, subsegments: &[HalfEdgeId]) -> Result<(), Reason> {
         if let [only] = subsegments {
             return self.queue_subsegment(*only, true);
@@ -168,7 +168,7 @@ impl Refinement {
         Err(refused)
     }
 
-    /// Inserts a free point; where it would encroach upon subsegments, one of them waits for its split instead.
+    /// Inserts a free point; if it would encroach upon subsegments, queues the split of one of them instead.
     #[inline(always)] // For most triangles.
     fn try_point(&mut self, plan: Plan, point: Point, locus: Locus) -> Result<(), Reason> {
         if plan != Plan::Fan && self.nearest_sq(point, locus) < self.problem.floors.floor_sq {
@@ -212,14 +212,14 @@ impl Refinement {
         Ok(())
     }
 
-    /// Counts a vertex that is no split of a subsegment, and notes it.
+    /// Counts a vertex that is not on a subsegment, and adds it to the event.
     pub(super) fn count_point(&mut self, v: VertexId, kind: InsertedKind) {
         self.ledger.vertices += 1;
         self.ledger.report.points_inserted += 1;
         self.note_inserted(v, kind);
     }
 
-    /// Looks at what has changed around a vertex that has just gone in at a point.
+    /// Tests the faces that the insertion of a vertex at a point has changed.
     #[inline(always)] // After each insertion.
     pub(super) fn test_around_inserted(&mut self, inserted: Inserted, point: Point) {
         match inserted.changed {
@@ -229,7 +229,7 @@ impl Refinement {
         }
     }
 
-    /// The reason that the refusal of a vertex is given as.
+    /// The reason under which a refusal is reported.
     pub(super) const fn reason_of_refused(&self, refused: &Refused) -> Reason {
         match refused {
             Refused::NoRoom | Refused::Encroaches(_) => Reason::PrecisionFloor,
@@ -237,8 +237,8 @@ impl Refinement {
         }
     }
 
-    /// Whether bisection has gone as far as it can help: it keeps the smallest angle, so far below the first lengths
-    /// there is nothing to win.
+    /// Whether further bisection is useless: it keeps the smallest angle, and the edges are already far shorter than
+    /// those at the start.
     fn is_beyond_help(&self, face: FaceId) -> bool {
         let shortest_sq = || {
             let [a, b, c] = self.cdt.corners(face);

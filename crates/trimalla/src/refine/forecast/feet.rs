@@ -1,7 +1,8 @@
-//! A triangulation in which closeness shows in the edges: vertices near segments have feet on them.
+//! A triangulation whose edge lengths show how close features are: vertices near segments have feet on them.
 //!
 //! In a constrained Delaunay triangulation a vertex may be close to the middle of a long segment although no edge is
-//! short. So each segment that an input vertex is close to gets a vertex where that one's perpendicular meets it:
+//! short. So each segment that is close to an input vertex gets a vertex at the foot of the perpendicular from that
+//! vertex:
 //!
 //! ```text
 //!            v                         v
@@ -9,13 +10,13 @@
 //!      a ═════════ b     ──>     a ═══ f ═══ b
 //! ```
 //!
-//! 1. Every constrained edge waits.
-//! 2. One is taken; if the apex of a triangle on it is an input vertex nearer to the edge than its foot to the ends,
-//!    the edge is split at the foot. Afterwards the apex is above the end of both halves, and asks for no further foot
-//!    there.
-//! 3. The halves and what is constrained around the foot wait.
+//! 1. Every constrained edge is queued.
+//! 2. An edge is taken from the queue. If the apex of a triangle at it is an input vertex that is nearer to the edge
+//!    than its foot is to the ends, the edge is split at the foot. The apex then lies above an end of both halves, and
+//!    needs no further foot there.
+//! 3. The halves and the constrained edges around the foot are queued.
 //!
-//! A vertex whose own segment meets the edge at a common end is passed over: at a small input angle refinement stops at
+//! A vertex whose own segment meets the edge at a common end is skipped: at a small input angle refinement stops at
 //! shells, and the two sides do not count as close.
 
 use std::collections::VecDeque;
@@ -41,7 +42,7 @@ pub(super) struct Footed {
 }
 
 impl Footed {
-    /// Puts feet into a copy of a triangulation.
+    /// Inserts feet into a copy of a triangulation.
     ///
     /// # Complexity
     /// One insertion a foot; the number of feet is bounded by a multiple of vertices and pieces.
@@ -67,7 +68,7 @@ impl Footed {
             let Some((h, t)) = self.foot_of_an_apex(h).filter(|_| left > 0) else { continue };
             let piece = self.piece_of(h);
             let (point, provenance) = self.cdt.point_on_subsegment(h, t);
-            // Where rounding refuses a foot, the vertex is as good as on the segment; lengths tell.
+            // If rounding leaves no room for a foot, the vertex is practically on the segment, which edge lengths show.
             let mut journal = NoJournal;
             let mut edit = self.cdt.edit(&mut self.work, &mut journal);
             let Ok(foot) = edit.split_subsegment(h, point, provenance) else { continue };
@@ -84,7 +85,7 @@ impl Footed {
         }
     }
 
-    /// The half-edge of a subsegment, which as a rule is still where it was when it began to wait.
+    /// The half-edge of a subsegment, which usually is still in the slot where it was when it was queued.
     fn find(&self, [a, b]: Piece, slot: HalfEdgeId) -> Option<HalfEdgeId> {
         let there = self.cdt.is_real(slot.face()) && ends(&self.cdt, slot) == [a, b];
         if there { Some(slot) } else { self.cdt.half_edge_between(a, b) }

@@ -1,4 +1,4 @@
-//! How many triangles a refinement will need, before the work.
+//! The forecast: an estimate of the number of triangles, before refinement.
 //!
 //! What makes a mesh large is not small angles but small gaps: a segment that runs along another at a hundredth of a
 //! percent of its length needs a hundred thousand triangles. The estimate is an integral: where the *size* of features
@@ -51,7 +51,7 @@ const SUBSEGMENTS: f64 = 0.66;
 const MEAN_OVER_MAX: f64 = 0.6;
 const MEAN_OVER_MAX_FILLED: f64 = 0.85;
 
-/// What a refinement will come to.
+/// The estimated size of a mesh.
 ///
 /// # Guarantees
 /// A function of the drawing and the options, up to the rounding of sums. An estimate, not a bound: see [`forecast()`].
@@ -95,7 +95,7 @@ const SHORT: f64 = 1e-2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The triangles that there are already.
+    /// The triangles that exist already.
     Input,
     /// The area bound.
     Area,
@@ -142,7 +142,7 @@ impl fmt::Display for Feature {
     }
 }
 
-/// Foresees how large the refinement of a carved triangulation will be.
+/// Estimates the size of the mesh that refinement of a carved triangulation will give.
 ///
 /// # Guarantees
 /// Ends, and the result is finite: no size is below the length floor of the refinement. Made for the presets
@@ -167,7 +167,7 @@ pub fn forecast(cdt: &ConstrainedTriangulation, options: &RefineOptions) -> Fore
     forecast_under(cdt, options, &SizeBounds::new(options.criteria.max_area, cdt, Vec::new()))
 }
 
-/// [`forecast`] under these bounds on sizes, which know the area bound of the options.
+/// Like [`forecast`], under these bounds on sizes, which include the area bound of the options.
 pub(super) fn forecast_under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Forecast {
     let footed = Footed::of(cdt);
     let bounds = cdt.bounding_box();
@@ -180,7 +180,7 @@ pub(super) fn forecast_under(cdt: &ConstrainedTriangulation, options: &RefineOpt
     tally.forecast(cdt)
 }
 
-/// The integral, part by part.
+/// The parts of the integral.
 struct Tally<'a> {
     footed: &'a Footed,
     sizes: &'a Sizes,
@@ -248,12 +248,12 @@ impl<'a> Tally<'a> {
         let slopes = slopes_of_bisectors(cdt);
         let marked = cdt.real_faces().flat_map(FaceId::half_edges).filter(|&h| cdt.is_marked(h));
         let mut sides: Vec<HalfEdgeId> = marked.collect();
-        // Sums are rounded: their order shall not depend on slots.
+        // Sums are rounded, so their order must not depend on slots.
         sides.sort_unstable_by_key(|&h| [cdt.origin(h), cdt.dest(h)]);
         let mut samples = Vec::new();
         for h in sides {
             let facing = profile(self.footed, self.sizes, h, GRADING, &mut samples);
-            deepen_no_further_than_bisectors(slopes[h.index()], &mut samples);
+            limit_depth_to_bisectors(slopes[h.index()], &mut samples);
             let largest = self.largest_size(h.face());
             let intervals = || samples.windows(2).map(|w| (w[0], w[1]));
             let layers = intervals().map(|(a, b)| layer(a, b, largest)).sum::<f64>();
@@ -333,7 +333,7 @@ impl<'a> Tally<'a> {
         (!bound.is_none()).then_some(bound.area() * scale * scale)
     }
 
-    /// The size at which the area bound asks for as many triangles as features do.
+    /// The size at which the area bound requires as many triangles as features do.
     fn largest_size(&self, f: FaceId) -> f64 {
         let bound = self.area_bound(f);
         bound.map_or(f64::INFINITY, |area| (self.constants.triangles * self.constants.mean_over_max * area).sqrt())
@@ -440,7 +440,7 @@ fn slopes_of_bisectors(cdt: &ConstrainedTriangulation) -> Vec<[f64; 2]> {
 }
 
 /// Points near a corner belong to the nearer of its two sides: the depth ends at the bisector.
-fn deepen_no_further_than_bisectors([first, last]: [f64; 2], samples: &mut [Sample]) {
+fn limit_depth_to_bisectors([first, last]: [f64; 2], samples: &mut [Sample]) {
     let Some(length) = samples.last().map(|last| last.s) else { return };
     // At the corner itself, infinity times zero is no bound.
     let bound = |slope: f64, s: f64| if slope < f64::INFINITY { slope * s } else { f64::INFINITY };

@@ -1,4 +1,4 @@
-//! What can be said of a refinement before it begins.
+//! The outlook: what is known of a refinement before it begins.
 
 use super::{Feature, Forecast, Gap, extent_of, forecast_under};
 use crate::constrained::{ConstrainedTriangulation, Provenance};
@@ -19,23 +19,23 @@ use crate::triangulation::corners_of_two;
 /// `[MillerPavWalkington03]`.
 const PROVED_DEG: f64 = 26.45;
 
-/// What can be said of a refinement before it begins.
+/// The outlook: what is known of a refinement before it begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
     /// How large the mesh will be.
     pub forecast: Forecast,
-    /// The angle that no mesh can pass; none of a triangulation without triangles.
+    /// The smallest angle that no mesh can exceed; `None` for a triangulation without triangles.
     pub angle_ceiling: Option<AngleCeiling>,
     /// The smallest angle between two segments.
     pub smallest_input_angle: Option<InputAngle>,
-    /// The two features that lie nearest to each other, where that is within rounding: no vertex fits between them, and
-    /// triangles there stay as they are. Two segments that leave a vertex so are an input angle, unless one has its end
-    /// there.
+    /// The two nearest features that lie within rounding of each other: no vertex fits between them, and triangles
+    /// there stay as they are. Two segments that leave a vertex that close together are an input angle, unless one of
+    /// them ends there.
     pub within_rounding: Option<Gap>,
 }
 
 impl Outlook {
-    /// Looks at a carved triangulation.
+    /// The outlook of a carved triangulation.
     ///
     /// # Complexity
     /// That of the [`forecast()`](crate::refine::forecast()).
@@ -44,7 +44,7 @@ impl Outlook {
         Self::under(cdt, options, &SizeBounds::new(options.criteria.max_area, cdt, Vec::new()))
     }
 
-    /// [`of`](Self::of) under these bounds on sizes, which know the area bound of the options.
+    /// Like [`of`](Self::of), under these bounds on sizes, which include the area bound of the options.
     pub(in crate::refine) fn under(cdt: &ConstrainedTriangulation, options: &RefineOptions, size: &SizeBounds) -> Self {
         Self {
             forecast: forecast_under(cdt, options, size),
@@ -72,7 +72,8 @@ impl Outlook {
     }
 }
 
-/// The nearest two features that lie within rounding of each other; of equally near ones those at the lowest vertices.
+/// The nearest two features that lie within rounding of each other; of equally near pairs the one with the lowest
+/// vertices.
 ///
 /// # Complexity
 /// Linear.
@@ -108,7 +109,7 @@ fn within_rounding(cdt: &ConstrainedTriangulation) -> Option<Gap> {
             note(length_sq.sqrt(), ends(), h);
         }
         if cdt.is_marked(h) {
-            // An end of the edge that is as near is named instead.
+            // An end of the edge that is as near takes precedence.
             let apex = || cdt.point(cdt.apex(h));
             let is_at_end = || cdt.edge_points(h).into_iter().any(|end| ruler.length_sq(end, apex()) < precision_sq);
             let width = distance_beside(cdt, ruler, h).filter(|&width| width < precision && !is_at_end());
@@ -133,7 +134,7 @@ fn within_rounding(cdt: &ConstrainedTriangulation) -> Option<Gap> {
     Some(Gap { width, relative_width, at: cdt.point(one), between: [Feature::Vertex(one), second] })
 }
 
-/// The distance of the apex of `h` from it, where it lies beside it.
+/// The distance of the apex of `h` from `h`, if the apex lies beside `h`.
 fn distance_beside(cdt: &ConstrainedTriangulation, ruler: Ruler, h: HalfEdgeId) -> Option<f64> {
     let [a, b] = cdt.edge_points(h);
     let (along, to_apex) = (ruler.vector(a, b), ruler.vector(a, cdt.point(cdt.apex(h))));

@@ -1,7 +1,7 @@
-//! How the size runs along a subsegment, on one side of it, and how much of the domain belongs to it there.
+//! The size along a subsegment, on one side of it, and the depth of the part of the domain that belongs to it.
 //!
-//! Along a subsegment the size is the least of: what its ends allow, and the distance to the segment that faces it.
-//! The second is measured by rays; where two segments run beside each other it is all that says so:
+//! Along a subsegment the size is the minimum of the bounds that its ends set and the distance to the segment that
+//! faces it. The latter is measured by rays; between two parallel segments only rays detect it:
 //!
 //! ```text
 //!      ════════════════════        │ ray, perpendicular, through the triangles between;
@@ -18,9 +18,9 @@ use crate::refine::measure::mirror::SMALL_SINE_SQ;
 
 /// Where rays start, as parameters of the subsegment.
 const RAYS: [f64; 5] = [1.0 / 64.0, 0.25, 0.5, 0.75, 63.0 / 64.0];
-/// A ray crosses no more triangles than this.
+/// The largest number of triangles that a ray crosses.
 const MOST_CROSSED: usize = 256;
-/// A ray that has gone this many sizes over the grading need go no further: the triangles out there are few.
+/// A ray ends after this many sizes over the grading: few triangles are needed so far out.
 const FAR: f64 = 16.0;
 
 /// A point of a profile.
@@ -34,11 +34,11 @@ pub(super) struct Sample {
     pub(super) depth: f64,
 }
 
-/// What a ray met.
+/// The result of a ray.
 #[derive(Clone, Copy, Debug)]
 struct Ray {
     s: f64,
-    /// How far it went.
+    /// Its length.
     length: f64,
     /// The distance to the segment that it met, if that does not meet the subsegment's own at an end.
     facing: f64,
@@ -46,7 +46,7 @@ struct Ray {
     met: Option<HalfEdgeId>,
 }
 
-/// What faces a side of a subsegment where it is nearest.
+/// The nearest point of what faces a side of a subsegment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Facing {
     /// How far away it is, in the ruler's units.
@@ -74,7 +74,7 @@ pub(super) fn profile(
     let rays = RAYS.map(|t| {
         let ray = cast(footed, h, t, FAR * tents.at(t * length) / grading);
         if ray.facing < sizes.precision {
-            // Refinement does not part what lies within rounding.
+            // Refinement does not separate features within rounding of each other.
             return Ray { facing: f64::INFINITY, met: None, ..ray };
         }
         Ray { facing: ray.facing.max(sizes.floor), ..ray }
@@ -90,7 +90,7 @@ pub(super) fn profile(
     nearest.met.map(|edge| Facing { width: nearest.facing, from, edge })
 }
 
-/// What the ends of a subsegment allow along it.
+/// The bounds that the ends of a subsegment set on the size along it.
 #[derive(Clone, Copy, Debug)]
 struct Tents {
     ends: [f64; 2],
@@ -140,7 +140,7 @@ fn add_interval(tents: &Tents, from: Ray, to: Ray, into: &mut Vec<Sample>) {
         let line = Line::through(from.s, from.facing, (to.facing - from.facing) / width);
         [line, line]
     } else {
-        // What one ray met the other missed: away from it the distance grows.
+        // One ray hit what the other missed: away from the hit the distance grows.
         [Line::through(from.s, from.facing, g), Line::through(to.s, to.facing, -g)]
     };
     let lines = [left, right, third, fourth];
@@ -192,8 +192,8 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
 
 /// Whether the segment that a ray from a side met counts as close to it where the ray starts.
 ///
-/// Segments that meet do so only out where no shell has cut both: the first shell is at about half the shorter one.
-/// Those that meet at less than a degree do not at all: splits of one mirror those of the other.
+/// Segments that meet count as close only where no shell has split both: the first shell is at about half the shorter
+/// one. Those that meet at less than a degree never do: splits of one mirror those of the other.
 fn is_facing(footed: &Footed, h: HalfEdgeId, start: Point, met: HalfEdgeId) -> bool {
     let (own, other) = (footed.piece_of(h), footed.piece_of(met));
     if own == other {

@@ -14,7 +14,7 @@ use crate::half_edge::VertexId;
 pub(super) struct Sizes {
     /// No size is below this.
     pub(super) floor: f64,
-    /// What is nearer than this lies within rounding, and refinement does not part it.
+    /// Features nearer than this are within rounding of each other, and refinement does not separate them.
     pub(super) precision: f64,
     size: Vec<f64>,
     /// The vertex whose feature sets the size: after grading perhaps one far away.
@@ -28,7 +28,7 @@ pub(super) struct Sizes {
 struct Length(u64);
 
 impl Sizes {
-    /// Measures and grades. Refinement goes no lower than the floor, in the ruler's units, so no size does.
+    /// Measures and grades the sizes. No size is below the floor of refinement, in the ruler's units.
     ///
     /// # Complexity
     /// O(n log n).
@@ -53,7 +53,7 @@ impl Sizes {
         self.source[v.index()]
     }
 
-    /// What that feature is the distance to.
+    /// The vertex at the other end of that feature.
     pub(super) fn partner(&self, v: VertexId) -> Option<VertexId> {
         self.partner[v.index()]
     }
@@ -81,7 +81,8 @@ impl Sizes {
         }
     }
 
-    /// Vertices leave the heap with their final sizes, the smallest first; those that lower no neighbour never join it.
+    /// Vertices leave the heap with their final sizes, the smallest first; vertices that lower no neighbour are never
+    /// pushed.
     fn grade(&mut self, footed: &Footed, grading: f64) {
         let cdt = &footed.cdt;
         let mut heap: BinaryHeap<Reverse<(Length, VertexId)>> = BinaryHeap::new();

@@ -6,9 +6,9 @@
 //!     a ══ p ════ v ══════ w ══ b   A split at p lies on the piece a–v.
 //! ```
 //!
-//! Segments keep their names, and this table tells the pieces: a split is computed from the ends of its piece, and
-//! shells lie around those. So the mesh is the one of the drawing with its pieces listed, bit for bit where that lists
-//! the same vertices.
+//! Segments keep their ids, and this table holds their pieces: a split is computed from the ends of its piece, and
+//! shells lie around those. So the mesh is that of the drawing with its pieces listed, bit for bit if that drawing
+//! lists the same vertices.
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::drawing::SegmentId;
@@ -17,7 +17,7 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 /// A piece of an input segment, by its two ends in the order of the segment.
 pub(in crate::refine) type Piece = [VertexId; 2];
 
-/// Where two different pieces of segments meet.
+/// The common end of two different pieces of segments.
 pub(in crate::refine) fn common_end(one: Piece, other: Piece) -> Option<VertexId> {
     one.into_iter().find(|v| one != other && other.contains(v))
 }
@@ -40,8 +40,8 @@ pub(in crate::refine) struct Joints {
 impl Joints {
     /// Finds the joints of a triangulation whose segments are all marked.
     ///
-    /// Where segments overlap, those of the segment that splits are computed from are found, and no others are asked
-    /// for.
+    /// Where segments overlap, only the joints of the segment from which splits are computed are found; others are
+    /// never needed.
     ///
     /// # Complexity
     /// Linear in the marked edges and the degrees of the vertices that were put on segments before, and a sort.
@@ -49,7 +49,7 @@ impl Joints {
         Self::along(cdt, &marked_edges(cdt))
     }
 
-    /// [`of`](Self::of) for a caller that has all marked edges.
+    /// Like [`of`](Self::of), for a caller that has all marked edges.
     pub(in crate::refine) fn along(cdt: &ConstrainedTriangulation, marked: &[HalfEdgeId]) -> Self {
         let mut sorted = Vec::new();
         for &h in marked {
@@ -68,7 +68,7 @@ impl Joints {
         Self { sorted }
     }
 
-    /// The piece inside which a vertex was put; `None` for vertices inside no piece.
+    /// The piece inside which a vertex was inserted; `None` for vertices inside no piece.
     pub(in crate::refine) fn piece_of(&self, cdt: &ConstrainedTriangulation, v: VertexId) -> Option<Piece> {
         let (Provenance::OnSegment { segment, t } | Provenance::Shell { segment, t, .. }) = cdt.provenance(v) else {
             return None;
@@ -136,7 +136,8 @@ impl Joints {
     }
 }
 
-/// The marked edges, to be walked through more than once: most of what finding them costs is the faces without any.
+/// The marked edges, for callers that need them more than once: most of the cost of finding them is that of the faces
+/// without any.
 pub(in crate::refine) fn marked_edges(cdt: &ConstrainedTriangulation) -> Vec<HalfEdgeId> {
     let mut marked = Vec::new();
     // A loop instead of `collect`: the nested iterators would compile to a state machine.
@@ -144,10 +145,10 @@ pub(in crate::refine) fn marked_edges(cdt: &ConstrainedTriangulation) -> Vec<Hal
     marked
 }
 
-/// Whether a vertex inside a segment ends pieces: the input lists it, or not just the two parts of the segment meet
+/// Whether a vertex inside a segment ends pieces: the input lists it, or more than the two parts of the segment meet
 /// there.
 ///
-/// Whether a vertex that came later was put there as a crossing or by a split is not asked: a file does not tell.
+/// It does not matter whether a vertex that is not in the input is a crossing or a split: a file does not say.
 fn ends_pieces(cdt: &ConstrainedTriangulation, v: VertexId) -> bool {
     let mut marks = cdt.edges_around(v).filter(|&h| cdt.is_marked(h)).map(|h| cdt.mark(h));
     let [first, second, third] = std::array::from_fn(|_| marks.next());

@@ -1,4 +1,4 @@
-//! The lattice of equilateral triangles: what a plane without features is best filled with.
+//! The lattice of equilateral triangles: the best filling of a plane without features.
 //!
 //! ```text
 //!      o───o───o───o         Rows lie √3/2 of the spacing apart, every other one half a spacing further.
@@ -8,18 +8,18 @@
 //!      o───o───o───o
 //! ```
 //!
-//! Nodes are shaken by a ten thousandth of the spacing, by a hash of their place. An exact lattice would put six of
-//! them on a circle and hundreds on a line, and each test of such would need exact arithmetic.
+//! Nodes are jittered by a ten-thousandth of the spacing, by a hash of their row and column. An exact lattice would put
+//! six nodes on a circle and hundreds on a line, and each predicate on them would need exact arithmetic.
 
 use std::ops::ControlFlow;
 
 use crate::geometry::{BoundingBox, Point};
 
-/// How far a node is shaken, in spacings, along each axis at most.
+/// The largest jitter of a node along each axis, in spacings.
 const JITTER: f64 = 1e-4;
-/// The bound over the area of a triangle that is not shaken: more than shaking its corners can add.
+/// The area bound over the area of a triangle without jitter: more than the jitter of its corners can add.
 const SLACK: f64 = 1.0 + 10.0 * JITTER;
-/// Rows and columns are counted in no more bits than these.
+/// The largest number of rows and columns.
 const MOST_ROWS: f64 = (1u32 << 30) as f64;
 /// Lengths up to this one, and down to its inverse, have ordinary squares.
 const GREATEST: f64 = 1e150;
@@ -52,24 +52,24 @@ impl Lattice {
         self.spacing * (3f64.sqrt() / 2.0)
     }
 
-    /// How many nodes a piece of the plane of this area holds, in the mean.
+    /// The mean number of nodes in a region of this area.
     pub(in crate::refine) fn nodes_in_area(self, area: f64) -> f64 {
         area / (self.spacing * self.row_height())
     }
 
-    /// How many rows, at most, cross a triangle.
+    /// An upper bound on the number of rows that cross a triangle.
     pub(in crate::refine) fn rows_across(self, corners: [Point; 3]) -> f64 {
         let [low, high] = span(corners);
         (high - low) / self.row_height() + 1.0
     }
 
-    /// Calls with every node of a triangle, row by row, until a call breaks off. A node on an edge is met in one of the
-    /// two triangles beside it.
+    /// Calls `call` with every node of a triangle, row by row, until a call breaks. A node on an edge belongs to one of
+    /// the two triangles beside it.
     ///
-    /// A row that runs along a triangle flat but for rounding may hold many more nodes than the area tells.
+    /// A row along a triangle that is flat but for rounding may hold many more nodes than the area suggests.
     ///
     /// # Complexity
-    /// The rows that cross the triangle, and the nodes.
+    /// Linear in the rows that cross the triangle and in the nodes.
     pub(in crate::refine) fn try_for_each_node_in(
         self,
         corners: [Point; 3],
@@ -81,7 +81,7 @@ impl Lattice {
             let y = self.origin.y + row as f64 * height;
             let offset = if row % 2 == 0 { 0.0 } else { 0.5 };
             let Some(cut) = cut_at(corners, y) else { continue };
-            // Rounded, but the same for both triangles at an edge.
+            // Rounded, but to the same values for both triangles at an edge.
             let [first, end] = cut.map(|x| ((x - self.origin.x) / self.spacing - offset).ceil());
             for column in whole(first)..whole(end) {
                 let x = self.origin.x + (column as f64 + offset) * self.spacing;
@@ -110,13 +110,13 @@ fn cut_at([a, b, c]: [Point; 3], y: f64) -> Option<[f64; 2]> {
     Some([first.min(second), first.max(second)])
 }
 
-/// A whole number, which the lattice keeps small.
+/// Converts a whole number, which the lattice keeps small.
 #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
 fn whole(x: f64) -> i64 {
     x as i64
 }
 
-/// Two numbers between −1 and 1 without pattern.
+/// Two pseudo-random numbers between −1 and 1.
 fn jitter(row: i64, column: i64) -> [f64; 2] {
     let mut h = (row as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (column as u64).wrapping_mul(0xd1b5_4a32_d192_ed03);
     h ^= h >> 32;

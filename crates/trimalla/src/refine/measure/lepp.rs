@@ -52,7 +52,7 @@ impl Lepp {
     }
 }
 
-/// The order of two edges by length; of equal ones the lower ends are less.
+/// The order of two edges by length; of equal ones the edge with the lower ends is less.
 #[must_use]
 pub fn compare_edges(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, g: HalfEdgeId) -> Ordering {
     let key = |h: HalfEdgeId| {
@@ -107,7 +107,7 @@ pub fn terminal_edge(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppR
     follow(t, ruler, first, rule, |_| {})
 }
 
-/// Walks a path; `visit` learns of every face after the first.
+/// Walks a path; calls `visit` with every face after the first.
 fn follow(t: &Triangulation, ruler: Ruler, first: FaceId, rule: LeppRule, mut visit: impl FnMut(FaceId)) -> HalfEdgeId {
     let mut h = longest_edge(t, ruler, first);
     // Edges rise strictly: a path is no longer than the mesh.
@@ -161,8 +161,8 @@ pub fn quadrilateral_centroid(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, ki
     Point::new(m.x + x / ruler.scale(), m.y + y / ruler.scale())
 }
 
-/// The areas of the two triangles that an edge makes with the ways from its start to two points, in some unit; equal
-/// where they are too small to be told apart. Never both zero.
+/// The areas of the two triangles of an edge, given by the vectors from its start to two points, in some unit; equal if
+/// they are too small to be distinguished. Never both zero.
 fn areas_beside(edge: Vector, ways: [Vector; 2]) -> [f64; 2] {
     let areas = |scale: f64| ways.map(|way| edge.scaled(scale).cross(way.scaled(scale)).abs());
     let plain = areas(1.0);
@@ -199,7 +199,7 @@ impl ConstrainedTriangulation {
 }
 
 impl ConstrainedDelaunay {
-    /// Inserts the point that a terminal edge stands for, and keeps the triangulation constrained Delaunay.
+    /// Inserts the point of a terminal edge, and keeps the triangulation constrained Delaunay.
     ///
     /// With t1 the triangle of the half-edge and t2 that of its twin:
     ///
@@ -250,8 +250,8 @@ impl ConstrainedDelaunay {
         self.lepp_insert_with(terminal_edge, centroid, &mut NoJournal)
     }
 
-    /// [`lepp_insert`](Self::lepp_insert), noting what is overwritten: one rollback takes the point back, and the
-    /// carving of the hull where there was one.
+    /// Like [`lepp_insert`](Self::lepp_insert), under a journal: one rollback takes back the point, and the carving of
+    /// the hull if there was one.
     pub fn lepp_insert_with<J: Journal>(
         &mut self,
         terminal_edge: HalfEdgeId,

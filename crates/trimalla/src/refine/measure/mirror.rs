@@ -1,14 +1,14 @@
-//! Splits beside very small input angles: where the other segment has its vertex, not in the middle.
+//! Splits beside very small input angles: at the distance of the other segment's vertex, not in the middle.
 //!
 //! ```text
-//!                         ___..q        q, on one segment from A, is in the disk of x–y, which is part of the other. Split
-//!           ___...────'''''             in the middle, x–y would put vertices into disks of the first segment, and so on
-//!     A ═════════ x ═══ m ═══ y         until the pieces are as short as the two segments are apart. Split at m, as far
-//!                                       from A as q is, nothing is in the disk of any piece.
+//!                         ___..q        q, on one segment from A, is in the disk of x–y, a part of the other segment. A
+//!           ___...────'''''             split of x–y in the middle would be in a disk of the first segment, and so on until
+//!     A ═════════ x ═══ m ═══ y         the parts are as short as the two segments are apart. After a split at m, as far
+//!                                       from A as q is, no vertex is in the disk of any part.
 //! ```
 //!
-//! Shells do this near `A`, where subsegments end at it. Farther out the vertices of both segments are where the ends
-//! of the segments and the splits of either put them.
+//! Shells do this near `A`, for subsegments that end at `A`. Farther out, the vertices of both segments depend on the
+//! ends of the segments and the splits of either.
 //!
 //! # Source
 //! Our own, after the concentric shells of `[Ruppert95]` section 5.
@@ -101,8 +101,8 @@ impl Wedge {
     }
 }
 
-/// Where segments that were let go are split: as far from a common end as the other piece's vertex in the disk is,
-/// where the pieces meet at less than 60 degrees, and in the middle elsewhere.
+/// Where released segments are split: if a vertex of another piece is in the disk and the pieces meet at less than 60
+/// degrees, at the distance of that vertex from the common end; else in the middle.
 pub(in crate::refine) struct Mirrors<'a> {
     joints: &'a Joints,
     /// [All pieces](Joints::pieces).
@@ -115,7 +115,7 @@ impl<'a> Mirrors<'a> {
         Self { joints, pieces, ruler }
     }
 
-    /// The parameter at which a stretch is split that a plan found to cross edges.
+    /// The parameter at which a stretch of a released segment is split, given the plan with the edges it crosses.
     pub(in crate::refine) fn place(
         &self,
         cdt: &ConstrainedTriangulation,

@@ -1,4 +1,4 @@
-//! Lengths that neither overflow nor vanish.
+//! Lengths that neither overflow nor underflow.
 
 use crate::geometry::{BoundingBox, Point, Vector, math};
 

@@ -1,7 +1,7 @@
 //! The choices that have keys: presets, the steps of a recipe, protected segments.
 //!
-//! Each is declared once, with its key, a line on what it does, and its source. Which option takes them is said by the
-//! [table of options](super::table::OPTIONS).
+//! Each choice is declared once, with its key, a line on what it does, and its source. The [table of
+//! options](super::table::OPTIONS) lists which option takes which choices.
 
 use std::fmt;
 use std::str::FromStr;
@@ -75,13 +75,13 @@ macro_rules! choices {
     };
 }
 
-/// A key that names nothing.
+/// An unknown key.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("nothing is called '{key}'; known are {}", .known.join(", "))]
 pub struct UnknownKey {
     /// The key.
     pub key: String,
-    /// Keys that do name something.
+    /// The known keys.
     pub known: Vec<&'static str>,
 }
 
@@ -125,7 +125,7 @@ choices! {
 }
 
 choices! {
-    /// Step 1: what is done to segments before points go in.
+    /// Step 1: what is done to segments before points are inserted.
     Prepare, SplitEncroached, {
         None = "none", "segments are left as they are", "MeshSuite";
         SplitEncroached = "split-encroached", "segments with a vertex in their protecting region are split first", "Ruppert95";
@@ -133,7 +133,7 @@ choices! {
 }
 
 choices! {
-    /// Step 1: when segments are looked at.
+    /// Step 1: when segments are tested.
     PrepareWhen, Always, {
         Always = "always", "before every insertion", "Ruppert95";
         Once = "once", "once, before the first insertion", "MeshSuite";
@@ -208,7 +208,7 @@ choices! {
 }
 
 choices! {
-    /// Step 4: how the point goes in.
+    /// Step 4: how the point is inserted.
     Insert, Cavity, {
         Flip = "flip", "the face or edge is split, then Lawson's flips", "Lawson77";
         Cavity = "cavity", "faces whose circle holds the point go, a fan takes their place", "Bowyer81";
@@ -218,7 +218,7 @@ choices! {
 }
 
 choices! {
-    /// Step 5: what becomes of interior segments meanwhile.
+    /// Step 5: what becomes of segments inside the domain while points are inserted.
     Recover, WholeEdge, {
         None = "none", "segments inside are let go, and what is missing in the end is reported", "MeshSuite";
         BySplitting = "by-splitting", "segments inside are let go, and in the end split until they are chains of edges", "MeshSuite";
@@ -239,8 +239,8 @@ choices! {
 choices! {
     /// Which segments may not be split.
     ///
-    /// Protected segments keep the guarantee from holding: triangles beside them may stay bad, and are then listed with
-    /// the reason `protected segment`.
+    /// With protected segments the guarantee does not hold: triangles beside them may stay bad; the report then lists
+    /// them with the reason `protected segment`.
     Protect, None, {
         None = "none", "all segments may be split", "";
         Boundary = "boundary", "those on the boundary of the domain stay whole", "";

@@ -57,8 +57,8 @@ pub struct Recipe {
 }
 
 impl Preset {
-    /// The recipe it stands for: the documents' own, but that off-centers and circumcenters go in by cavity where those
-    /// say flips. The mesh is the same, vertex by vertex, and done sooner.
+    /// The recipe of the preset: that of the documents, except that off-centers and circumcenters are inserted by
+    /// cavity where the documents use flips. The mesh is the same, vertex by vertex, and takes less time.
     #[must_use]
     pub fn recipe(self) -> Recipe {
         let lepp = Recipe {

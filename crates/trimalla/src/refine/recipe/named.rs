@@ -1,14 +1,14 @@
-//! Options with names: what recipe files, command lines and reports are about.
+//! Options with names, as recipe files, command lines and reports use them.
 
 use super::Recipe;
 use super::choices::{Preset, Protect};
 use crate::geometry::Angle;
 use crate::refine::recipe::options::{Criteria, Limits, RefineOptions};
 
-/// A recipe, and whatever is said about criteria and limits.
+/// A recipe, with the criteria and limits that are set.
 ///
-/// [`OPTIONS`](super::OPTIONS) lists its fields with their keys: each can be read and set by that. What is not said is
-/// at its default, or left to whoever refines.
+/// [`OPTIONS`](super::OPTIONS) lists its fields with their keys: each can be read and set by its key. An option that is
+/// not set has its default, or is left to the caller.
 ///
 /// # Examples
 /// ```
@@ -23,7 +23,7 @@ use crate::refine::recipe::options::{Criteria, Limits, RefineOptions};
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedOptions {
-    /// What the recipe is called.
+    /// The name of the recipe.
     pub name: Option<String>,
     /// The preset that it started from; the steps below are complete without it.
     pub preset: Option<Preset>,
@@ -31,7 +31,7 @@ pub struct NamedOptions {
     pub recipe: Recipe,
     /// Which segments may not be split.
     pub protect: Option<Protect>,
-    /// The smallest angle asked for, in degrees.
+    /// The smallest angle allowed, in degrees.
     pub min_angle_deg: Option<f64>,
     /// The largest area allowed, in squared coordinate units.
     pub max_area: Option<f64>,
@@ -44,7 +44,7 @@ pub struct NamedOptions {
 }
 
 impl NamedOptions {
-    /// The recipe of a preset; nothing is said about criteria and limits.
+    /// The recipe of a preset; criteria and limits are not set.
     #[must_use]
     pub fn of(preset: Preset) -> Self {
         Self { preset: Some(preset), recipe: preset.recipe(), ..Self::default() }
@@ -61,7 +61,7 @@ impl NamedOptions {
         }
     }
 
-    /// Gives criteria, protection and limits of which nothing is said their default values.
+    /// Sets criteria, protection and limits that are not set to their default values.
     #[must_use]
     pub fn with_default_bounds(mut self) -> Self {
         let defaults = Self::defaults();
@@ -71,7 +71,7 @@ impl NamedOptions {
         self
     }
 
-    /// What a refinement is asked by it; what is not said is at its default.
+    /// The options of a refinement; what is not set has its default.
     #[must_use]
     pub fn refine_options(&self) -> RefineOptions {
         let (criteria, limits) = (Criteria::default(), Limits::default());
@@ -90,7 +90,7 @@ impl NamedOptions {
         }
     }
 
-    /// Takes all steps from a preset. A name that there was is that of other steps.
+    /// Takes all steps from a preset. Clears the name, which was that of other steps.
     pub fn take_preset(&mut self, preset: Preset) {
         (self.name, self.preset, self.recipe) = (None, Some(preset), preset.recipe());
     }

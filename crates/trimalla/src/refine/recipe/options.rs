@@ -1,4 +1,4 @@
-//! What is asked of a refinement, and where it stops.
+//! The options of a refinement: criteria, limits and recipe.
 
 pub(in crate::refine) use super::Protect;
 use super::{Fill, Preset, Recipe};
@@ -16,7 +16,7 @@ use crate::quality::aspect_ratio;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Criteria {
-    /// The smallest angle a triangle may have; 0 asks for none.
+    /// The smallest angle a triangle may have; 0 for no bound.
     pub min_angle: Angle,
     /// The largest area a triangle may have, in squared coordinate units.
     pub max_area: Option<f64>,
@@ -32,10 +32,10 @@ impl Default for Criteria {
 }
 
 impl Criteria {
-    /// The smallest angle that is asked for where nothing is said, in degrees.
+    /// The default smallest angle, in degrees.
     pub const DEFAULT_MIN_ANGLE_DEG: f64 = 30.0;
 
-    /// The angle that no good triangle falls below: what placement and protecting regions are computed for.
+    /// The smallest angle of good triangles by all criteria: placement and protecting regions are computed for it.
     ///
     /// With s the sine of half the smallest angle, R/2r is least where the two other angles are equal, and then
     /// 1 / (4 s (1 − s)): a bound on it bounds s.
@@ -83,8 +83,8 @@ impl Criteria {
 pub struct Limits {
     /// No more vertices than this, the input's included.
     pub max_vertices: usize,
-    /// No two vertices are brought closer together than this; `None` for a floor that depends on the coordinates:
-    /// 256 units in the last place of the largest.
+    /// The shortest distance of a new vertex from others; `None` for a floor that depends on the coordinates: 256 units
+    /// in the last place of the largest.
     pub length_floor: Option<f64>,
 }
 
@@ -94,7 +94,7 @@ impl Default for Limits {
     }
 }
 
-/// Everything a refinement is asked.
+/// The options of a refinement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
@@ -116,50 +116,50 @@ impl RefineOptions {
         Self { recipe: preset.recipe(), ..Self::default() }
     }
 
-    /// Asks for this smallest angle, in degrees.
+    /// Sets the smallest angle, in degrees.
     #[must_use]
     pub fn with_min_angle_deg(mut self, degrees: f64) -> Self {
         self.criteria.min_angle = Angle::from_degrees(degrees);
         self
     }
 
-    /// Asks for triangles no larger than this.
+    /// Sets the largest area of triangles.
     #[must_use]
     pub fn with_max_area(mut self, area: f64) -> Self {
         self.criteria.max_area = Some(area);
         self
     }
 
-    /// Asks for triangles whose circumradius is at most this many times twice their inradius.
+    /// Sets the largest aspect ratio: circumradius over twice the inradius.
     #[must_use]
     pub fn with_max_aspect_ratio(mut self, ratio: f64) -> Self {
         self.criteria.max_aspect_ratio = Some(ratio);
         self
     }
 
-    /// Stops at this many vertices.
+    /// Sets the vertex budget.
     #[must_use]
     pub fn with_max_vertices(mut self, vertices: usize) -> Self {
         self.limits.max_vertices = vertices;
         self
     }
 
-    /// Keeps these segments whole.
+    /// Sets the segments that may not be split.
     #[must_use]
     pub fn with_protect(mut self, protect: Protect) -> Self {
         self.protect = protect;
         self
     }
 
-    /// Whether wide parts are filled with a lattice, where there is an area bound and the mesh is Delaunay: not above
-    /// 30 degrees. A vertex inside a triangle of the lattice, wherever it lies, leaves an angle of 30 degrees or less;
-    /// once the loop has put one in, it would go through the whole lattice.
+    /// Whether wide parts are filled with a lattice, if there is an area bound and the mesh is Delaunay: not above 30
+    /// degrees. A vertex inside a triangle of the lattice leaves an angle of 30 degrees or less wherever it lies; after
+    /// the first such vertex the loop would replace the whole lattice.
     pub(in crate::refine) fn asks_for_lattice(&self) -> bool {
         let is_lasting = self.criteria.effective_min_angle().radians() <= Angle::from_degrees(30.0).radians();
         self.recipe.fill == Fill::Lattice && is_lasting
     }
 
-    /// Refuses what cannot be meant.
+    /// Checks that the options are in range.
     ///
     /// # Errors
     /// [`OptionError`] names the option and its value.
@@ -180,27 +180,27 @@ impl RefineOptions {
     }
 }
 
-/// Whether a smallest angle of so many degrees can be asked for: the smallest angle of no triangle exceeds 60.
+/// Whether an angle in degrees is a valid bound: the smallest angle of no triangle exceeds 60.
 pub(in crate::refine) fn is_angle_deg(degrees: f64) -> bool {
     (0.0..=60.0).contains(&degrees)
 }
 
-/// Whether it is a largest area.
+/// Whether an area is a valid bound.
 pub(in crate::refine) fn is_area(area: f64) -> bool {
     area > 0.0 && area.is_finite()
 }
 
-/// Whether it is a largest aspect ratio.
+/// Whether a ratio is a valid bound on the aspect ratio.
 pub(in crate::refine) fn is_aspect_ratio(ratio: f64) -> bool {
     ratio >= 1.0 && ratio.is_finite()
 }
 
-/// Whether it is a length floor.
+/// Whether a length is a valid length floor.
 pub(in crate::refine) fn is_length(length: f64) -> bool {
     length >= 0.0 && length.is_finite()
 }
 
-/// An option outside its range, or a triangulation that there is nothing to refine of.
+/// An option outside its range, or a triangulation without triangles.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptionError {

@@ -24,7 +24,7 @@ impl Serialize for NamedOptions {
     }
 }
 
-/// What is said of the options of a table, or of the file itself.
+/// The options that are set in a table, or in the file itself.
 fn said_of(options: &NamedOptions, table: Option<&str>) -> Said {
     OptionRow::of_table(table).filter_map(|option| Some((option, option.get(options)?))).collect()
 }

@@ -1,6 +1,6 @@
-//! The table of options: what a refinement can be asked, each option once.
+//! The table of options of a refinement; each is declared once.
 //!
-//! Registry, program, recipe files, reports and the page `docs/options.md` are made of it.
+//! The registry, the program, recipe files, reports and the page `docs/options.md` derive from it.
 
 use super::choices::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
@@ -10,7 +10,7 @@ use super::named::NamedOptions;
 use super::value::{Plain as _, Row, Slot as _, Value, Values, WrongValue};
 use crate::refine::recipe::options::{is_angle_deg, is_area, is_aspect_ratio, is_length};
 
-/// What an option is about, and with that where it stands in recipe files and in help.
+/// What an option is about, which decides its place in recipe files and in help.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// The name of a recipe.
@@ -61,7 +61,7 @@ pub struct OptionRow {
     pub summary: &'static str,
     /// More than that line; may be empty.
     pub details: &'static str,
-    /// What holds where it is not given and has no [default value](Self::default_value); may be empty.
+    /// What applies if it is not given and has no [default value](Self::default_value); may be empty.
     pub absent: &'static str,
     /// Whether it counts only where longest-edge paths are followed.
     pub is_of_paths: bool,
@@ -75,14 +75,14 @@ impl OptionRow {
         OPTIONS.iter().filter(move |option| option.group.table() == table)
     }
 
-    /// Its value, if one is said.
+    /// Its value, if it is set.
     #[must_use]
     pub fn get(&self, options: &NamedOptions) -> Option<Value> {
         (self.get)(options)
     }
 
-    /// Gives it a value. The preset takes all steps with it. Whether a number is in range is left to
-    /// [`validate`](crate::RefineOptions::validate).
+    /// Sets its value. The preset replaces all steps. [`validate`](crate::RefineOptions::validate) checks whether a
+    /// number is in range.
     ///
     /// # Errors
     /// [`WrongValue`] where the value is not of its type.
@@ -93,7 +93,7 @@ impl OptionRow {
         Err(WrongValue { option: self.key, expected: self.values.expected(), value: value.clone() })
     }
 
-    /// The value that it has where nobody says one; none for steps, which are the preset's.
+    /// Its default value; none for steps, whose default is the preset's.
     #[must_use]
     pub fn default_value(&self) -> Option<Value> {
         let is_of_preset = matches!(self.group, Group::Step(_));
@@ -121,7 +121,7 @@ macro_rules! option {
     };
 }
 
-/// A row for a step: a choice that is the preset's where it is not said.
+/// A row for a step: its default is the preset's choice.
 macro_rules! step {
     ($key:literal, $step:literal, $field:ident, $choice:ident) => {
         OptionRow {

@@ -1,8 +1,8 @@
-//! Values of options, whatever their type: what the command line, a recipe file and a report say and are told.
+//! Values of options of any type, as the command line, recipe files and reports read and write them.
 
 use std::fmt;
 
-/// What a key stands for.
+/// A key and its meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The key, as scripts, the program and reports spell it.
@@ -90,7 +90,7 @@ impl Values {
         }
     }
 
-    /// The value that a key stands for.
+    /// The value of a key.
     #[must_use]
     pub fn of_key(self, key: &str) -> Option<Value> {
         let row = self.rows().iter().find(|row| row.key == key)?;
@@ -146,12 +146,12 @@ plain! {
     String = Text;
 }
 
-/// The place of an option: it holds a value always, or none at first.
+/// The field of an option: it always holds a value, or none at first.
 pub(super) trait Slot {
-    /// What is there.
+    /// Its value.
     fn get(&self) -> Option<Value>;
 
-    /// Puts a value there; says whether it is of the type.
+    /// Sets its value; returns whether the value has the right type.
     fn set(&mut self, value: &Value) -> bool;
 }
 

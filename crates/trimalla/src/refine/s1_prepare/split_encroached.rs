@@ -1,10 +1,10 @@
 //! `split-encroached`: subsegments with a visible vertex in their protecting region are split.
 //!
-//! Only the apexes of the two triangles at a subsegment are looked at: in a constrained Delaunay triangulation, if any
+//! Only the apexes of the two triangles at a subsegment are tested: in a constrained Delaunay triangulation, if any
 //! visible vertex is in the region, one of them is.
 //!
-//! Under a bound on areas also those are split that no good triangle fits: else the triangles beside them would be
-//! refined first, and their vertices deleted when the subsegment is split after all.
+//! Under an area bound, subsegments too long for any good triangle are split, too: else the triangles beside them would
+//! be refined first, and their vertices deleted when the subsegment is split after all.
 
 use crate::half_edge::HalfEdgeId;
 use crate::refine::criteria::encroachment::Region;
@@ -36,8 +36,8 @@ impl PrepareStep for SplitEncroached {
 }
 
 impl SplitEncroached {
-    /// Whether the least triangle on a subsegment that meets the angle bound is above the area bound on a side of it:
-    /// the one that has the bound as its angle at either end.
+    /// Whether, on a side of the subsegment, the smallest triangle that meets the angle bound is above the area bound:
+    /// that is the triangle with the bound as its angle at both ends.
     fn is_too_long(view: View<'_>, h: HalfEdgeId) -> bool {
         if view.size.are_none() {
             return false;

@@ -11,7 +11,7 @@ use crate::refine::steps::{SelectStep, View};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundaryShortestEdge;
 
-/// Brings every squared length below those of other triangles, and keeps their order.
+/// A factor that makes every squared length less than those of other triangles, and keeps their order.
 const FIRST: f64 = f64::from_bits((1023 - 110) << 52); // 2^-110
 
 impl SelectStep for BoundaryShortestEdge {

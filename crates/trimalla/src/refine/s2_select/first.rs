@@ -1,4 +1,4 @@
-//! `first`: the triangle that has waited longest first.
+//! `first`: the oldest triangle in the queue first.
 
 use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, SelectTraits, View};

@@ -1,4 +1,4 @@
-//! `manual`: the triangles that the caller picks, one after the other, bad or not; it ends when none is left.
+//! `manual`: the triangles that the caller picks, in that order, bad or not; it ends when no picked triangle is left.
 
 use crate::half_edge::FaceId;
 use crate::refine::steps::{SelectStep, SelectTraits, View};

@@ -1,8 +1,8 @@
 //! `shortest-edge`: the triangle with the shortest edge first, to within an eighth of an octave of its square.
 //!
-//! Of those the newest comes first, and large meshes are made patch by patch, so that the work stays in one place: the
-//! cache decides how long it takes. The meshes are as small as in the exact order, within one or two in a thousand at
-//! 30 degrees.
+//! Of triangles with equal priority the newest comes first, and large meshes are made patch by patch: both keep the
+//! work in one place, and cache misses dominate the time. The meshes are as small as in the exact order, within one or
+//! two in a thousand at 30 degrees.
 
 use super::shortest_sq::{shortest_sq, shortest_sq_of};
 use crate::geometry::Point;
@@ -13,7 +13,7 @@ use crate::refine::steps::{SelectStep, SelectTraits, View};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortestEdge;
 
-/// A positive number cut down to eighths of an octave.
+/// A positive number rounded down to an eighth of an octave.
 fn to_eighths(length_sq: f64) -> f64 {
     f64::from_bits(length_sq.to_bits() & (!0 << (52 - 3)))
 }

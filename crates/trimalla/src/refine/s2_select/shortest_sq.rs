@@ -1,4 +1,4 @@
-//! The shortest edge, by which orders go.
+//! The shortest edge of a triangle, for orders by length.
 
 use crate::geometry::Point;
 use crate::half_edge::FaceId;

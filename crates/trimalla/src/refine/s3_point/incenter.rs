@@ -7,9 +7,8 @@
 //!       a ─── b             a ─── b
 //! ```
 //!
-//! The trivial way to more triangles where they are wanted. Every angle is halved, which is why the source shows it:
-//! whoever bounds angles should not use it, and a refinement that does ends when it no longer improves. For areas it
-//! does its work.
+//! The simplest way to get more triangles. Every angle is halved, which is why the source shows it: do not use it under
+//! an angle bound, where a refinement ends only because it no longer improves. For area bounds it works.
 //!
 //! # Source
 //! `[MeshSuite]` 2.2, figure 1.

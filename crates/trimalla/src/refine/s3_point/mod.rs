@@ -1,9 +1,9 @@
-//! Step 3: where the new vertex goes.
+//! Step 3: where the new vertex is placed.
 //!
 //! ```text
 //!            s                   p, q: the shortest edge        c: the circumcenter
 //!           / \                  o: the off-center, on the way from the middle of p–q to c, where
-//!          / c \                    the triangle p, q, o has the angle asked for at o
+//!          / c \                    the triangle p, q, o has the angle bound at o
 //!         /  o  \
 //!        p ───── q
 //! ```

@@ -1,4 +1,5 @@
-//! `off-center`: the circumcenter, or nearer to the shortest edge the point that makes its triangle just good.
+//! `off-center`: the circumcenter, or a point nearer to the shortest edge with which the new triangle just meets the
+//! angle bound.
 //!
 //! # Source
 //! `[Ungor09]`; section 2.5.1.4 of `[MeshSuite]`, figure 15. The off-center O of these sources lies at half of cot(α/2)
@@ -10,7 +11,8 @@ use crate::geometry::{Angle, Point, Triangle, angle_at_least, lexicographically_
 use crate::half_edge::FaceId;
 use crate::refine::steps::{Places, PointStep, Proposal, View};
 
-/// Roundings of the exact off-center that are tried, each a last place or two nearer to the shortest edge.
+/// The number of roundings of the exact off-center that are tried, each a last place or two nearer to the shortest
+/// edge.
 const ROUNDINGS: u32 = 8;
 
 /// Step 3, `off-center` and `off-center-exact`.
@@ -18,7 +20,8 @@ const ROUNDINGS: u32 = 8;
 pub(super) struct OffCenter {
     /// Height of the off-center over the middle of a shortest edge of length one.
     reach: f64,
-    /// The squared cosine of the bound, where the angle at the off-center has to meet it as nearly as rounding allows.
+    /// The squared cosine of the bound, if the angle at the off-center has to meet the bound as nearly as rounding
+    /// allows.
     exact: Option<f64>,
 }
 
@@ -51,7 +54,7 @@ impl OffCenter {
         let middle = Point::midpoint(p, q);
         let height_sq = view.ruler.length_sq(middle, center);
         let reach_sq = self.reach * self.reach * view.ruler.length_sq(p, q);
-        // Towards the circumcenter, but no farther than it: a quotient of lengths, free of units.
+        // Towards the circumcenter, but no farther: a quotient of lengths, so units cancel.
         if reach_sq >= height_sq {
             return Some(center);
         }
@@ -63,8 +66,8 @@ impl OffCenter {
     }
 }
 
-/// The point at that share of the way at which the edge is seen at the bound; where rounding has made the angle
-/// smaller, the first point nearer by some last places at which it is not.
+/// The point at this share of the way from the middle to the center; if rounding has made its angle over the edge
+/// smaller than the bound, the first point some last places nearer whose angle meets it.
 #[cold] // Out of the way of the default.
 #[inline(never)]
 fn just_good([p, q]: [Point; 2], [middle, center]: [Point; 2], share: f64, cos_sq: f64) -> Point {
@@ -75,7 +78,7 @@ fn just_good([p, q]: [Point; 2], [middle, center]: [Point; 2], share: f64, cos_s
 
 impl PointStep for OffCenter {
     fn propose(&self, view: View<'_>, face: FaceId, places: &mut Places) {
-        // Not chained: each place is as large as a handful of numbers, and copied for each link.
+        // No iterator chain: places are large, and a chain would copy them.
         if let Some(point) = self.place(view, face) {
             if let Some(place) = Proposal::towards(view, face, point) {
                 return places.push(place);
@@ -85,14 +88,14 @@ impl PointStep for OffCenter {
     }
 }
 
-/// Proposes the circumcenter, where there is no off-center or no way to it.
+/// Proposes the circumcenter, for a face whose off-center does not exist or cannot be reached.
 #[cold]
 #[inline(never)]
 fn propose_center(view: View<'_>, face: FaceId, places: &mut Places) {
     places.extend(center_of(view, face).and_then(|point| Proposal::towards(view, face, point)));
 }
 
-/// The ends of the shortest edge; of equal ones that with the first middle, whichever corner comes first.
+/// The ends of the shortest edge; of equal ones the edge with the first middle, whichever corner comes first.
 fn shortest_edge([a, b, c]: [Point; 3], view: View<'_>) -> (Point, Point) {
     let edges = [(a, b), (b, c), (c, a)];
     let lengths = edges.map(|(p, q)| view.ruler.length_sq(p, q));

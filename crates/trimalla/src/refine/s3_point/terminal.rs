@@ -1,4 +1,4 @@
-//! What the LEPP family shares: the new vertex goes to the terminal edge of the bad triangle's path.
+//! The LEPP strategies: the new vertex is placed at the terminal edge of the bad triangle's path.
 //!
 //! ```text
 //!            c                  terminal edge a–b, terminal triangles a b c and b a d
@@ -26,7 +26,7 @@ use crate::refine::measure::lepp::{LeppRule, compare_edges, edges_by_length, ter
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
 use crate::refine::steps::{Places, Proposal, View};
 
-/// The terminal edge of a face's path; where it is constrained its split is proposed, and that is all.
+/// The terminal edge of a face's path; if it is constrained, proposes its split and returns nothing.
 pub(super) fn unsplit_terminal_edge(
     view: View<'_>,
     face: FaceId,

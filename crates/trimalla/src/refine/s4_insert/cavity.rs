@@ -1,4 +1,4 @@
-//! `cavity`: every face whose circle holds the point away, a fan in their place.
+//! `cavity`: every face whose circumcircle holds the point is removed, and a fan replaces these faces.
 //!
 //! # Source
 //! `[Bowyer81]`, `[Watson81]`.

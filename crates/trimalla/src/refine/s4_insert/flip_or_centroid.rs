@@ -1,5 +1,5 @@
-//! `flip-or-centroid`: where the terminal edge fails the circle test it is flipped; else the new vertex parts the two
-//! faces at it into four. The terminal edge is the longest of the face in which the point lies.
+//! `flip-or-centroid`: if the terminal edge fails the circle test, it is flipped; else the new vertex splits its two
+//! faces into four. The terminal edge is the longest edge of the face in which the point lies.
 //!
 //! # Source
 //! `[Sanhueza]`, the slide of the algorithm. (Slide 4 puts it the other way round: flips where the pair *is* Delaunay.)

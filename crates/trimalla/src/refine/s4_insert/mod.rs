@@ -1,4 +1,4 @@
-//! Step 4: how the new vertex goes in.
+//! Step 4: how the new vertex is inserted.
 
 mod cavity;
 mod flip;

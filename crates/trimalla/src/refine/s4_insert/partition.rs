@@ -1,4 +1,4 @@
-//! `partition`: the face or edge is split and nothing else; what is not Delaunay stays so.
+//! `partition`: the face or edge is split, without flips; the triangulation need not stay Delaunay.
 //!
 //! # Source
 //! `[Rivara97]`: longest-edge bisection.

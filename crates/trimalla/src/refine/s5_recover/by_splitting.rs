@@ -1,4 +1,4 @@
-//! `by-splitting`: segments that were let go are split until they are edges again.
+//! `by-splitting`: released segments are split until they are chains of edges again.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.1.

@@ -1,4 +1,4 @@
-//! `complete`: segments that were let go go in again as whole edges when no triangle is bad any more.
+//! `complete`: released segments are inserted again as whole edges when no bad triangle is left.
 //!
 //! # Source
 //! `[MeshSuite]` 2.6.2, by the edge insertion of `[Vigo97]`.

@@ -1,11 +1,11 @@
 //! Step 5: what becomes of interior segments.
 //!
-//! | key | while points go in | in the end |
+//! | key | while points are inserted | at the end |
 //! |---|---|---|
-//! | `whole-edge` | segments are edges that no flip crosses | they are there |
-//! | `by-splitting` | segments inside are let go | those missing are halved until they are chains of edges |
-//! | `complete` | segments inside are let go | those missing are put in as whole edges |
-//! | `none` | segments inside are let go | what is missing is reported |
+//! | `whole-edge` | segments are locked edges | nothing to recover |
+//! | `by-splitting` | segments inside are released | missing ones are halved until they are chains of edges |
+//! | `complete` | segments inside are released | missing ones are inserted as whole edges |
+//! | `none` | segments inside are released | missing ones are reported |
 
 mod by_splitting;
 mod complete;

@@ -1,4 +1,4 @@
-//! `none`: what was let go stays as it is; the report names what is missing.
+//! `none`: released segments are not recovered; the report names those that are missing.
 //!
 //! # Source
 //! `[MeshSuite]` 4.2, its LEPP algorithms.

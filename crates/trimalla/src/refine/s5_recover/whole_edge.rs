@@ -1,4 +1,4 @@
-//! `whole-edge`: segments are edges that nothing removes; there is nothing to recover.
+//! `whole-edge`: segments are locked edges throughout, so there is nothing to recover.
 //!
 //! # Source
 //! `[Vigo97]` section 4.

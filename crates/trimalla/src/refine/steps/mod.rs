@@ -66,7 +66,7 @@ impl fmt::Debug for Steps {
     }
 }
 
-/// What steps 2 to 4 say of themselves: the loop needs it for each triangle.
+/// The traits of steps 2 to 4: the loop needs them for each triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepTraits {
     pub(super) select: SelectTraits,

@@ -4,12 +4,12 @@ use super::step_edit::StepEdit;
 use super::view::View;
 use crate::half_edge::HalfEdgeId;
 
-/// Step 1: which subsegments need a split, and what else is done before the first point goes in.
+/// Step 1: which subsegments need a split, and what else is done before the first point is inserted.
 pub trait PrepareStep {
-    /// Changes the triangulation before the loop begins; says whether it is to be called again.
+    /// Changes the triangulation before the loop begins; returns whether the loop is to call it again.
     ///
-    /// It is called as long as it says so and has changed something. Work that takes long is done in slices: between
-    /// two calls the caller sees the progress, and may cancel.
+    /// The loop calls it again if it has also changed something. A long task is done in slices: between two calls the
+    /// caller sees the progress, and may cancel.
     fn begin(&self, edit: &mut dyn StepEdit) -> bool {
         let _ = edit;
         false
@@ -20,8 +20,8 @@ pub trait PrepareStep {
         true
     }
 
-    /// Whether subsegment `h` is to be split before (and while) points go in.
+    /// Whether subsegment `h` is to be split before (and while) points are inserted.
     ///
-    /// A subsegment that is queued is tested again only if one of the two triangles beside it has changed by its turn.
+    /// A queued subsegment is tested again only if one of its two triangles has changed when its turn comes.
     fn needs_split(&self, view: View<'_>, h: HalfEdgeId) -> bool;
 }

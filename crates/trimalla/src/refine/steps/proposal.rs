@@ -6,17 +6,17 @@ use crate::geometry::{Orientation, Point, on_segment};
 use crate::half_edge::{FaceId, HalfEdgeId};
 use crate::locate::{Locus, Walk};
 
-/// A place that a point strategy proposes for a new vertex, with its locus: nobody asks rounded numbers again.
+/// A place that step 3 proposes for a new vertex, with its locus, so that no rounded number decides where it lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Proposal {
-    /// A free point that lies exactly there: inside a face, or on an unconstrained edge.
+    /// A free point exactly at its locus: inside a face, or on an unconstrained edge.
     Free {
         /// The point.
         point: Point,
         /// Where it lies.
         locus: Locus,
     },
-    /// A point on this unconstrained edge, or off it by no more than its rounding.
+    /// A point on this unconstrained edge, up to rounding.
     OnEdge {
         /// The edge.
         edge: HalfEdgeId,
@@ -28,22 +28,23 @@ pub enum Proposal {
 }
 
 impl Proposal {
-    /// The proposal of a point somewhere near a face: the walk to it, which ends at the point, or at a segment in its
-    /// way that is to be split instead. `None` where a vertex is there already, for a point that is not finite, or
-    /// where the point is too far off in a mesh that does not keep the circle test.
+    /// Proposes a point near a face, by a walk to the point. If a segment is in the way, proposes its split instead.
+    /// `None` if there is a vertex at the point, if the point is not finite, or if it is too far away in a mesh that
+    /// does not keep the circle test.
     #[must_use]
     pub fn towards(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
         if !point.is_finite() {
             return None;
         }
-        // Most walks meet no segment, and rounding leaves nothing open.
+        // Most walks meet no segment, and rounded arithmetic decides them.
         if let Some(f) = view.cdt.float_walk_within(from, point) {
             return Some(Self::Free { point, locus: Locus::Face(f) });
         }
         Self::towards_exactly(view, from, point)
     }
 
-    /// [`towards`](Self::towards) a finite point where rounding leaves the way open, or a segment is in it.
+    /// [`towards`](Self::towards) a finite point, if rounded arithmetic does not decide the walk, or a segment is in
+    /// the way.
     #[inline(never)]
     fn towards_exactly(view: View<'_>, from: FaceId, point: Point) -> Option<Self> {
         match view.cdt.walk_within_exactly(from, point, view.longest_walk)? {
@@ -56,9 +57,9 @@ impl Proposal {
 }
 
 impl Proposal {
-    /// Whether the proposal is what it says: an edge that is there, a finite point exactly at its locus.
+    /// Whether the proposal is valid: its edge exists, and its point is finite and lies exactly at its locus.
     ///
-    /// The loop asks this of every proposal, whoever made it, before it uses one.
+    /// The loop verifies every proposal, whoever made it, before it uses one.
     #[must_use]
     pub fn is_true(self, cdt: &ConstrainedTriangulation) -> bool {
         self.is_there(cdt) && self.is_in_its_face(cdt)
@@ -70,8 +71,8 @@ impl Proposal {
         f.half_edges().into_iter().all(|h| cdt.side_of(h, point) == Orientation::CounterClockwise)
     }
 
-    /// [`is_true`](Self::is_true), where a step of the library proposes the place: a point inside a face is not asked
-    /// about, since it was proved by the walk that found the face.
+    /// [`is_true`](Self::is_true) for a place that a step of the library proposes: a point inside a face is not tested,
+    /// since the walk that found the face has proved it.
     #[inline(always)] // Before each insertion.
     pub(in crate::refine) fn is_true_after_walk(self, cdt: &ConstrainedTriangulation) -> bool {
         let is_walked_to = matches!(self, Self::Free { locus: Locus::Face(_), .. });
@@ -79,7 +80,7 @@ impl Proposal {
         is_walked_to || self.is_there(cdt)
     }
 
-    /// What [`is_true`](Self::is_true) asks, but not whether a point lies left of the sides of its face.
+    /// [`is_true`](Self::is_true) without the test whether a point lies left of the sides of its face.
     #[inline(never)]
     fn is_there(self, cdt: &ConstrainedTriangulation) -> bool {
         let is_free_edge = |h: HalfEdgeId| {
@@ -103,7 +104,7 @@ impl Proposal {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Places {
     proposals: Vec<Proposal>,
-    /// Points that go in after the proposal of that number.
+    /// Points that are inserted after the proposal of that number.
     others: Vec<(usize, Point)>,
 }
 
@@ -120,9 +121,9 @@ impl Places {
         self.proposals.push(place);
     }
 
-    /// Adds a place for several vertices: where a vertex goes in at `first`, the other points are inserted, too, one
-    /// after the other, each where a walk from that vertex leads. One for which there is no room, or that encroaches
-    /// upon a subsegment, is left out.
+    /// Adds a place for several vertices: if a vertex is inserted at `first`, the other points are inserted, too, in
+    /// turn, each where a walk from the previous vertex ends. A point for which there is no room, or that encroaches
+    /// upon a subsegment, is skipped.
     pub fn push_together(&mut self, first: Proposal, others: impl IntoIterator<Item = Point>) {
         let number = self.proposals.len();
         self.push(first);
@@ -135,7 +136,7 @@ impl Places {
         &self.proposals
     }
 
-    /// The points that go in after a vertex at the place of that number, in order.
+    /// The points that are inserted after a vertex at the place of that number, in order.
     pub fn together_with(&self, number: usize) -> impl Iterator<Item = Point> + '_ {
         self.others.iter().filter(move |other| other.0 == number).map(|other| other.1)
     }

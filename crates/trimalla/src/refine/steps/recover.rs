@@ -2,27 +2,27 @@
 
 use super::step_edit::StepEdit;
 
-/// What a step 5 says of itself, once for a whole refinement.
+/// The traits of a step 5, which are constant during a refinement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RecoverTraits {
-    /// Segments inside are locked while points go in: no flip and no cavity crosses them.
+    /// Segments inside the domain are locked while points are inserted: no flip and no cavity crosses them.
     pub locks_segments: bool,
-    /// No segment is missing when a refinement has finished.
+    /// No segment is missing at the end of a refinement.
     pub restores_segments: bool,
 }
 
 /// Step 5: what becomes of segments inside the domain.
 ///
-/// The boundary of the domain, and segments that part two regions, are always locked.
+/// The boundary of the domain, and segments that separate two regions, are always locked.
 pub trait RecoverStep {
-    /// What the step says of itself.
+    /// The traits of the step.
     fn traits(&self) -> RecoverTraits;
 
-    /// Changes the triangulation when no triangle is bad any more, or the refinement ends.
+    /// Changes the triangulation when no bad triangle is left, or when the refinement ends.
     ///
-    /// Where it has changed something, the loop goes on until no triangle is bad, and calls it again. It ends because
-    /// every change takes from what is limited: insertions are counted, and there are only so many vertices and
-    /// segments. Segments that are missing in the end are named in the report.
+    /// If it has changed something, the loop continues until no bad triangle is left, and calls it again. This ends,
+    /// since every change uses something limited: insertions are bounded, and so are vertices and segments. The report
+    /// names the segments that are missing at the end.
     fn recover(&self, edit: &mut dyn StepEdit) {
         let _ = edit;
     }

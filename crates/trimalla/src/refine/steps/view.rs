@@ -1,11 +1,11 @@
-//! What a step may look at.
+//! The data that a step may read.
 
 use crate::constrained::ConstrainedTriangulation;
 use crate::refine::measure::ruler::Ruler;
 use crate::refine::recipe::options::Criteria;
 use crate::size::SizeBounds;
 
-/// What a step may look at.
+/// The data that a step may read.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'a> {
     /// The triangulation.
@@ -23,11 +23,11 @@ pub struct View<'a> {
 impl View<'_> {
     /// Triangles that a walk may cross where step 4 does not keep the circle test.
     ///
-    /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and what lies so far
-    /// off is no help for the triangle that the walk began at.
+    /// Vertices may have any degree there: walks across their slivers get longer with the mesh, and a point so far away
+    /// does not improve the triangle from which the walk started.
     const LONGEST_WALK: usize = 1 << 10;
 
-    /// How many triangles a walk may cross with that step 4.
+    /// The number of triangles that a walk may cross, with or without the circle test.
     pub(in crate::refine) fn longest_walk(keeps_delaunay: bool) -> usize {
         if keeps_delaunay { usize::MAX } else { Self::LONGEST_WALK }
     }

@@ -1,6 +1,6 @@
-//! What a step did, with everything that a drawing of it needs.
+//! Events: what a step did, with everything that a picture of the step needs.
 //!
-//! Events are made only for those who step; a run notes nothing.
+//! Events are recorded for steps made one by one, and for observers that want them; other runs record none.
 
 use crate::geometry::Point;
 use crate::half_edge::VertexId;
@@ -10,17 +10,17 @@ use crate::refine::criteria::reason::Reason;
 /// What one step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StepOutcome {
-    /// A subsegment was looked at and split if it still needed it.
+    /// A queued subsegment was tested, and split if it still needed the split.
     Subsegment,
-    /// A node of the lattice was looked at, and went in if there was room.
+    /// A node of the lattice was tested, and inserted if there was room.
     Filled,
-    /// A bad triangle was looked at: a point went in, subsegments were queued, or it was given up.
+    /// A bad triangle was treated: a point was inserted, subsegments were queued, or it was given up.
     Triangle,
-    /// A part of what comes before the loop was done.
+    /// A slice of the stages before the loop was done.
     Prepared,
-    /// Segments that had been let go were brought back, or some of them.
+    /// Released segments, or some of them, were recovered.
     Recovered,
-    /// Triangles for which there was no room wait once more, since there may be now.
+    /// Triangles for which there was no room were queued again, since there may be room now.
     Retried,
     /// Nothing is left to do.
     #[default]
@@ -33,7 +33,7 @@ pub enum StepOutcome {
 }
 
 impl StepOutcome {
-    /// How the step ended, in a word.
+    /// The outcome in a word, as the program prints it.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
@@ -50,7 +50,7 @@ impl StepOutcome {
     }
 }
 
-/// What sort of place a new vertex got.
+/// Where a new vertex lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InsertedKind {
     /// Free, inside a face or exactly on an unconstrained edge.
@@ -79,25 +79,25 @@ impl InsertedKind {
     }
 }
 
-/// A place that was tried.
+/// A place that step 3 proposed and the loop tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// The point; `None` for the split of a subsegment that was in the way.
     pub point: Option<Point>,
     /// The subsegment that was in the way, or the edge on which the point lies.
     pub edge: Option<[VertexId; 2]>,
-    /// Why it was refused; `None` where it was taken, or a subsegment is split instead.
+    /// Why it was refused; `None` if it was accepted, or a subsegment is split instead.
     pub refused: Option<Reason>,
 }
 
-/// A vertex that went in.
+/// A vertex that was inserted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InsertedVertex {
     /// The vertex.
     pub vertex: VertexId,
-    /// Where it lies.
+    /// Its position.
     pub point: Point,
-    /// What sort of place that is.
+    /// What kind of place that is.
     pub kind: InsertedKind,
 }
 
@@ -106,16 +106,16 @@ pub type Name = [VertexId; 3];
 
 /// What a step did.
 ///
-/// One field for each kind of change that a step may bring about, most of them empty.
+/// One field for each kind of change that a step may make; most are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Event {
     /// The number of the step, from 1.
     pub number: u64,
-    /// What it was about.
+    /// How it ended.
     pub outcome: StepOutcome,
-    /// The subsegment that was looked at, lower vertex first.
+    /// The subsegment that was tested, lower vertex first.
     pub subsegment: Option<[VertexId; 2]>,
-    /// The triangle that was selected, and what is wrong with it: nothing, where a good one was picked.
+    /// The triangle that was selected, and what is wrong with it: `None` if a good one was picked.
     pub selected: Option<(Name, Option<Badness>)>,
     /// Its longest-edge propagation path, itself first.
     pub lepp: Vec<Name>,
@@ -125,15 +125,15 @@ pub struct Event {
     pub candidates: Vec<Candidate>,
     /// Subsegments that the point would have encroached upon.
     pub encroached: Vec<[VertexId; 2]>,
-    /// The vertex that went in.
+    /// The inserted vertex.
     pub inserted: Option<InsertedVertex>,
-    /// Free vertices that were deleted before, with their places.
+    /// Free vertices that were deleted before the insertion, with their positions.
     pub deleted: Vec<(VertexId, Point)>,
     /// Why the triangle was given up.
     pub given_up: Option<Reason>,
-    /// Triangles that are no more, ascending.
+    /// Triangles that the step destroyed, ascending.
     pub destroyed: Vec<Name>,
-    /// Triangles that are new, ascending.
+    /// Triangles that the step made, ascending.
     pub made: Vec<Name>,
 }
 

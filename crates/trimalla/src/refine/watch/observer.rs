@@ -1,4 +1,4 @@
-//! Who watches a refinement, and what is told.
+//! Observers of a refinement.
 
 use super::event::Event;
 use super::stopwatch::Clock;
@@ -9,9 +9,9 @@ use crate::refine::forecast::outlook::Outlook;
 /// How far a refinement has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// Vertices so far.
+    /// The present number of vertices.
     pub vertices: usize,
-    /// Bad triangles known to be waiting; some of them may be gone already.
+    /// Bad triangles in the queue; some of them may no longer exist.
     pub waiting: usize,
     /// The vertex budget.
     pub max_vertices: usize,
@@ -28,7 +28,7 @@ pub struct Overview {
     pub min_angle_deg: Option<f64>,
 }
 
-/// A refinement that has not made a step: what an observer may see of it, and triangles picked for the order `manual`.
+/// A refinement before its first step: an observer may read it, and pick triangles for the order `manual`.
 pub trait Beginning {
     /// The triangulation.
     fn triangulation(&self) -> &ConstrainedTriangulation;
@@ -39,7 +39,7 @@ pub trait Beginning {
     /// Linear.
     fn overview(&self) -> Overview;
 
-    /// Picks a triangle to be treated after those picked before; says whether there is such a triangle.
+    /// Picks a triangle to be treated after those picked before; returns whether there is such a triangle.
     fn pick(&mut self, face: FaceId) -> bool;
 }
 
@@ -48,12 +48,12 @@ pub trait Observer {
     /// Called before the first step and then at least once in every 256 steps and insertions; `false` cancels.
     fn progress(&mut self, progress: Progress) -> bool;
 
-    /// A clock to measure the steps by; none, and nothing is measured.
+    /// A clock that measures the steps; nothing is measured without one.
     fn clock(&self) -> Option<Clock> {
         None
     }
 
-    /// Whether it wants the outlook, which costs about a tenth of the work.
+    /// Whether [`outlook`](Self::outlook) is to be called. An outlook takes about a tenth of the time of a run.
     fn wants_outlook(&self) -> bool {
         false
     }
@@ -65,12 +65,12 @@ pub trait Observer {
     /// step: here triangles can be picked.
     fn begins(&mut self, _begun: &mut dyn Beginning) {}
 
-    /// Whether it wants to know of every step.
+    /// Whether [`event`](Self::event) is to be called after every step.
     fn wants_events(&self) -> bool {
         false
     }
 
-    /// Called after every step, if it is wanted, with the triangulation as it is then.
+    /// Called after every step, if [`wants_events`](Self::wants_events), with the present triangulation.
     fn event(&mut self, _event: &Event, _cdt: &ConstrainedTriangulation) {}
 }
 

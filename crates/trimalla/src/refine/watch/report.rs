@@ -1,4 +1,4 @@
-//! What came of a refinement.
+//! The report: the result of a refinement in numbers.
 
 use super::event::InsertedKind;
 use super::stopwatch::StepTimes;
@@ -18,7 +18,7 @@ pub struct Leftover {
     pub reason: Reason,
 }
 
-/// What came of a refinement.
+/// The report: the result of a refinement in numbers.
 ///
 /// One field for each figure of the printed report.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,8 +39,8 @@ pub struct Report {
     pub max_angle_deg: f64,
     /// Triangles that stayed bad, by index.
     pub leftovers: Vec<Leftover>,
-    /// Input segments that are no chains of edges in the mesh: only where the recipe lets them go and does not recover
-    /// them.
+    /// Input segments that are no chains of edges in the mesh: only if the recipe releases segments and does not
+    /// recover them.
     pub lost_segments: Vec<SegmentId>,
     /// Why it ended.
     pub stop: StopReason,
@@ -48,20 +48,21 @@ pub struct Report {
     pub edges_flipped: u64,
     /// Points inserted inside triangles.
     pub points_inserted: u64,
-    /// Points taken back because they encroached upon a segment.
+    /// Points refused because they would encroach upon a segment.
     pub points_rejected: u64,
     /// Subsegments split.
     pub segments_split: u64,
-    /// Both together by kind, in the order of [`InsertedKind::ALL`]; with their names:
+    /// Points inserted and subsegments split, by kind, in the order of [`InsertedKind::ALL`]; with their names:
     /// [`insertions`](Self::insertions).
     pub inserted: [u64; 4],
-    /// Lengths of longest-edge propagation paths that the strategy followed: how many had 0, 1, 2, … triangles.
+    /// Lengths of the longest-edge propagation paths that step 3 followed: the number of paths with 0, 1, 2, …
+    /// triangles.
     pub lepp_lengths: Vec<u64>,
-    /// Edges flipped instead of inserting a point, by strategies that do.
+    /// Edges flipped instead of inserting a point, as some strategies do.
     pub flips_instead: u64,
     /// Free vertices deleted before a split.
     pub vertices_deleted: u64,
-    /// How long each step took, where the caller gave a clock.
+    /// The time of each step, if the caller gave a clock.
     pub step_times: Option<StepTimes>,
 }
 
@@ -72,14 +73,14 @@ impl Report {
         self.leftovers.iter().all(|l| l.reason.is_forced()) && self.lost_segments.is_empty()
     }
 
-    /// How many vertices went in of each kind; those that were deleted later are counted, those taken back at once are
-    /// not.
+    /// The number of vertices inserted of each kind; vertices that were deleted later count, those rolled back at once
+    /// do not.
     #[must_use]
     pub fn insertions(&self) -> [(InsertedKind, u64); 4] {
         std::array::from_fn(|i| (InsertedKind::ALL[i], self.inserted[i]))
     }
 
-    /// How many triangles stayed bad for each reason that occurs.
+    /// The number of triangles that stayed bad for each reason that occurs.
     #[must_use]
     pub fn reasons(&self) -> Vec<(Reason, usize)> {
         Reason::ALL

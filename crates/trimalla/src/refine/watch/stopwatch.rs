@@ -1,4 +1,4 @@
-//! How long each step takes, by a clock of the caller's: the library has none.
+//! The time of each step, by a clock of the caller's: the library has none.
 
 use std::fmt;
 
@@ -23,17 +23,17 @@ pub type Clock = fn() -> u64;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StepTimes {
-    /// Step 1: subsegments looked at and split, and the free vertices in their way deleted.
+    /// Step 1: testing and splitting subsegments, and deleting free vertices first.
     pub prepare: f64,
-    /// Step 2: triangles tested, put into the queue and taken from it.
+    /// Step 2: testing triangles, queueing them and taking them from the queue.
     pub select: f64,
-    /// Step 3: places proposed.
+    /// Step 3: proposing places.
     pub point: f64,
-    /// Step 4: places tried, and points put in or taken back.
+    /// Step 4: trying places, and inserting points or rolling back.
     pub insert: f64,
-    /// Step 5: segments that were let go brought back.
+    /// Step 5: recovering released segments.
     pub recover: f64,
-    /// The initial triangulation made what the recipe asks, and the report.
+    /// Preparing the initial triangulation as the recipe says, and making the report.
     pub rest: f64,
 }
 
@@ -51,7 +51,7 @@ impl StepTimes {
         ]
     }
 
-    /// All together.
+    /// The sum of all parts.
     #[must_use]
     pub fn total(&self) -> f64 {
         self.by_name().into_iter().map(|(_, seconds)| seconds).sum()
@@ -67,12 +67,12 @@ pub(in crate::refine) enum Part {
     Insert,
     Recover,
     Rest,
-    /// What the caller does between calls.
+    /// The caller's time between calls.
     #[default]
     Outside,
 }
 
-/// Adds up what each part takes. Without a clock it stands still.
+/// Adds up the time of each part; nothing without a clock.
 #[derive(Clone, Copy, Default)]
 pub(in crate::refine) struct Stopwatch {
     clock: Option<Clock>,
@@ -88,13 +88,13 @@ impl Stopwatch {
         Self { clock, ..Self::default() }
     }
 
-    /// The same with this clock, if it had none.
+    /// Sets the clock, if there was none.
     pub(in crate::refine) fn or_clock(mut self, clock: Option<Clock>) -> Self {
         self.clock = self.clock.or(clock);
         self
     }
 
-    /// Another part begins; says which one ends, so that it can go on later.
+    /// Begins another part; returns the one that ends, so that the caller can resume it later.
     #[inline]
     pub(in crate::refine) fn enter(&mut self, part: Part) -> Part {
         match self.clock {
@@ -111,7 +111,7 @@ impl Stopwatch {
         ended
     }
 
-    /// What was measured, if anything was.
+    /// The measured times; `None` without a clock.
     pub(in crate::refine) fn times(&self) -> Option<StepTimes> {
         self.clock?;
         let seconds = |part: Part| self.spent[part as usize] as f64 * 1e-9;
