@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The rooms whose public types stand in the glossary, or below.
-const ROOMS: [&str; 10] = [
+const ROOMS: [&str; 11] = [
     "constrained",
     "delaunay",
     "domain",
@@ -14,33 +14,49 @@ const ROOMS: [&str; 10] = [
     "half_edge",
     "locate",
     "quality",
+    "refine",
     "size",
     "triangulation",
 ];
 
 /// Public types whose name says all, and is no term: besides errors, which end in `Error`.
-const PLAIN: [&str; 21] = [
+const PLAIN: [&str; 36] = [
     "Algorithm",
     "AlgorithmKey",
     "Angle",
     "AngleAt",
+    "Beginning",
     "Bins",
     "Circle",
     "Classes",
+    "Clock",
     "CompactMap",
     "Comparison",
     "GivenAreas",
+    "Group",
     "Histogram",
     "Inserted",
+    "InsertedKind",
+    "InsertedVertex",
     "MeshVertex",
+    "Missed",
     "NearFeature",
+    "NoObserver",
+    "Overview",
     "Point",
+    "Progress",
+    "Row",
     "Spread",
     "Statistics",
+    "StepTimes",
     "TableIndex",
     "Triangle",
+    "UnknownKey",
+    "Value",
+    "Values",
     "Vector",
     "Warning",
+    "WrongValue",
 ];
 
 /// Words that are not used, each with the standard term for it: synonyms of words in the glossary, and images.
