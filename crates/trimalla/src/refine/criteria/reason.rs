@@ -6,29 +6,31 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Its small angle lies between two input segments that meet; or it lies between two that meet and are within
-    /// rounding of each other there. Segments meet at common ends, where one has a vertex inside it, and where they
-    /// cross.
+    /// The smallest angle of the triangle lies between two input segments that meet; or the triangle lies between two
+    /// segments that meet and are within rounding of each other there. Segments meet at common ends, at a vertex of one
+    /// inside the other, and at crossings.
     InputAngle,
-    /// Its shortest edge joins two segments that meet, at an angle below the bound, as far from their common end on one
-    /// as on the other. Where the edge joins vertices of the input, those are within rounding of each other.
+    /// The shortest edge of the triangle joins two segments that meet at an angle below the bound, as far from their
+    /// common end on one as on the other. If the edge joins vertices of the input, those are within rounding of each
+    /// other.
     AcrossSmallInputAngle,
-    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other. It lies
-    /// across that gap, where no vertex fits; or the split or the vertex that it needs has no room beside the gap.
+    /// Two vertices of the input, a vertex and a segment, or two segments are within rounding of each other. The
+    /// triangle lies across that gap, where no vertex fits; or the split or vertex that it needs has no room beside the
+    /// gap.
     InputGap,
     /// A segment that may not be split is in the way.
     ProtectedSegment,
     /// Rounding leaves no room for another vertex.
     PrecisionFloor,
-    /// A new vertex would be closer to another than the length floor asked for.
+    /// A new vertex would be closer to another one than the length floor allows.
     SizeFloor,
     /// The vertex budget was used up.
     Budget,
     /// The caller cancelled.
     Cancelled,
-    /// The strategy has no point that would improve it.
+    /// The strategy has no point that would improve the triangle.
     StrategyCannotImprove,
-    /// The order is `manual`, and it was not picked.
+    /// The order is `manual`, and the triangle was not picked.
     NotPicked,
 }
 

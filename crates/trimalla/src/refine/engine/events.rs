@@ -17,7 +17,7 @@ impl Refinement {
     /// # Complexity
     /// That of the step.
     pub fn step(&mut self) -> Event {
-        let number = self.history_of_step();
+        let number = self.begin_step_history();
         self.recorded(|refinement| refinement.advance_with_event(number))
     }
 

@@ -46,7 +46,7 @@ const NARROWEST_SQ: f64 = 0.25;
 
 impl Refinement {
     /// The first stage of the filling.
-    pub(super) fn fill_from_start(&self, bounds: Option<BoundingBox>) -> FillStage {
+    pub(super) fn initial_fill_stage(&self, bounds: Option<BoundingBox>) -> FillStage {
         let is_delaunay =
             self.strategy.traits.insert.keeps_delaunay && self.problem.options.recipe.initial != Initial::Given;
         let is_asked = self.problem.options.asks_for_lattice()

@@ -46,12 +46,12 @@ impl Refinement {
     }
 
     /// Drops the records, unless steps of runs are recorded, too.
-    pub(super) fn history_of_run(&mut self) {
+    pub(super) fn clear_history_before_run(&mut self) {
         self.history = self.history.take().filter(|history| history.with_runs);
     }
 
     /// Begins to record steps made one by one; returns the number of the next step.
-    pub(super) fn history_of_step(&mut self) -> u64 {
+    pub(super) fn begin_step_history(&mut self) -> u64 {
         self.history.get_or_insert_default().steps + 1
     }
 
@@ -95,7 +95,7 @@ impl Refinement {
         self.scratch.log.clear();
         self.scratch.is_recorded = true;
         if let Some(history) = &mut self.history {
-            history.under_way = Some(Box::new(record));
+            history.current_step = Some(Box::new(record));
         }
     }
 
@@ -107,7 +107,7 @@ impl Refinement {
         let triangulation = std::mem::take(&mut self.scratch.log);
         let Some(history) = &mut self.history else { return };
         history.steps += 1;
-        if let Some(mut record) = history.under_way.take() {
+        if let Some(mut record) = history.current_step.take() {
             record.triangulation = triangulation;
             record.queue_changes = match &mut record.queue {
                 Some(first) => first.end_record(),
@@ -120,7 +120,7 @@ impl Refinement {
     /// The record of the current step, if steps are recorded.
     #[inline(always)] // Several times a step, and there is hardly ever a history.
     pub(super) fn record(&mut self) -> Option<&mut StepRecord> {
-        self.history.as_mut().and_then(|history| history.under_way.as_deref_mut())
+        self.history.as_mut().and_then(|history| history.current_step.as_deref_mut())
     }
 
     /// Records the refinement before the caller changes something other than picks.
@@ -212,7 +212,7 @@ impl Refinement {
     /// outcome of the last step. The steps can be taken back.
     pub fn run_until(&mut self, mut holds: impl FnMut(&Self) -> bool) -> StepOutcome {
         loop {
-            self.history_of_step();
+            self.begin_step_history();
             let outcome = self.recorded(Self::advance);
             if matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) || holds(self) {
                 return outcome;

@@ -35,7 +35,7 @@ fn is_unproved(options: &RefineOptions) -> bool {
 
 impl Refinement {
     /// When the bad triangles are counted first.
-    pub(super) fn improvement_from_start(&self) -> Improvement {
+    pub(super) fn initial_improvement(&self) -> Improvement {
         if !is_unproved(&self.problem.options)
             || self.strategy.traits.select.is_manual
             || self.strategy.traits.insert.keeps_small_angles

@@ -82,7 +82,7 @@ impl Refinement {
     /// [`Refused`]; nothing has changed then.
     #[inline(always)] // Before each insertion.
     pub(super) fn insert(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
-        if plan == Plan::Fan { self.insert_fan(site) } else { self.insert_on_trial(plan, site) }
+        if plan == Plan::Fan { self.insert_fan(site) } else { self.insert_and_verify(plan, site) }
     }
 
     /// Finds the faces to be replaced, tests their rim, and replaces them.
@@ -150,14 +150,14 @@ impl Refinement {
 
     /// Inserts a vertex, and rolls back if it must not stay.
     #[inline(never)]
-    fn insert_on_trial(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
+    fn insert_and_verify(&mut self, plan: Plan, site: Site) -> Result<Inserted, Refused> {
         let here = self.scratch.log.checkpoint();
         let keeps_delaunay = self.strategy.traits.insert.keeps_delaunay;
         let Scratch { work, log, planned, .. } = &mut self.scratch;
         let vertex = carry_out(&mut self.cdt.edit(work, log), (plan, planned), site, keeps_delaunay);
         let vertex = vertex.ok_or(Refused::NoRoom)?;
         self.ledger.insertions += 1;
-        if self.crowds_a_neighbour(vertex) {
+        if self.is_too_close_to_neighbour(vertex) {
             self.cdt.rollback(&mut self.scratch.log, here);
             return Err(Refused::Crowded);
         }
@@ -189,7 +189,7 @@ impl Refinement {
     }
 
     /// Whether a new vertex is closer to a neighbour than the length floor allows. The nearest vertex is a neighbour.
-    fn crowds_a_neighbour(&self, v: VertexId) -> bool {
+    fn is_too_close_to_neighbour(&self, v: VertexId) -> bool {
         let p = self.cdt.point(v);
         self.cdt
             .neighbours(v)

@@ -108,7 +108,7 @@ impl Refinement {
         if is_of_shape && self.has_small_input_angle(f) {
             return Reason::InputAngle;
         }
-        if let Some(reason) = self.hopeless_between_segments(f).filter(|_| is_of_shape) {
+        if let Some(reason) = self.reason_between_segments(f).filter(|_| is_of_shape) {
             return reason;
         }
         if let Some((reason, _)) = self.across_gap(f).filter(|&(_, is_hopeless)| is_of_shape && is_hopeless) {
@@ -141,7 +141,7 @@ impl Refinement {
 
     /// Why no point can improve a triangle of bad shape that lies between two pieces of segments, if none can.
     #[inline(always)] // Once for each bad triangle; most have neither a side on a segment nor two corners inside segments.
-    pub(super) fn hopeless_between_segments(&self, f: FaceId) -> Option<Reason> {
+    pub(super) fn reason_between_segments(&self, f: FaceId) -> Option<Reason> {
         let is_across = self.cdt.count_bound(self.cdt.face_vertices(f)) >= 2;
         if !(is_across | self.cdt.has_marked_side(f)) {
             return None;

@@ -147,8 +147,8 @@ impl Refinement {
         let expected = self.ledger.vertices.saturating_add(self.vertices_for_area());
         let queue = self.empty_queue(bounds, expected);
         self.replace_queue(queue);
-        self.ledger.improvement = self.improvement_from_start();
-        self.filling = self.fill_from_start(bounds);
+        self.ledger.improvement = self.initial_improvement();
+        self.filling = self.initial_fill_stage(bounds);
         if self.is_filling() {
             drop(self.cdt.take_order_along_curve());
         } else {
@@ -289,7 +289,7 @@ impl Refinement {
     /// # Complexity
     /// Near linear in the vertices of the result.
     pub fn run(&mut self, observer: &mut dyn Observer) -> StopReason {
-        self.history_of_run();
+        self.clear_history_before_run();
         self.ledger.report.stop = StopReason::default();
         self.ledger.stopwatch = self.ledger.stopwatch.or_clock(observer.clock());
         let (mut steps, mut reported_at) = (0, None);

@@ -30,7 +30,7 @@ impl Refinement {
     /// Skips the stages that the recipe does not need; tests all triangles if that is the only stage left.
     pub(super) fn begin_opening(&mut self) {
         self.ledger.stopwatch.enter(Part::Rest);
-        self.skip();
+        self.skip_stages();
         if self.segments.opening == Opening::Test {
             self.opening_step();
         }
@@ -38,7 +38,7 @@ impl Refinement {
     }
 
     /// Skips the stages that the recipe does not need.
-    fn skip(&mut self) {
+    fn skip_stages(&mut self) {
         let recipe = self.problem.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
         if self.segments.opening == Opening::Given
@@ -120,7 +120,7 @@ impl Refinement {
                 self.prepare_by_step();
             }
         }
-        self.skip();
+        self.skip_stages();
         StepOutcome::Prepared
     }
 

@@ -23,7 +23,7 @@ pub(super) struct History<R> {
     /// The records, the oldest first.
     pub(super) records: VecDeque<Record<R>>,
     /// The record of the current step.
-    pub(super) under_way: Option<Box<StepRecord>>,
+    pub(super) current_step: Option<Box<StepRecord>>,
     /// The approximate size of the records, and the budget.
     pub(super) bytes: usize,
     pub(super) most_bytes: usize,
@@ -82,7 +82,7 @@ impl<R> Default for History<R> {
             steps: 0,
             recorded: 0,
             records: VecDeque::new(),
-            under_way: None,
+            current_step: None,
             bytes: 0,
             most_bytes: BYTES,
             with_runs: false,

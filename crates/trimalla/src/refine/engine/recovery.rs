@@ -27,7 +27,7 @@ impl Refinement {
     }
 
     /// Recovers some pieces as whole edges, at once; returns how many of them are edges then. The others are lost.
-    pub(super) fn bring_back_whole(&mut self, chosen: Vec<Released>) -> usize {
+    pub(super) fn recover_whole(&mut self, chosen: Vec<Released>) -> usize {
         let count = chosen.len();
         let mut recovery = Recovery::as_whole_edges(chosen);
         while !recovery.is_done() {
@@ -52,17 +52,17 @@ impl Refinement {
     #[inline(never)]
     fn recover_slice(&mut self) -> bool {
         self.record_segments();
-        let Some(mut under_way) = self.segments.recovery.take() else { return false };
-        let RunningRecovery { recovery, pieces } = &mut *under_way;
+        let Some(mut running) = self.segments.recovery.take() else { return false };
+        let RunningRecovery { recovery, pieces } = &mut *running;
         let before = self.ledger.stopwatch.enter(Part::Recover);
         self.recover_some(recovery, pieces);
         if recovery.is_done() {
-            self.segments.lost.extend(under_way.recovery.into_lost());
+            self.segments.lost.extend(running.recovery.into_lost());
             if self.is_open() {
                 self.test_everything();
             }
         } else {
-            self.segments.recovery = Some(under_way);
+            self.segments.recovery = Some(running);
         }
         self.ledger.stopwatch.enter(before);
         true

@@ -77,7 +77,7 @@ impl StepEdit for Refinement {
         let is_wanted = |piece: &Released| wanted.binary_search(&[piece.from, piece.to]).is_ok();
         let (chosen, others) = std::mem::take(&mut self.segments.released).into_iter().partition(is_wanted);
         self.segments.released = others;
-        self.bring_back_whole(chosen)
+        self.recover_whole(chosen)
     }
 
     fn bring_all_back(&mut self, how: Bring) {

@@ -22,7 +22,7 @@ use crate::refine::watch::stopwatch::Part;
 impl Refinement {
     /// Treats a bad triangle; the error is the reason for which it is given up.
     pub(super) fn treat(&mut self, face: FaceId) -> Result<(), Reason> {
-        if let Some(reason) = self.is_hopeless(face) {
+        if let Some(reason) = self.hopeless_reason(face) {
             return Err(reason);
         }
         self.count_path(face);
@@ -77,15 +77,15 @@ impl Refinement {
 
     /// Why no point can improve a triangle of bad shape, if none can. A triangle that is too large is split whatever
     /// its shape.
-    fn is_hopeless(&self, face: FaceId) -> Option<Reason> {
+    fn hopeless_reason(&self, face: FaceId) -> Option<Reason> {
         if !self.problem.test.bounds_shape() {
             return None;
         }
-        let reason = if let Some(reason) = self.hopeless_between_segments(face) {
+        let reason = if let Some(reason) = self.reason_between_segments(face) {
             reason
         } else if let Some((reason, _)) = self.across_gap(face).filter(|&(_, is_hopeless)| is_hopeless) {
             reason
-        } else if self.is_beyond_help(face) {
+        } else if self.is_bisection_useless(face) {
             Reason::StrategyCannotImprove
         } else {
             return None;
@@ -239,7 +239,7 @@ impl Refinement {
 
     /// Whether further bisection is useless: it keeps the smallest angle, and the edges are already far shorter than
     /// those at the start.
-    fn is_beyond_help(&self, face: FaceId) -> bool {
+    fn is_bisection_useless(&self, face: FaceId) -> bool {
         let shortest_sq = || {
             let [a, b, c] = self.cdt.corners(face);
             self.problem

@@ -61,7 +61,7 @@ pub struct Forecast {
     pub triangles: f64,
     /// Vertices of the mesh.
     pub vertices: f64,
-    /// What most of the triangles are needed for.
+    /// The main cause of the number of triangles.
     pub cause: Cause,
     /// The part of the triangles that are needed for the cause, from 0 to 1: for a gap, with all gaps up to twice as
     /// wide.
@@ -91,7 +91,7 @@ const NARROW: f64 = 1e-6;
 /// A segment shorter than this part of the drawing's extent may be the cause of the size of a mesh.
 const SHORT: f64 = 1e-2;
 
-/// What makes a mesh as large as it is.
+/// The main cause of the size of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
@@ -110,13 +110,13 @@ pub enum Cause {
 /// Two features of a drawing that are close to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// How close, in coordinate units.
+    /// The width, in coordinate units.
     pub width: f64,
-    /// How close, over the larger side of the drawing's box.
+    /// The width over the larger side of the drawing's box.
     pub relative_width: f64,
-    /// A point in it.
+    /// A point in the gap.
     pub at: Point,
-    /// The two.
+    /// The two features.
     pub between: [Feature; 2],
 }
 
@@ -286,7 +286,7 @@ impl<'a> Tally<'a> {
         Gap { width, relative_width: width / self.extent, at, between }
     }
 
-    /// Adds what lies around vertices, between the strips of their segments.
+    /// Adds the integral around vertices, between the strips of their segments.
     fn add_vertices(&mut self) {
         let cdt = &self.footed.cdt;
         let mut free = vec![0.0; cdt.points().len()];
@@ -397,7 +397,7 @@ impl<'a> Tally<'a> {
         of_vertices.map(|(_, part)| part).sum::<f64>() + of_pairs.map(|(part, _)| part).sum::<f64>()
     }
 
-    /// What makes triangles small around a vertex.
+    /// The cause of small triangles around a vertex.
     fn cause_at(&self, one: VertexId) -> Cause {
         let Some(other) = self.sizes.partner(one) else { return Cause::Features };
         let [p, q] = [one, other].map(|v| self.footed.cdt.point(v));

@@ -40,20 +40,20 @@ struct Ray {
     s: f64,
     /// Its length.
     length: f64,
-    /// The distance to the segment that it met, if that does not meet the subsegment's own at an end.
+    /// The distance to the segment that the ray hit, if that segment does not meet the subsegment's own at an end.
     facing: f64,
-    /// The edge that it met, if that counts.
+    /// The edge that the ray hit, if it counts.
     met: Option<HalfEdgeId>,
 }
 
-/// The nearest point of what faces a side of a subsegment.
+/// The feature that faces a side of a subsegment, where it is nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Facing {
-    /// How far away it is, in the ruler's units.
+    /// Its distance, in the ruler's units.
     pub(super) width: f64,
     /// The point of the side that it faces.
     pub(super) from: Point,
-    /// An edge of it.
+    /// An edge of the feature.
     pub(super) edge: HalfEdgeId,
 }
 
@@ -70,9 +70,10 @@ pub(super) fn profile(
     let [a, b] = footed.cdt.edge_points(h);
     let along = footed.ruler.vector(a, b);
     let length = along.length_sq().sqrt();
-    let tents = Tents { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
+    let end_bounds =
+        EndBounds { ends: [sizes.at(footed.cdt.origin(h)), sizes.at(footed.cdt.dest(h))], length, grading };
     let rays = RAYS.map(|t| {
-        let ray = cast(footed, h, t, FAR * tents.at(t * length) / grading);
+        let ray = cast(footed, h, t, FAR * end_bounds.at(t * length) / grading);
         if ray.facing < sizes.precision {
             // Refinement does not separate features within rounding of each other.
             return Ray { facing: f64::INFINITY, met: None, ..ray };
@@ -82,7 +83,7 @@ pub(super) fn profile(
     let mut from = Ray { s: 0.0, ..rays[0] };
     let last = Ray { s: length, ..rays[RAYS.len() - 1] };
     for to in rays.into_iter().chain([last]) {
-        add_interval(&tents, from, to, into);
+        add_interval(&end_bounds, from, to, into);
         from = to;
     }
     let nearest = rays.into_iter().min_by(|one, other| one.facing.total_cmp(&other.facing))?;
@@ -92,13 +93,13 @@ pub(super) fn profile(
 
 /// The bounds that the ends of a subsegment set on the size along it.
 #[derive(Clone, Copy, Debug)]
-struct Tents {
+struct EndBounds {
     ends: [f64; 2],
     length: f64,
     grading: f64,
 }
 
-impl Tents {
+impl EndBounds {
     fn lines(&self) -> [Line; 2] {
         let g = self.grading;
         [Line { at_zero: self.ends[0], slope: g }, Line { at_zero: self.ends[1] + g * self.length, slope: -g }]
@@ -131,11 +132,11 @@ impl Line {
     }
 }
 
-/// The lower envelope of the tents and of what two rays met, between them.
-fn add_interval(tents: &Tents, from: Ray, to: Ray, into: &mut Vec<Sample>) {
+/// Adds the lower envelope of the bounds of the ends and of the results of two rays, between the rays.
+fn add_interval(end_bounds: &EndBounds, from: Ray, to: Ray, into: &mut Vec<Sample>) {
     let width = to.s - from.s;
-    let g = tents.grading;
-    let [left, right] = tents.lines();
+    let g = end_bounds.grading;
+    let [left, right] = end_bounds.lines();
     let [third, fourth] = if from.facing < f64::INFINITY && to.facing < f64::INFINITY {
         let line = Line::through(from.s, from.facing, (to.facing - from.facing) / width);
         [line, line]
@@ -190,7 +191,7 @@ fn cast(footed: &Footed, h: HalfEdgeId, t: f64, far: f64) -> Ray {
     missed(went)
 }
 
-/// Whether the segment that a ray from a side met counts as close to it where the ray starts.
+/// Whether the segment that a ray hit counts as close to the side at the start of the ray.
 ///
 /// Segments that meet count as close only where no shell has split both: the first shell is at about half the shorter
 /// one. Those that meet at less than a degree never do: splits of one mirror those of the other.

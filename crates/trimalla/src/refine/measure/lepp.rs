@@ -205,9 +205,9 @@ impl ConstrainedDelaunay {
     ///
     /// 1. A constrained terminal edge is halved.
     /// 2. Else a constrained second-longest edge is halved: that of t1 if it is constrained, otherwise that of t2.
-    /// 3. Else the centroid of the two triangles goes in, or with `centroid = None` the middle of the terminal edge.
-    ///    Where a constrained edge lies between t1 and that point, as it may beside an input angle, that edge is halved
-    ///    instead.
+    /// 3. Else the centroid of the two triangles is inserted, or with `centroid = None` the middle of the terminal
+    ///    edge. Where a constrained edge lies between t1 and that point, as it may beside an input angle, that edge is
+    ///    halved instead.
     ///
     /// # Guarantees
     /// A triangulation that is still closed by its convex hull, as [`from_delaunay`](Self::from_delaunay) and

@@ -26,7 +26,7 @@ use crate::refine::measure::lepp::{LeppRule, compare_edges, edges_by_length, ter
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
 use crate::refine::steps::{Places, Proposal, View};
 
-/// The terminal edge of a face's path; if it is constrained, proposes its split and returns nothing.
+/// The terminal edge of a face's path; if it is constrained, proposes its split and returns `None`.
 pub(super) fn unsplit_terminal_edge(
     view: View<'_>,
     face: FaceId,
