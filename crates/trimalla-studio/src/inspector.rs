@@ -1,0 +1,35 @@
+//! The inspector: the picked triangle, and what can be done with it.
+
+use eframe::egui::Ui;
+use trimalla::quality::aspect_ratio;
+
+use crate::scene::Picked;
+
+/// Shows the picked triangle; the command of a button that was clicked.
+pub(crate) fn show(ui: &mut Ui, picked: Option<&Picked>) -> Option<String> {
+    ui.heading("Triangle");
+    let Some(picked) = picked else {
+        ui.label("Click a triangle to see its angles, its circle and its longest-edge path.");
+        return None;
+    };
+    let [i, j, k] = picked.names;
+    ui.label(format!("vertices {i} {j} {k}"));
+    let angles = picked.triangle.angles().map(|angle| format!("{:.2}°", angle.degrees()));
+    ui.label(format!("angles {}", angles.join("  ")));
+    ui.label(format!("area {:.6}", picked.triangle.area()));
+    ui.label(format!("aspect ratio {:.4}", aspect_ratio(&picked.triangle)));
+    ui.label(format!("path of {} triangles", picked.path.len()));
+    let mut command = None;
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Insert midpoint").clicked() {
+            command = Some(format!("Midpoint {i} {j} {k}"));
+        }
+        if ui.button("Insert centroid").clicked() {
+            command = Some(format!("Centroid {i} {j} {k}"));
+        }
+        if ui.button("Show").clicked() {
+            command = Some(format!("Show {i} {j} {k}"));
+        }
+    });
+    command
+}

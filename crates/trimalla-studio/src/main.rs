@@ -1,0 +1,30 @@
+//! The studio in a window: `trimalla-studio [FILE or SCRIPT.tri]`.
+
+use std::process::ExitCode;
+
+use trimalla_studio::Studio;
+
+fn main() -> ExitCode {
+    let file = std::env::args_os().nth(1);
+    let size = eframe::egui::vec2(1280.0, 860.0);
+    let viewport = eframe::egui::ViewportBuilder::default().with_inner_size(size).with_title("trimalla");
+    let options = eframe::NativeOptions { viewport, ..Default::default() };
+    let shown = eframe::run_native(
+        "trimalla",
+        options,
+        Box::new(move |_| {
+            let mut studio = Studio::new();
+            if let Some(file) = &file {
+                studio.open(&file.to_string_lossy());
+            }
+            Ok(Box::new(studio))
+        }),
+    );
+    match shown {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: no window can be shown: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

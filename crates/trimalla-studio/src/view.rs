@@ -1,0 +1,71 @@
+//! The part of the plane that is seen.
+
+use eframe::egui::{Pos2, Rect, Vec2, pos2};
+use trimalla::geometry::Point;
+
+/// A view: what is in the middle, and how many points of the screen a unit takes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    pub(crate) center: Point,
+    pub(crate) scale: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { center: Point::new(0.0, 0.0), scale: 100.0 }
+    }
+}
+
+impl View {
+    /// The least and the greatest scale: beyond them nothing could be told apart.
+    const SCALES: [f64; 2] = [1e-300, 1e300];
+
+    /// The view that shows a box in a part of the screen.
+    pub(crate) fn around([low, high]: [Point; 2], rect: Rect) -> Self {
+        let center = Point::midpoint(low, high);
+        let (width, height) = (f64::from(rect.width().max(1.0)), f64::from(rect.height().max(1.0)));
+        let fits = |extent: f64, room: f64| if extent > 0.0 { 0.9 * room / extent } else { f64::INFINITY };
+        let scale = fits(high.x - low.x, width).min(fits(high.y - low.y, height));
+        let scale = if scale.is_finite() { scale } else { 100.0 };
+        Self { center, scale: scale.clamp(Self::SCALES[0], Self::SCALES[1]) }
+    }
+
+    /// Where a point is on the screen.
+    pub(crate) fn to_screen(self, p: Point, rect: Rect) -> Pos2 {
+        // Differences first, so that large coordinates keep their digits.
+        let (x, y) = ((p.x - self.center.x) * self.scale, (p.y - self.center.y) * self.scale);
+        let middle = rect.center();
+        pos2(middle.x + limited(x), middle.y - limited(y))
+    }
+
+    /// The point that is seen at a place of the screen.
+    pub(crate) fn to_plane(self, at: Pos2, rect: Rect) -> Point {
+        let d = at - rect.center();
+        Point::new(self.center.x + f64::from(d.x) / self.scale, self.center.y - f64::from(d.y) / self.scale)
+    }
+
+    /// Moves by so much of the screen.
+    pub(crate) fn pan(&mut self, by: Vec2) {
+        let to = Point::new(self.center.x - f64::from(by.x) / self.scale, self.center.y + f64::from(by.y) / self.scale);
+        if to.is_finite() {
+            self.center = to;
+        }
+    }
+
+    /// Zooms by a factor; the point at a place of the screen stays there.
+    pub(crate) fn zoom(&mut self, factor: f64, at: Pos2, rect: Rect) {
+        let fixed = self.to_plane(at, rect);
+        let scale = (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
+        if !fixed.is_finite() || !scale.is_finite() {
+            return;
+        }
+        self.scale = scale;
+        let moved = self.to_screen(fixed, rect) - at;
+        self.pan(-moved);
+    }
+}
+
+/// A coordinate of the screen, far away at most.
+fn limited(x: f64) -> f32 {
+    if x.is_nan() { 0.0 } else { x.clamp(-1e6, 1e6) as f32 }
+}

@@ -1,0 +1,108 @@
+//! Commands at work on a thread of their own, so that the window answers meanwhile.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::Duration;
+
+use trimalla_workbench::{Document, Interface, MessageKind, script};
+
+/// What most commands take less than: they are waited for, so that nothing flickers.
+const PATIENCE: Duration = Duration::from_millis(30);
+
+/// A message, and what it is about.
+pub(crate) type Message = (MessageKind, String);
+
+/// The document, at rest or with a command at work on it.
+pub(crate) struct Worker {
+    /// `None` while a command is at work.
+    document: Option<Box<Document>>,
+    job: Option<Job>,
+}
+
+struct Job {
+    messages: Receiver<Message>,
+    done: Receiver<Box<Document>>,
+    cancel: Arc<AtomicBool>,
+}
+
+/// Passes messages on to the window.
+struct Passing {
+    messages: Sender<Message>,
+    cancel: Arc<AtomicBool>,
+}
+
+impl Interface for Passing {
+    fn message(&mut self, kind: MessageKind, text: &str) {
+        // Nobody listens when the window is closed.
+        let _ = self.messages.send((kind, text.to_owned()));
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+impl Worker {
+    pub(crate) fn new() -> Self {
+        Self { document: Some(Box::new(Document::new())), job: None }
+    }
+
+    /// The document, unless a command is at work on it.
+    pub(crate) fn document(&self) -> Option<&Document> {
+        self.document.as_deref()
+    }
+
+    /// Whether a command is at work.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.job.is_some()
+    }
+
+    /// Runs the lines of a script; does nothing while a command is at work.
+    pub(crate) fn run(&mut self, text: String, context: Option<eframe::egui::Context>) {
+        let Some(mut document) = self.document.take() else { return };
+        let (sender, messages) = channel();
+        let (finished, done) = channel();
+        let cancel = Arc::new(AtomicBool::new(false));
+        let mut interface = Passing { messages: sender, cancel: cancel.clone() };
+        std::thread::spawn(move || {
+            script::run(&mut document, &text, false, &mut interface);
+            let _ = finished.send(document);
+            if let Some(context) = context {
+                context.request_repaint();
+            }
+        });
+        self.job = Some(Job { messages, done, cancel });
+        self.wait(PATIENCE);
+    }
+
+    /// Asks the command at work to stop.
+    pub(crate) fn cancel(&self) {
+        if let Some(job) = &self.job {
+            job.cancel.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Waits for the command at work, but no longer than that.
+    pub(crate) fn wait(&mut self, most: Duration) {
+        let Some(job) = self.job.as_ref().filter(|_| self.document.is_none()) else { return };
+        match job.done.recv_timeout(most) {
+            Ok(document) => self.document = Some(document),
+            // A command never panics; if one did, an empty document would be better than a dead window.
+            Err(RecvTimeoutError::Disconnected) => self.document = Some(Box::new(Document::new())),
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+    }
+
+    /// The messages since the last call; whether the document has come back since.
+    pub(crate) fn poll(&mut self) -> (Vec<Message>, bool) {
+        self.wait(Duration::ZERO);
+        let Some(job) = &self.job else { return (Vec::new(), false) };
+        let messages = job.messages.try_iter().collect();
+        let is_back = self.document.is_some();
+        if is_back {
+            self.job = None;
+        }
+        (messages, is_back)
+    }
+}

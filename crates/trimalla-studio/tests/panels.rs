@@ -1,0 +1,180 @@
+//! The panels, by label, click and key, without a display.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use trimalla_studio::Studio;
+
+fn harness() -> Harness<'static, Studio> {
+    Harness::builder()
+        .with_size(Vec2::new(1200.0, 800.0))
+        .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::new())
+}
+
+/// Types a command into the console.
+fn enter(harness: &mut Harness<'_, Studio>, line: &str) {
+    let input = harness.get_by_role_and_label(Role::TextInput, "Command");
+    input.focus();
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, "Command").type_text(line);
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, "Run").click();
+    settle(harness);
+}
+
+/// Waits for the command at work.
+fn settle(harness: &mut Harness<'_, Studio>) {
+    for _ in 0..200 {
+        harness.run_steps(2);
+        if harness.state().document().is_some() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("the command does not end");
+}
+
+fn figures(harness: &Harness<'_, Studio>) -> trimalla_workbench::Figures {
+    harness.state().document().expect("nothing is at work").figures()
+}
+
+#[test]
+fn commands_are_typed_and_buttons_run_them() {
+    let mut harness = harness();
+    for line in ["V 0 0 0", "V 1 4 0", "V 2 0 3"] {
+        enter(&mut harness, line);
+    }
+    assert_eq!(figures(&harness).vertices, 3);
+    harness.get_by_role_and_label(Role::Button, "Triangulate").click();
+    settle(&mut harness);
+    assert_eq!(figures(&harness).triangles, 1);
+    harness.get_by_role_and_label(Role::Button, "Undo").click();
+    settle(&mut harness);
+    assert_eq!(figures(&harness).triangles, 0);
+    harness.get_by_role_and_label(Role::Button, "Redo").click();
+    settle(&mut harness);
+    assert_eq!(figures(&harness).triangles, 1);
+}
+
+/// Clicks at a place of the window.
+fn click_at(harness: &mut Harness<'_, Studio>, at: Pos2) {
+    for pressed in [true, false] {
+        harness.event(Event::PointerMoved(at));
+        harness.event(Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        harness.run_steps(2);
+    }
+    settle(harness);
+}
+
+/// The middle of the drawing.
+fn middle(harness: &Harness<'_, Studio>) -> Pos2 {
+    harness.get_by_label("Drawing").rect().center()
+}
+
+#[test]
+fn a_click_picks_a_triangle_and_its_buttons_insert() {
+    let mut harness = harness();
+    for line in ["V 0 0 0", "V 1 4 0", "V 2 4 4", "V 3 0 4", "Triangulate"] {
+        enter(&mut harness, line);
+    }
+    harness.get_by_role_and_label(Role::Button, "Fit").click();
+    harness.run_steps(3);
+    let at = middle(&harness) + Vec2::new(20.0, 60.0);
+    click_at(&mut harness, at);
+    assert_eq!(harness.state().document().expect("nothing is at work").selection().len(), 1);
+    harness.get_by_label_contains("path of 2 triangles");
+    harness.get_by_role_and_label(Role::Button, "Insert centroid").click();
+    settle(&mut harness);
+    assert_eq!(figures(&harness).vertices, 5);
+    let script = harness.state().document().expect("nothing is at work").script();
+    assert!(script.contains("Select ") && script.contains("Centroid "), "every click is a command: {script}");
+}
+
+#[test]
+fn vertices_are_inserted_joined_and_deleted_by_clicks() {
+    let mut harness = harness();
+    enter(&mut harness, "Generate grid 9");
+    enter(&mut harness, "Triangulate");
+    harness.get_by_role_and_label(Role::Button, "Fit").click();
+    harness.run_steps(3);
+    harness.get_by_role_and_label(Role::Button, "Insert").click();
+    harness.run_steps(2);
+    let at = middle(&harness) + Vec2::new(50.0, 30.0);
+    click_at(&mut harness, at);
+    assert_eq!(figures(&harness).vertices, 10);
+    harness.get_by_role_and_label(Role::Button, "Delete").click();
+    harness.run_steps(2);
+    click_at(&mut harness, at);
+    assert_eq!(figures(&harness).vertices, 9);
+    harness.get_by_role_and_label(Role::Button, "Edge").click();
+    harness.run_steps(2);
+    let drawing = harness.get_by_label("Drawing").rect();
+    // The square fills nine tenths of the shorter side.
+    let half = 0.45 * drawing.width().min(drawing.height());
+    for corner in [Vec2::new(-half, -half), Vec2::new(half, half)] {
+        click_at(&mut harness, drawing.center() + corner);
+    }
+    assert!(figures(&harness).constrained >= 2, "the diagonal is constrained");
+}
+
+#[test]
+fn options_are_set_by_the_panel_and_a_refinement_goes_step_by_step() {
+    let mut harness = harness();
+    for line in ["Generate polygon 12 5", "Triangulate", "Set min-angle 20"] {
+        enter(&mut harness, line);
+    }
+    for _ in 0..4 {
+        harness.get_by_role_and_label(Role::Button, "Step").click();
+        settle(&mut harness);
+    }
+    harness.get_by_role_and_label(Role::Button, "Undo").click();
+    settle(&mut harness);
+    harness.get_by_role_and_label(Role::Button, "Refine").click();
+    settle(&mut harness);
+    assert!(figures(&harness).min_angle_deg >= 20.0);
+    assert_eq!(harness.state().document().expect("nothing is at work").options().min_angle_deg, Some(20.0));
+}
+
+#[test]
+fn nothing_that_is_clicked_or_zoomed_breaks_it() {
+    let mut harness = harness();
+    let at = middle(&harness);
+    click_at(&mut harness, at);
+    for name in ["Step", "Refine", "Undo", "Redo", "Check", "Triangulate", "Open", "Export", "Fit", "Clear"] {
+        harness.get_by_role_and_label(Role::Button, name).click();
+        settle(&mut harness);
+    }
+    enter(&mut harness, "V 0 nan 1");
+    enter(&mut harness, "V 0 1 1");
+    for (unit, times) in [(1e4, 60), (-1e4, 120)] {
+        for _ in 0..times {
+            harness.event(Event::PointerMoved(at));
+            harness.event(Event::Zoom(if unit > 0.0 { 4.0 } else { 0.25 }));
+            harness.run_steps(1);
+        }
+        click_at(&mut harness, at);
+    }
+    harness.key_press(Key::Escape);
+    harness.run_steps(2);
+    assert_eq!(figures(&harness).vertices, 1);
+}
+
+#[test]
+fn a_long_refinement_is_cancelled() {
+    let mut harness = harness();
+    enter(&mut harness, "Generate random 3000 1");
+    enter(&mut harness, "Triangulate");
+    enter(&mut harness, "Set max-area 0.0000002");
+    harness.get_by_role_and_label(Role::Button, "Refine").click();
+    harness.run_steps(3);
+    assert!(harness.state().document().is_none(), "it takes longer than a frame");
+    harness.get_by_role_and_label(Role::Button, "Cancel").click();
+    settle(&mut harness);
+    assert_eq!(figures(&harness).vertices, 3000);
+}
