@@ -41,7 +41,10 @@ fn show_row(ui: &mut Ui, row: &'static OptionRow, options: &NamedOptions) -> Opt
             }
             (Values::Number { .. }, value) => {
                 let mut number = if let Some(Value::Number(number)) = value { *number } else { 0.0 };
-                let drag = ui.add(DragValue::new(&mut number).speed(0.1)).labelled_by(label.id);
+                let is_none = value.is_none();
+                let shown =
+                    move |number: f64, _| if is_none && number == 0.0 { "none".to_owned() } else { number.to_string() };
+                let drag = ui.add(DragValue::new(&mut number).speed(0.1).custom_formatter(shown)).labelled_by(label.id);
                 if drag.drag_stopped() || drag.lost_focus() && Some(Value::Number(number)) != present {
                     command = set(number.to_string());
                 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 use trimalla_workbench::{Document, Interface, MessageKind, script};
 
 /// What most commands take less than: they are waited for, so that nothing flickers.
-const PATIENCE: Duration = Duration::from_millis(30);
+const WAIT: Duration = Duration::from_millis(30);
 
 /// A message, and what it is about.
 pub(crate) type Message = (MessageKind, String);
@@ -73,7 +73,7 @@ impl Worker {
             }
         });
         self.job = Some(Job { messages, done, cancel });
-        self.wait(PATIENCE);
+        self.wait(WAIT);
     }
 
     /// Asks the command at work to stop.

@@ -49,6 +49,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla-testkit", &["trimalla"]),
     ("trimalla-compare", &["trimalla", "trimalla-io"]),
     ("trimalla-workbench", &["trimalla", "trimalla-io"]),
+    ("trimalla-studio", &["trimalla", "trimalla-io", "trimalla-workbench"]),
     ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench"]),
 ];
 
