@@ -1,6 +1,7 @@
 //! The window: which panel is where, and what its buttons run.
 
 use eframe::egui::{self, CentralPanel, Panel, Rect, Sense, Ui};
+use trimalla::geometry::math;
 use trimalla::locate::Locus;
 use trimalla_workbench::Document;
 
@@ -203,7 +204,7 @@ impl Studio {
         }
         if let Some(at) = response.hover_pos() {
             let (wheel, pinch) = ui.input(|i| (i.smooth_scroll_delta.y, i.zoom_delta()));
-            let factor = f64::from(pinch) * (f64::from(wheel) / 300.0).exp();
+            let factor = f64::from(pinch) * math::exp(f64::from(wheel) / 300.0);
             if factor != 1.0 {
                 self.view.zoom(factor, at, rect);
             }

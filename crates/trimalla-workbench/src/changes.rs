@@ -1,6 +1,6 @@
 //! What one command has overwritten, and how it is put back.
 
-use trimalla::constrained::{ConstrainedDelaunay, Edit};
+use trimalla::constrained::{ConstrainedDelaunay, Edit, Workspace};
 use trimalla::delaunay::Inserted;
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
@@ -226,7 +226,9 @@ impl<'a> Work<'a> {
         let Some(Mesh::AtRest(at_rest)) = &mut self.state.mesh else {
             return Err(CommandError::nothing_triangulated());
         };
-        let AtRest { t, work, is_delaunay } = &mut **at_rest;
+        let AtRest { t, is_delaunay } = &mut **at_rest;
+        // A new one each time: where the last search ended must not show, as it is not taken back.
+        let work = &mut Workspace::default();
         let mut log = UndoLog::new();
         let (before, was_delaunay) = (log.checkpoint(), *is_delaunay);
         match act(&mut t.edit(work, &mut log)) {
@@ -257,14 +259,14 @@ impl<'a> Work<'a> {
         let Some(Mesh::AtRest(at_rest)) = self.state.mesh.take() else {
             return Err(CommandError::nothing_triangulated());
         };
-        let AtRest { t, work, is_delaunay } = *at_rest;
+        let AtRest { t, is_delaunay } = *at_rest;
         let (mut cdt, mut log) = (ConstrainedDelaunay::from(t), UndoLog::new());
         let before = log.checkpoint();
         let done = act(&mut cdt, &mut log, self.interface);
         if done.is_err() {
             cdt.rollback(&mut log, before);
         }
-        self.state.mesh = Some(Mesh::AtRest(Box::new(AtRest { t: cdt.into(), work, is_delaunay })));
+        self.state.mesh = Some(Mesh::AtRest(Box::new(AtRest { t: cdt.into(), is_delaunay })));
         let done = done?;
         self.changes.push(Change::Mesh { log, before, was_delaunay: is_delaunay });
         self.name_vertices();

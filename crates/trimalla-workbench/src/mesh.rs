@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Workspace};
+use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use trimalla::refine::Refinement;
 
 /// The triangulation of a document.
@@ -18,7 +18,6 @@ pub(crate) enum Mesh {
 #[derive(Clone)]
 pub(crate) struct AtRest {
     pub(crate) t: ConstrainedTriangulation,
-    pub(crate) work: Workspace,
     /// Whether it is known to be constrained Delaunay.
     pub(crate) is_delaunay: bool,
 }
@@ -26,12 +25,12 @@ pub(crate) struct AtRest {
 impl Mesh {
     /// A constrained Delaunay triangulation.
     pub(crate) fn of_delaunay(cdt: ConstrainedDelaunay) -> Self {
-        Self::AtRest(Box::new(AtRest { t: cdt.into(), work: Workspace::default(), is_delaunay: true }))
+        Self::AtRest(Box::new(AtRest { t: cdt.into(), is_delaunay: true }))
     }
 
     /// A triangulation as it was given.
     pub(crate) fn given(t: ConstrainedTriangulation) -> Self {
-        Self::AtRest(Box::new(AtRest { t, work: Workspace::default(), is_delaunay: false }))
+        Self::AtRest(Box::new(AtRest { t, is_delaunay: false }))
     }
 
     /// The triangulation.

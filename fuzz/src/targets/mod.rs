@@ -9,6 +9,7 @@ mod recipes;
 mod refine;
 mod refine_mesh;
 mod round_trips;
+mod scripts;
 
 use crate::draws::Draws;
 use crate::input::{Case, Input};
@@ -31,7 +32,7 @@ pub struct Target {
 }
 
 /// Every target. Shares add up to 100.
-pub const ALL: [Target; 9] = [
+pub const ALL: [Target; 10] = [
     readers::TARGET,
     points::TARGET,
     constrained::TARGET,
@@ -41,6 +42,7 @@ pub const ALL: [Target; 9] = [
     refine_mesh::TARGET,
     round_trips::TARGET,
     recipes::TARGET,
+    scripts::TARGET,
 ];
 
 /// Points and segments, or bytes, of inputs that are read.
@@ -49,7 +51,7 @@ const LARGEST: usize = 2000;
 /// The formats of files that targets are given.
 #[must_use]
 pub fn formats() -> Vec<&'static str> {
-    [&readers::FORMATS[..], &recipes::FORMATS[..]].concat()
+    [&readers::FORMATS[..], &recipes::FORMATS[..], &scripts::FORMATS[..]].concat()
 }
 
 /// The target of a name.

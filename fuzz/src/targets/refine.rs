@@ -16,7 +16,7 @@ use crate::judge::{Tally, Verdict, fault, mesh_of, must, none};
 pub const TARGET: Target = Target {
     name: "refine",
     summary: "every recipe, random bounds, budgets, cancelled at random",
-    share: 38,
+    share: 36,
     make: drawing_input,
     judge,
 };
