@@ -8,9 +8,9 @@ use trimalla::half_edge::VertexId;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Names {
     by_name: BTreeMap<u32, VertexId>,
-    /// The first name of each vertex.
+    /// The lowest name of each vertex.
     of_vertex: Vec<Option<u32>>,
-    /// How many names are not the first of their vertex.
+    /// How many names are not the lowest of their vertex.
     others: usize,
 }
 
@@ -44,7 +44,11 @@ impl Names {
             self.of_vertex.resize(v.index() + 1, None);
         }
         match &mut self.of_vertex[v.index()] {
-            Some(_) => self.others += 1,
+            // The lowest name is the first, in whatever order they come back.
+            Some(first) => {
+                *first = name.min(*first);
+                self.others += 1;
+            }
             first => *first = Some(name),
         }
     }
