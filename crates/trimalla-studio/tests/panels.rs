@@ -25,7 +25,7 @@ fn enter(harness: &mut Harness<'_, Studio>, line: &str) {
 
 /// Waits for the command at work.
 fn settle(harness: &mut Harness<'_, Studio>) {
-    for _ in 0..200 {
+    for _ in 0..3000 {
         harness.run_steps(2);
         if harness.state().document().is_some() {
             return;
