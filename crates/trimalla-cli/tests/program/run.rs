@@ -64,7 +64,7 @@ fn a_script_that_is_killed_while_it_saves_leaves_a_whole_file() {
             }
         }
     }
-    println!("{kills} kills: {old_left} left the old document, {new_left} the new one");
+    eprintln!("{kills} kills: {old_left} left the old document, {new_left} the new one");
     scratch.run("run save.tri -q").expect(0);
     let left = std::fs::read_dir(scratch.path()).unwrap().map(|entry| entry.unwrap().file_name());
     let temporary: Vec<_> = left.filter(|name| name.to_string_lossy().starts_with(".trimalla-")).collect();
