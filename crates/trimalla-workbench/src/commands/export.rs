@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use trimalla_io::WriteOptions;
 
+use super::save::recover_beside;
 use super::{Ask, CommandRow, Deed};
 use crate::document::Document;
 use crate::error::CommandError;
@@ -24,6 +25,7 @@ struct Export {
 
 impl Ask for Export {
     fn ask(&self, document: &Document, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        recover_beside(&self.path);
         let options = WriteOptions::default();
         let written = match document.indexed() {
             Some(mesh) => trimalla_io::write_mesh(&self.path, &mesh, &options),

@@ -1,6 +1,6 @@
 //! `Save`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{Ask, CommandRow, Deed};
 use crate::document::Document;
@@ -21,6 +21,7 @@ struct Save {
 
 impl Ask for Save {
     fn ask(&self, document: &Document, interface: &mut dyn Interface) -> Result<(), CommandError> {
+        recover_beside(&self.path);
         let write = || {
             let mut outputs = trimalla_io::Outputs::default();
             outputs.add_text(&self.path, &document.script())?;
@@ -30,4 +31,10 @@ impl Ask for Save {
         interface.message(MessageKind::Information, &format!("{} written", self.path.display()));
         Ok(())
     }
+}
+
+/// Puts files in their places, and removes temporary ones, that a killed run has left in the folder of a file.
+pub(super) fn recover_beside(path: &Path) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    trimalla_io::recover(folder.unwrap_or(Path::new(".")));
 }
