@@ -1,7 +1,7 @@
 #!/bin/sh
 # The studio in a real window of a display that nobody sees: opened on a file, refined by clicking, and looked at.
 #
-#   scripts/studio.sh            checks, and writes docs/tour/studio.png if the picture is new
+#   scripts/studio.sh            checks; with KEEP=1 in the environment the picture becomes docs/tour/studio.png
 #   scripts/studio.sh --tests    the tests of the panels alone, which need no display
 #
 # What it needs is installed where it is missing (Debian, Ubuntu: as root, or with sudo); else it is skipped with one line.

@@ -53,6 +53,11 @@ pub(crate) fn is_interrupted() -> bool {
     INTERRUPTED.load(Ordering::SeqCst)
 }
 
+/// Forgets that Ctrl-C was pressed: what it stopped has ended, and more is to come.
+pub(crate) fn resume() {
+    INTERRUPTED.store(false, Ordering::SeqCst);
+}
+
 /// Begins the part in which files appear, which Ctrl-C no longer stops; a failure if it was pressed before.
 pub(crate) fn begin_writing() -> Result<(), Failure> {
     DEFERS_CTRL_C.store(true, Ordering::SeqCst);

@@ -7,12 +7,12 @@ use rustyline::hint::Hinter;
 use rustyline::history::DefaultHistory;
 use rustyline::validate::Validator;
 use rustyline::{Context, Editor, Helper};
-use trimalla_workbench::script::ScriptError;
-use trimalla_workbench::{COMMANDS, Document};
+use trimalla_workbench::Document;
+use trimalla_workbench::script::{ScriptError, completions};
 
-use crate::console;
 use crate::exit::{Failure, Status};
 use crate::script_text::{Lines, Shown};
+use crate::{console, progress};
 
 /// Completes the names of commands, and after `Help` too.
 #[derive(Debug)]
@@ -32,8 +32,7 @@ impl Completer for Commands {
         let before = &line[..at];
         let start = before.rfind(char::is_whitespace).map_or(0, |blank| blank + 1);
         let is_name = before[..start].trim().is_empty() || before[..start].trim().eq_ignore_ascii_case("help");
-        let begins = |name: &str| name.to_ascii_lowercase().starts_with(&before[start..].to_ascii_lowercase());
-        let names = COMMANDS.iter().map(|row| row.name).filter(|name| is_name && begins(name));
+        let names = completions(&before[start..]).filter(|_| is_name);
         Ok((start, names.map(str::to_owned).collect()))
     }
 }
@@ -51,6 +50,8 @@ pub(crate) fn run(document: &mut Document, shown: &mut Shown) -> Result<Status, 
                 if let Err(error) = document.run(&text, shown) {
                     Lines::new("prompt", &text).show(&ScriptError { line: 1, text: text.clone(), error });
                 }
+                shown.end()?;
+                progress::resume();
             }
             Err(ReadlineError::Interrupted) => {}
             Err(ReadlineError::Eof) => break,

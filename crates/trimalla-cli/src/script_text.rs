@@ -6,6 +6,7 @@ use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
 use trimalla_workbench::script::ScriptError;
 use trimalla_workbench::{Interface, MessageKind};
 
+use crate::exit::Failure;
 use crate::{console, progress};
 
 /// A text without control characters, which shall not reach a terminal.
@@ -48,8 +49,21 @@ impl<'a> Lines<'a> {
 /// Messages on standard output; errors are shown with their lines.
 #[derive(Debug)]
 pub(crate) struct Shown {
-    pub(crate) echoes: bool,
-    pub(crate) is_quiet: bool,
+    echoes: bool,
+    is_quiet: bool,
+    /// Why messages could not be written.
+    failed: Option<Failure>,
+}
+
+impl Shown {
+    pub(crate) fn new(echoes: bool, is_quiet: bool) -> Self {
+        Self { echoes, is_quiet, failed: None }
+    }
+
+    /// Whether all messages could be written.
+    pub(crate) fn end(&mut self) -> Result<(), Failure> {
+        self.failed.take().map_or(Ok(()), Err)
+    }
 }
 
 impl Interface for Shown {
@@ -62,9 +76,8 @@ impl Interface for Shown {
             MessageKind::Information => format!("{text}\n"),
             MessageKind::Command | MessageKind::Error => return,
         };
-        if !self.is_quiet {
-            // A full disk shows at the end.
-            let _ = console::print(&line);
+        if !self.is_quiet && self.failed.is_none() {
+            self.failed = console::print(&line).err();
         }
     }
 

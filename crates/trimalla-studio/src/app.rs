@@ -3,7 +3,7 @@
 use eframe::egui::{self, CentralPanel, Panel, Rect, Sense, Ui};
 use trimalla::geometry::math;
 use trimalla::locate::Locus;
-use trimalla_workbench::Document;
+use trimalla_workbench::{Document, MessageKind, script};
 
 use crate::console::Console;
 use crate::scene::{Picked, Scene};
@@ -80,15 +80,12 @@ impl Studio {
         self.path = path.to_owned();
         self.fits = true;
         if path.ends_with(".tri") {
-            match std::fs::read_to_string(path) {
+            match script::read(path) {
                 Ok(text) => self.run(text, None),
-                Err(error) => {
-                    let text = format!("{path}: {error}");
-                    self.console.add(vec![(trimalla_workbench::MessageKind::Error, text)]);
-                }
+                Err(error) => self.console.add(vec![(MessageKind::Error, error.to_string())]),
             }
         } else {
-            self.run(format!("Load {path}"), None);
+            self.run(format!("Load {}", script::word(path)), None);
         }
     }
 
@@ -100,6 +97,10 @@ impl Studio {
 
     /// Runs commands, one a line.
     fn run(&mut self, text: String, context: Option<&egui::Context>) {
+        if self.worker.is_busy() {
+            let busy = "a command is at work: 'Cancel' stops it".to_owned();
+            return self.console.add(vec![(MessageKind::Command, text), (MessageKind::Error, busy)]);
+        }
         self.worker.run(text, context.cloned());
         self.poll();
     }
@@ -122,10 +123,10 @@ impl Studio {
             ui.add(egui::TextEdit::singleline(&mut self.path).desired_width(220.0)).labelled_by(label.id);
             if ui.button("Open").clicked() {
                 self.fits = true;
-                command = Some(format!("Load {}", self.path.trim()));
+                command = Some(format!("Load {}", script::word(self.path.trim())));
             }
             if ui.button("Export").clicked() {
-                command = Some(format!("Export {}", self.path.trim()));
+                command = Some(format!("Export {}", script::word(self.path.trim())));
             }
             ui.separator();
             for (name, line) in [
@@ -174,8 +175,8 @@ impl Studio {
     fn show_side(&mut self, ui: &mut Ui) -> Option<String> {
         let mut command = inspector::show(ui, self.picked.as_ref());
         ui.separator();
+        let figures = &self.scene.figures;
         if let Some(document) = self.worker.document() {
-            let figures = document.figures();
             ui.heading("Document");
             ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
             ui.label(format!("{} triangles, {} edges", figures.triangles, figures.edges));
@@ -246,7 +247,7 @@ impl Studio {
                     self.picked = None;
                     return Some("Select".to_owned());
                 };
-                let names = t.face_vertices(f).map(|v| document.name(v).unwrap_or(v.0));
+                let names = t.face_vertices(f).map(|v| document.name(v));
                 self.picked = Picked::of(document, names);
                 let [i, j, k] = names;
                 Some(format!("Select {i} {j} {k}"))

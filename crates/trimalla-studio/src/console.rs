@@ -1,7 +1,8 @@
 //! The console: what was said, and a line for commands.
 
 use eframe::egui::{Color32, Key, RichText, ScrollArea, TextEdit, Ui};
-use trimalla_workbench::{COMMANDS, MessageKind};
+use trimalla_workbench::MessageKind;
+use trimalla_workbench::script::completions;
 
 use crate::worker::Message;
 
@@ -73,10 +74,9 @@ impl Console {
             self.input = if self.shown == 0 { String::new() } else { self.typed[most - self.shown].clone() };
         }
         if tab && !self.input.contains(' ') {
-            let begun = self.input.to_ascii_lowercase();
-            let names = || COMMANDS.iter().map(|row| row.name).filter(|n| n.to_ascii_lowercase().starts_with(&begun));
-            if names().count() == 1 {
-                self.input = names().map(|name| format!("{name} ")).collect();
+            let names: Vec<&str> = completions(&self.input).collect();
+            if let [only] = names[..] {
+                self.input = format!("{only} ");
             }
         }
     }

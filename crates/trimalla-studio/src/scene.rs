@@ -3,7 +3,7 @@
 use trimalla::geometry::{Point, Triangle};
 use trimalla::half_edge::VertexId;
 use trimalla::refine::LeppRule;
-use trimalla_workbench::Document;
+use trimalla_workbench::{Document, Figures};
 
 /// An edge: its ends, and what it is.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +33,7 @@ pub(crate) struct Scene {
     pub(crate) vertices: Vec<Vertex>,
     pub(crate) edges: Vec<Edge>,
     pub(crate) faces: Vec<Face>,
+    pub(crate) figures: Figures,
 }
 
 /// A picked triangle, and what is shown of it.
@@ -52,7 +53,7 @@ impl Scene {
         let input = document.drawing().points.len();
         let Some(t) = document.triangulation() else {
             let at = &document.drawing().points;
-            let name = |i: usize| document.name(VertexId::from_index(i)).unwrap_or(i as u32);
+            let name = |i: usize| document.name(VertexId::from_index(i));
             let vertex = |(i, &at): (usize, &Point)| Vertex { at, name: name(i), is_steiner: false };
             let line = |[a, b]: [usize; 2]| Edge { ends: [at[a], at[b]], is_constrained: true };
             let segments = document.drawing().segments.iter().map(|ends| ends.map(|v| v as usize));
@@ -64,13 +65,10 @@ impl Scene {
                 vertices: at.iter().enumerate().map(vertex).collect(),
                 edges: segments.chain(sides).map(line).collect(),
                 faces: Vec::new(),
+                figures: document.figures(),
             };
         };
-        let vertex = |v: VertexId| Vertex {
-            at: t.point(v),
-            name: document.name(v).unwrap_or(v.0),
-            is_steiner: v.index() >= input,
-        };
+        let vertex = |v: VertexId| Vertex { at: t.point(v), name: document.name(v), is_steiner: v.index() >= input };
         let face = |corners: [Point; 3]| {
             let [a, b, c] = corners;
             Face { corners, min_angle_deg: Triangle::new(a, b, c).min_angle().degrees() }
@@ -79,6 +77,7 @@ impl Scene {
             vertices: t.used_vertices().map(vertex).collect(),
             edges: t.edges().map(|h| Edge { ends: t.edge_points(h), is_constrained: t.is_marked(h) }).collect(),
             faces: t.real_faces().map(|f| face(t.face_points(f))).collect(),
+            figures: document.figures(),
         }
     }
 
@@ -96,12 +95,7 @@ impl Picked {
     /// The triangle with these corners, if it is there.
     pub(crate) fn of(document: &Document, names: [u32; 3]) -> Option<Self> {
         let t = document.triangulation()?;
-        let vertices = names.map(|name| document.vertex(name));
-        let [Some(a), Some(b), Some(c)] = vertices else { return None };
-        let face = t.faces_around(a).find(|&f| {
-            let corners = t.face_vertices(f);
-            corners.contains(&b) && corners.contains(&c)
-        })?;
+        let face = document.face(names)?;
         let path = t.lepp(face, LeppRule::StopAtBoundary);
         let [p, q, r] = t.face_points(face);
         Some(Self {

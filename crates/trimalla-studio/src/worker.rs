@@ -18,6 +18,8 @@ pub(crate) struct Worker {
     /// `None` while a command is at work.
     document: Option<Box<Document>>,
     job: Option<Job>,
+    /// Whether a command took the document with it.
+    is_lost: bool,
 }
 
 struct Job {
@@ -45,7 +47,7 @@ impl Interface for Passing {
 
 impl Worker {
     pub(crate) fn new() -> Self {
-        Self { document: Some(Box::new(Document::new())), job: None }
+        Self { document: Some(Box::new(Document::new())), job: None, is_lost: false }
     }
 
     /// The document, unless a command is at work on it.
@@ -89,7 +91,9 @@ impl Worker {
         match job.done.recv_timeout(most) {
             Ok(document) => self.document = Some(document),
             // A command never panics; if one did, an empty document would be better than a dead window.
-            Err(RecvTimeoutError::Disconnected) => self.document = Some(Box::new(Document::new())),
+            Err(RecvTimeoutError::Disconnected) => {
+                (self.document, self.is_lost) = (Some(Box::new(Document::new())), true);
+            }
             Err(RecvTimeoutError::Timeout) => {}
         }
     }
@@ -98,7 +102,10 @@ impl Worker {
     pub(crate) fn poll(&mut self) -> (Vec<Message>, bool) {
         self.wait(Duration::ZERO);
         let Some(job) = &self.job else { return (Vec::new(), false) };
-        let messages = job.messages.try_iter().collect();
+        let mut messages: Vec<Message> = job.messages.try_iter().collect();
+        if std::mem::take(&mut self.is_lost) {
+            messages.push((MessageKind::Error, "the command has failed, and the document is lost".to_owned()));
+        }
         let is_back = self.document.is_some();
         if is_back {
             self.job = None;

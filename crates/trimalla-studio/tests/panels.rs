@@ -129,16 +129,27 @@ fn options_are_set_by_the_panel_and_a_refinement_goes_step_by_step() {
     for line in ["Generate polygon 12 5", "Triangulate", "Set min-angle 20"] {
         enter(&mut harness, line);
     }
+    harness.get_by_role_and_label(Role::ComboBox, "preset").click();
+    harness.run_steps(3);
+    harness.get_by_role_and_label(Role::Button, "lepp-centroid").click();
+    settle(&mut harness);
+    let preset = |harness: &Harness<'_, Studio>| harness.state().document().expect("at rest").options().preset;
+    assert_eq!(preset(&harness).map(|preset| preset.key()), Some("lepp-centroid"));
+    let at_first = figures(&harness);
     for _ in 0..4 {
         harness.get_by_role_and_label(Role::Button, "Step").click();
         settle(&mut harness);
     }
-    harness.get_by_role_and_label(Role::Button, "Undo").click();
-    settle(&mut harness);
+    let undoable = |harness: &Harness<'_, Studio>| harness.state().document().expect("at rest").undoable().0;
+    let steps = undoable(&harness);
+    for _ in 0..4 {
+        harness.get_by_role_and_label(Role::Button, "Undo").click();
+        settle(&mut harness);
+    }
+    assert_eq!((undoable(&harness), figures(&harness)), (steps - 4, at_first));
     harness.get_by_role_and_label(Role::Button, "Refine").click();
     settle(&mut harness);
     assert!(figures(&harness).min_angle_deg >= 20.0);
-    assert_eq!(harness.state().document().expect("nothing is at work").options().min_angle_deg, Some(20.0));
 }
 
 #[test]
@@ -174,6 +185,9 @@ fn a_long_refinement_is_cancelled() {
     harness.get_by_role_and_label(Role::Button, "Refine").click();
     harness.run_steps(3);
     assert!(harness.state().document().is_none(), "it takes longer than a frame");
+    harness.get_by_role_and_label(Role::Button, "Undo").click();
+    harness.run_steps(3);
+    harness.get_by_label_contains("a command is at work");
     harness.get_by_role_and_label(Role::Button, "Cancel").click();
     settle(&mut harness);
     assert_eq!(figures(&harness).vertices, 3000);

@@ -31,21 +31,27 @@ pub(crate) struct Arguments<'a> {
 }
 
 impl<'a> Arguments<'a> {
-    /// Splits a line at blanks; `#` begins a comment.
+    /// Splits a line at blanks. `#` at the start of a word begins a comment; a word in quotes may hold both.
     pub(crate) fn of(line: &'a str) -> Self {
-        let line = line.split_once('#').map_or(line, |(before, _)| before);
         let (mut words, mut column, mut rest) = (Vec::new(), 1, line);
         loop {
             let blanks = rest.len() - rest.trim_start().len();
             column += rest[..blanks].chars().count();
             rest = &rest[blanks..];
-            if rest.is_empty() {
+            if rest.is_empty() || rest.starts_with('#') {
                 break;
             }
-            let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
-            words.push(Word { text: &rest[..length], column });
-            column += rest[..length].chars().count();
-            rest = &rest[length..];
+            let quoted = rest.strip_prefix('"').and_then(|inner| inner.split_once('"'));
+            let (text, taken) = match quoted {
+                Some((text, _)) => (text, text.len() + 2),
+                None => {
+                    let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
+                    (&rest[..length], length)
+                }
+            };
+            words.push(Word { text, column });
+            column += rest[..taken].chars().count();
+            rest = &rest[taken..];
         }
         let end = words.last().map_or(1, |w| w.column + w.text.chars().count());
         Self { words, taken: 0, end }

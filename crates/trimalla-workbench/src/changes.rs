@@ -4,13 +4,16 @@ use trimalla::constrained::{ConstrainedDelaunay, Edit, Workspace};
 use trimalla::delaunay::Inserted;
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
-use trimalla::half_edge::{Checkpoint, Entry, UndoLog, VertexId};
-use trimalla::refine::NamedOptions;
+use trimalla::half_edge::{Checkpoint, Entry, FaceId, UndoLog, VertexId};
+use trimalla::refine::{Event, NamedOptions};
 
 use crate::error::CommandError;
-use crate::mesh::{AtRest, Mesh};
+use crate::mesh::{AtRest, Mesh, face_of};
 use crate::messages::{Interface, MessageKind};
 use crate::state::State;
+
+/// What the records of single steps of a refinement may take; they are freed when the refinement ends.
+const STEPS_BYTES: usize = 256 << 20;
 
 /// One thing that was overwritten.
 #[derive(Debug)]
@@ -35,8 +38,8 @@ pub(crate) enum Change {
     Selection(Vec<[u32; 3]>),
     /// The triangulation was changed; whether it was known to be constrained Delaunay before.
     Mesh { log: UndoLog, before: Checkpoint, was_delaunay: bool },
-    /// A refinement made a step.
-    Step,
+    /// A refinement made a step, whose record takes so many bytes there.
+    Step { bytes: usize },
 }
 
 impl Change {
@@ -58,7 +61,7 @@ impl Change {
                     at_rest.is_delaunay = was_delaunay;
                 }
             }
-            Self::Step => {
+            Self::Step { .. } => {
                 if let Some(Mesh::Refining(refinement)) = &mut state.mesh {
                     refinement.back();
                 }
@@ -73,8 +76,7 @@ impl Change {
             Self::Whole(state) => own + state.bytes(),
             Self::Mesh { log, .. } => own + log.len() * size_of::<Entry>(),
             Self::Selection(before) => own + size_of_val(before.as_slice()),
-            // What the refinement itself keeps for a step, as measured: see `examples/history_cost.rs` of the library.
-            Self::Step => own + 2_000,
+            Self::Step { bytes } => own + bytes,
             _ => own,
         }
     }
@@ -84,7 +86,7 @@ impl State {
     /// About how many bytes it takes.
     pub(crate) fn bytes(&self) -> usize {
         let drawn = size_of_val(self.input.drawing.points.as_slice());
-        // Measured for refined meshes: 73 bytes a vertex, and the names.
+        // About: a triangulation of a million points takes 73 bytes a point (docs/performance.md), and there are names.
         let meshed = self.mesh.as_ref().map_or(0, |mesh| 120 * mesh.triangulation().points().len());
         drawn + meshed
     }
@@ -275,16 +277,22 @@ impl<'a> Work<'a> {
     }
 
     /// Makes one more step of the refinement at work; `None` where there is none.
-    pub(crate) fn step(&mut self) -> Option<trimalla::refine::Event> {
-        let Some(Mesh::Refining(refinement)) = &mut self.state.mesh else { return None };
-        let before = refinement.steps_made();
+    ///
+    /// The refinement drops no record, as `Undo` relies on each; it is refused to go on where they take too much.
+    pub(crate) fn step(&mut self) -> Result<Option<Event>, CommandError> {
+        let Some(Mesh::Refining(refinement)) = &mut self.state.mesh else { return Ok(None) };
+        let (steps, bytes) = (refinement.steps_made(), refinement.history_bytes());
+        if bytes > STEPS_BYTES {
+            let text = "the records of single steps take 256 MiB: 'Refine' goes to the end, 'Undo' goes back";
+            return Err(CommandError::new(text));
+        }
         let event = refinement.step();
-        if refinement.steps_made() > before {
-            self.changes.push(Change::Step);
+        if refinement.steps_made() > steps {
+            self.changes.push(Change::Step { bytes: refinement.history_bytes().saturating_sub(bytes) });
         }
         self.name_vertices();
         self.interface.update();
-        Some(event)
+        Ok(Some(event))
     }
 
     /// Gives every vertex that is in use a name, and takes the names of those that are gone.
@@ -321,6 +329,20 @@ impl State {
     pub(crate) fn vertex(&self, name: u32) -> Result<VertexId, CommandError> {
         let v = self.names.vertex(name).ok_or_else(|| CommandError::new(format!("there is no vertex {name}")))?;
         Ok(self.mesh.as_ref().map_or(v, |mesh| mesh.triangulation().representative(v)))
+    }
+
+    /// The name of a vertex; the number of its slot where it has none.
+    pub(crate) fn name(&self, v: VertexId) -> u32 {
+        self.names.name(v).unwrap_or(v.0)
+    }
+
+    /// The triangle with three corners, given by their names in any order.
+    pub(crate) fn face(&self, corners: [u32; 3]) -> Result<FaceId, CommandError> {
+        let Some(mesh) = &self.mesh else { return Err(CommandError::nothing_triangulated()) };
+        let [a, b, c] = corners;
+        let none = || CommandError::new(format!("there is no triangle {a} {b} {c}"));
+        let vertices = [self.vertex(a)?, self.vertex(b)?, self.vertex(c)?];
+        face_of(mesh.triangulation(), vertices).ok_or_else(none)
     }
 
     /// The drawing that a mesh is written with.

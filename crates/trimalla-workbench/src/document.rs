@@ -1,8 +1,11 @@
 //! The document: changed by commands, read by methods.
 
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla::half_edge::VertexId;
+use trimalla::half_edge::{FaceId, VertexId};
 use trimalla::refine::NamedOptions;
 
 use crate::arguments::Arguments;
@@ -24,6 +27,8 @@ pub struct Document {
     history: History,
     /// The commands that led here.
     log: Vec<String>,
+    /// Files that were read, which no command replaces.
+    spared: BTreeSet<PathBuf>,
 }
 
 impl Default for Document {
@@ -50,7 +55,7 @@ impl Document {
     /// where it would take more.
     #[must_use]
     pub fn with_history(most_bytes: usize) -> Self {
-        Self { state: State::default(), history: History::new(most_bytes), log: Vec::new() }
+        Self { state: State::default(), history: History::new(most_bytes), log: Vec::new(), spared: BTreeSet::new() }
     }
 
     /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
@@ -91,6 +96,7 @@ impl Document {
         if changes.is_empty() {
             return;
         }
+        self.spared.extend(self.state.input.files.iter().cloned());
         self.log.push(line.trim().to_owned());
         let dropped = self.history.push(Done::new(line.trim().to_owned(), changes));
         tell_dropped(dropped, interface);
@@ -193,10 +199,16 @@ impl Document {
         self.state.vertex(name).ok()
     }
 
-    /// The name of a vertex.
+    /// The name of a vertex; the number of its slot where it has none, as no vertex in use does.
     #[must_use]
-    pub fn name(&self, v: VertexId) -> Option<u32> {
-        self.state.names.name(v)
+    pub fn name(&self, v: VertexId) -> u32 {
+        self.state.name(v)
+    }
+
+    /// The triangle with three corners, given by their names in any order.
+    #[must_use]
+    pub fn face(&self, corners: [u32; 3]) -> Option<FaceId> {
+        self.state.face(corners).ok()
     }
 
     /// The triangulation as plain arrays.
@@ -205,7 +217,7 @@ impl Document {
         self.triangulation().map(|t| t.to_indexed(self.drawing()))
     }
 
-    /// Counts, angles and faults.
+    /// Counts, angles and area.
     #[must_use]
     pub fn figures(&self) -> Figures {
         Figures::of(&self.state)
@@ -215,6 +227,17 @@ impl Document {
     #[must_use]
     pub fn script(&self) -> String {
         self.log.iter().map(|line| format!("{line}\n")).collect()
+    }
+
+    /// Keeps a file from being replaced by `Save` and `Export`, as those are that `Load` reads.
+    pub fn spare(&mut self, path: impl Into<PathBuf>) {
+        self.spared.insert(path.into());
+    }
+
+    /// Whether a file, by whatever name, is one that was read.
+    pub(crate) fn is_spared(&self, path: &Path) -> bool {
+        let is_same = |read: &PathBuf| read == path || same_file::is_same_file(read, path).unwrap_or(false);
+        self.spared.iter().any(is_same)
     }
 
     /// How many commands can be undone, and how many can be done again.

@@ -5,7 +5,7 @@ use trimalla::half_edge::VertexId;
 
 use crate::state::State;
 
-/// Counts, angles and faults of a document.
+/// Counts, angles and area of a document. Edges are counted where there is no triangle, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figures {
     /// Vertices in use; before the triangulation all points.

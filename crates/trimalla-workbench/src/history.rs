@@ -113,7 +113,7 @@ impl History {
         self.undone.len()
     }
 
-    /// Whether commands were dropped for the memory they took.
+    /// How many commands were dropped for the memory they took.
     pub(crate) const fn forgotten(&self) -> usize {
         self.forgotten
     }

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
+use trimalla::half_edge::{FaceId, HalfEdgeId, VertexId};
 use trimalla::refine::Refinement;
+use trimalla::triangulation::Triangulation;
 
 /// The triangulation of a document.
 #[derive(Clone)]
@@ -66,4 +68,15 @@ impl fmt::Debug for Mesh {
         let kind = if matches!(self, Self::AtRest(_)) { "AtRest" } else { "Refining" };
         f.debug_struct(kind).field("vertices", &self.triangulation().points().len()).finish_non_exhaustive()
     }
+}
+
+/// The real face with three corners.
+pub(crate) fn face_of(t: &Triangulation, [a, b, c]: [VertexId; 3]) -> Option<FaceId> {
+    let h = edge_of(t, a, b)?;
+    [h, t.twin(h)].into_iter().find(|&h| t.apex(h) == c && t.is_real(h.face())).map(HalfEdgeId::face)
+}
+
+/// The half-edge from one vertex to another, if both are in use and there is one.
+pub(crate) fn edge_of(t: &Triangulation, a: VertexId, b: VertexId) -> Option<HalfEdgeId> {
+    (t.is_used(a) && t.is_used(b)).then(|| t.half_edge_between(a, b))?
 }

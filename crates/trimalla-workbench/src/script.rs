@@ -1,7 +1,11 @@
 //! Scripts: the commands of a document as a text, one a line.
 
-use std::fmt;
+use std::path::Path;
+use std::{fmt, io};
 
+use trimalla_io::IoError;
+
+use crate::commands::COMMANDS;
 use crate::document::Document;
 use crate::error::CommandError;
 use crate::messages::Interface;
@@ -29,8 +33,37 @@ impl fmt::Display for ScriptError {
 
 impl std::error::Error for ScriptError {}
 
-/// Runs the lines of a script up to the first that is refused, or with `keeps_going` all of them; returns those that
-/// were refused.
+/// A script is no longer than this, in bytes.
+pub const LONGEST: u64 = 64 << 20;
+
+/// Reads a script.
+///
+/// # Errors
+/// Those of [`trimalla_io::read_bytes`] with [`LONGEST`], and for what is no text in UTF-8.
+pub fn read(path: impl AsRef<Path>) -> Result<String, IoError> {
+    let path = path.as_ref();
+    let no_text = |error| IoError::Unreadable {
+        path: path.to_owned(),
+        source: io::Error::new(io::ErrorKind::InvalidData, error),
+    };
+    String::from_utf8(trimalla_io::read_bytes(path, LONGEST)?).map_err(no_text)
+}
+
+/// A word as it is written into a command: in quotes where it has blanks or begins as a comment.
+#[must_use]
+pub fn word(text: &str) -> String {
+    let needs_quotes = text.is_empty() || text.starts_with('#') || text.contains(char::is_whitespace);
+    if needs_quotes { format!("\"{text}\"") } else { text.to_owned() }
+}
+
+/// The names of commands that begin with some letters, whatever their case.
+pub fn completions(begun: &str) -> impl Iterator<Item = &'static str> {
+    let begun = begun.to_ascii_lowercase();
+    COMMANDS.iter().map(|row| row.name).filter(move |name| name.to_ascii_lowercase().starts_with(&begun))
+}
+
+/// Runs the lines of a script up to the first that is refused, or with `keeps_going` all of them, or until somebody
+/// cancels; returns those that were refused.
 ///
 /// # Examples
 /// ```
@@ -43,6 +76,9 @@ impl std::error::Error for ScriptError {}
 pub fn run(document: &mut Document, text: &str, keeps_going: bool, interface: &mut dyn Interface) -> Vec<ScriptError> {
     let mut refused = Vec::new();
     for (line, text) in (1..).zip(text.lines()) {
+        if interface.is_cancelled() {
+            break;
+        }
         if let Err(error) = document.run(text, interface) {
             refused.push(ScriptError { line, text: text.to_owned(), error });
             if !keeps_going {

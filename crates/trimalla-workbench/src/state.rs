@@ -1,5 +1,7 @@
 //! What a document holds.
 
+use std::path::PathBuf;
+
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{Contours, DomainRule, build_exactly};
@@ -44,6 +46,8 @@ pub(crate) struct Input {
     pub(crate) drawing: Pslg,
     /// Whether the drawing was read: its outside is carved away then.
     pub(crate) is_read: bool,
+    /// The files it was read from.
+    pub(crate) files: Vec<PathBuf>,
     pub(crate) outer: Option<Vec<VertexId>>,
     pub(crate) inner: Vec<Vec<VertexId>>,
 }

@@ -1,6 +1,6 @@
 //! The two events of a document.
 
-use trimalla_workbench::{Document, Interface, MessageKind};
+use trimalla_workbench::{Document, Interface, MessageKind, script};
 
 /// Counts events, and keeps messages.
 #[derive(Default)]
@@ -67,6 +67,8 @@ fn what_is_cancelled_changes_nothing() {
         document.run(line, &mut Impatient).expect("nothing is asked");
     }
     let before = document.indexed();
+    let refused = script::run(&mut document, "Clear\nClear\n", true, &mut Impatient);
+    assert!(refused.is_empty() && document.indexed() == before, "no line of a script is begun");
     for line in ["LEPP 25", "Refine", "Step 3"] {
         let error = document.run(line, &mut Impatient).expect_err("cancelled");
         assert!(error.message().contains("cancelled"), "{line}: {error}");

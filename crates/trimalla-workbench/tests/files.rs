@@ -41,6 +41,27 @@ fn what_is_saved_leads_to_the_same_document() {
 }
 
 #[test]
+fn what_was_read_is_not_replaced_by_whatever_name() {
+    let scratch = Scratch::new("spared");
+    let drawing = scratch.path().join("a drawing #1.poly");
+    let text = "3 2 0 0\n0 0 0\n1 4 0\n2 0 3\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n";
+    fs::write(&drawing, text).expect("written");
+    let name = script::word(&drawing.display().to_string());
+    let mut document = Document::new();
+    document.run(&format!("Load {name} # with blanks"), &mut Quiet).expect("a drawing");
+    assert_eq!(document.figures().vertices, 3);
+    let other = scratch.path().join("other.poly");
+    fs::hard_link(&drawing, &other).expect("a link");
+    for line in [format!("Export {name}"), format!("Save {name}"), format!("Export {}", other.display())] {
+        let error = document.run(&line, &mut Quiet).expect_err("it was read");
+        assert!(error.message().contains("was read"), "{line}: {error}");
+    }
+    document.run("Clear", &mut Quiet).expect("cleared");
+    document.run(&format!("Save {name}"), &mut Quiet).expect_err("it was read before");
+    assert_eq!(fs::read_to_string(&drawing).expect("the drawing"), text);
+}
+
+#[test]
 fn a_mesh_that_is_exported_is_loaded_as_it_was() {
     let scratch = Scratch::new("exported");
     let (drawing, mesh) = (scratch.path().join("d.poly"), scratch.path().join("m.ele"));

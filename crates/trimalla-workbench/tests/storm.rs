@@ -25,14 +25,14 @@ impl Robot {
     fn index(&mut self, document: &Document) -> u32 {
         let points = document.triangulation().map_or(document.drawing().points.len(), |t| t.points().len());
         let v = VertexId::from_index(self.below(points));
-        if self.below(20) == 0 { v.0 + 1000 } else { document.name(v).unwrap_or(v.0) }
+        if self.below(20) == 0 { v.0 + 1000 } else { document.name(v) }
     }
 
     fn command(&mut self, document: &Document) -> String {
         let triangle = document.triangulation().and_then(|t| {
             let faces: Vec<_> = t.real_faces().collect();
             let f = *faces.get(self.below(faces.len()))?;
-            Some(t.face_vertices(f).map(|v| document.name(v).unwrap_or(v.0)))
+            Some(t.face_vertices(f).map(|v| document.name(v)))
         });
         let [i, j, k] = triangle.unwrap_or([0, 1, 2]);
         let (x, y, a, b) = (self.coordinate(), self.coordinate(), self.index(document), self.index(document));

@@ -16,7 +16,7 @@ pub const TARGET: Target =
 pub const FORMATS: [&str; 1] = ["tri"];
 
 /// A mesh of a few points stays small.
-const FIRST: &str = "Set max-vertices 200\n";
+const FIRST: &str = "Set max-vertices 200";
 
 fn make(d: &mut Draws<'_>) -> Input {
     let mut bytes = if d.rest().len() > 16 { d.rest().to_vec() } else { commands(d).into_bytes() };
@@ -83,7 +83,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     for line in lines.lines() {
         // 'Undo' and 'Clear' take the bound away.
         if document.options().max_vertices != Some(200) {
-            let _ = document.run(FIRST.trim(), &mut Quiet);
+            let _ = document.run(FIRST, &mut Quiet);
         }
         let _ = document.run(line, &mut Quiet);
         if let Some(t) = document.triangulation() {

@@ -29,6 +29,9 @@ fn a_refused_command_is_shown_with_its_line_and_ends_the_script() {
     let refused = scratch.run("run bad.tri --keep-going").expect(1).stderr;
     assert!(refused.contains("bad.tri:2:1") && refused.contains("bad.tri:3:5"), "{refused}");
     assert_eq!(scratch.read("left.tri"), "V 0 0 0\nV 1 1 1\n");
+    scratch.write("own.tri", "V 0 0 0\nSave own.tri\n");
+    assert!(scratch.run("run own.tri").expect(1).stderr.contains("was read"), "a script replaces itself");
+    assert_eq!(scratch.read("own.tri"), "V 0 0 0\nSave own.tri\n");
     scratch.run("run nowhere.tri").expect(3);
     scratch.write("binary.tri", [0xff, 0xfe, 0x30]);
     scratch.run("run binary.tri").expect(3);

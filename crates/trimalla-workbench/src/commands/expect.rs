@@ -2,11 +2,12 @@
 
 use trimalla::refine::LeppRule;
 
-use super::{Ask, CommandRow, Deed, terminal};
+use super::{Ask, CommandRow, Deed};
 use crate::arguments::{Arguments, number_of};
 use crate::document::Document;
 use crate::error::CommandError;
 use crate::figures::Figures;
+use crate::mesh::edge_of;
 use crate::messages::Interface;
 
 pub(super) const ROW: CommandRow = CommandRow {
@@ -69,11 +70,7 @@ const KEYS: &[Key] = &[
     },
     Key { name: "edge", indices: 2, find: Find::Truth(|d, i| Ok(edge(d, [i[0], i[1]])?.is_some())) },
     Key { name: "fixed", indices: 2, find: Find::Truth(|d, i| Ok(edge(d, [i[0], i[1]])?.unwrap_or(false))) },
-    Key {
-        name: "triangle",
-        indices: 3,
-        find: Find::Truth(|d, i| Ok(terminal::face(d.state(), [i[0], i[1], i[2]]).is_ok())),
-    },
+    Key { name: "triangle", indices: 3, find: Find::Truth(|d, i| Ok(d.state().face([i[0], i[1], i[2]]).is_ok())) },
     Key { name: "terminal", indices: 5, find: Find::Truth(ends_at) },
 ];
 
@@ -85,7 +82,7 @@ fn triangulation(document: &Document) -> Result<&trimalla::constrained::Constrai
 fn edge(document: &Document, ends: [u32; 2]) -> Result<Option<bool>, CommandError> {
     let t = triangulation(document)?;
     let [a, b] = [document.state().vertex(ends[0])?, document.state().vertex(ends[1])?];
-    Ok(terminal::edge_of(t, a, b).map(|h| t.is_marked(h)))
+    Ok(edge_of(t, a, b).map(|h| t.is_marked(h)))
 }
 
 fn degree(document: &Document, names: &[u32]) -> Result<f64, CommandError> {
@@ -94,7 +91,7 @@ fn degree(document: &Document, names: &[u32]) -> Result<f64, CommandError> {
 }
 
 fn path(document: &Document, corners: [u32; 3]) -> Result<trimalla::refine::Lepp, CommandError> {
-    let f = terminal::face(document.state(), corners)?;
+    let f = document.state().face(corners)?;
     Ok(triangulation(document)?.lepp(f, LeppRule::StopAtBoundary))
 }
 

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use trimalla_io::WriteOptions;
 
-use super::save::recover_beside;
+use super::save::write;
 use super::{Ask, CommandRow, Deed};
 use crate::document::Document;
 use crate::error::CommandError;
-use crate::messages::{Interface, MessageKind};
+use crate::messages::Interface;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Export",
@@ -25,14 +25,15 @@ struct Export {
 
 impl Ask for Export {
     fn ask(&self, document: &Document, interface: &mut dyn Interface) -> Result<(), CommandError> {
-        recover_beside(&self.path);
         let options = WriteOptions::default();
-        let written = match document.indexed() {
-            Some(mesh) => trimalla_io::write_mesh(&self.path, &mesh, &options),
-            None => trimalla_io::write_pslg(&self.path, document.drawing(), &options),
-        };
-        written.map_err(|error| CommandError::new(error.to_string()))?;
-        interface.message(MessageKind::Information, &format!("{} written", self.path.display()));
-        Ok(())
+        match document.indexed() {
+            Some(mesh) => {
+                let files = trimalla_io::files_of_mesh(&self.path, &options);
+                write(document, &self.path, &files, interface, |outputs| outputs.add_mesh(&self.path, &mesh, &options))
+            }
+            None => write(document, &self.path, std::slice::from_ref(&self.path), interface, |outputs| {
+                outputs.add_pslg(&self.path, document.drawing(), &options)
+            }),
+        }
     }
 }

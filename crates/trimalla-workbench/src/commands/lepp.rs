@@ -8,11 +8,11 @@ use trimalla::geometry::Triangle;
 use trimalla::half_edge::{FaceId, UndoLog, VertexId};
 use trimalla::refine::{Centroid, LeppRule};
 
-use super::terminal::face_of;
 use super::{Act, CommandRow, Deed};
 use crate::arguments::Arguments;
 use crate::changes::Work;
 use crate::error::CommandError;
+use crate::mesh::face_of;
 use crate::messages::Interface;
 
 pub(super) const ROW: CommandRow = CommandRow {

@@ -27,7 +27,7 @@ impl Act for Move {
             work.edit(true, |edit| edit.move_vertex(v, self.to).map_err(|error| CommandError::new(error.to_string())))?;
         match moved {
             Inserted::Existing(other) if other != v => {
-                let other = work.state().names.name(other).unwrap_or(other.0);
+                let other = work.state().name(other);
                 Err(CommandError::new(format!("vertex {other} lies there already")))
             }
             _ => Ok(()),

@@ -27,7 +27,7 @@ impl Ask for Plan {
         let ends = [document.state().vertex(i)?, document.state().vertex(j)?];
         let none = || CommandError::new(format!("no edge can lead from vertex {i} to vertex {j}"));
         let plan = t.plan_segment(ends[0], ends[1]).ok_or_else(none)?;
-        let name = |v: VertexId| document.name(v).unwrap_or(v.0).to_string();
+        let name = |v: VertexId| document.name(v).to_string();
         let list = |all: &[VertexId]| all.iter().map(|&v| name(v)).collect::<Vec<_>>().join(" ");
         let mut say = |text: String| interface.message(MessageKind::Information, &text);
         if plan.existing.is_some() {

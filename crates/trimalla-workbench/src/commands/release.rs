@@ -1,9 +1,9 @@
 //! `Release`.
 
-use super::terminal::edge_of;
 use super::{Act, CommandRow, Deed};
 use crate::changes::Work;
 use crate::error::CommandError;
+use crate::mesh::edge_of;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Release",

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use trimalla_io::{IoError, Outputs};
+
 use super::{Ask, CommandRow, Deed};
 use crate::document::Document;
 use crate::error::CommandError;
@@ -21,20 +23,30 @@ struct Save {
 
 impl Ask for Save {
     fn ask(&self, document: &Document, interface: &mut dyn Interface) -> Result<(), CommandError> {
-        recover_beside(&self.path);
-        let write = || {
-            let mut outputs = trimalla_io::Outputs::default();
-            outputs.add_text(&self.path, &document.script())?;
-            outputs.commit()
-        };
-        write().map_err(|error: trimalla_io::IoError| CommandError::new(error.to_string()))?;
-        interface.message(MessageKind::Information, &format!("{} written", self.path.display()));
-        Ok(())
+        write(document, &self.path, std::slice::from_ref(&self.path), interface, |outputs| {
+            outputs.add_text(&self.path, &document.script())
+        })
     }
 }
 
-/// Puts files in their places, and removes temporary ones, that a killed run has left in the folder of a file.
-pub(super) fn recover_beside(path: &Path) {
+/// Writes files whole or not at all, unless one of them was read. What a killed run has left in their folder is put in
+/// its place or removed first.
+pub(super) fn write(
+    document: &Document,
+    path: &Path,
+    files: &[PathBuf],
+    interface: &mut dyn Interface,
+    add: impl FnOnce(&mut Outputs) -> Result<(), IoError>,
+) -> Result<(), CommandError> {
+    if let Some(read) = files.iter().find(|file| document.is_spared(file)) {
+        let text = format!("{} was read, and is not replaced: give another name", read.display());
+        return Err(CommandError::new(text));
+    }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     trimalla_io::recover(folder.unwrap_or(Path::new(".")));
+    let mut outputs = Outputs::default();
+    let written = add(&mut outputs).and_then(|()| outputs.commit());
+    written.map_err(|error| CommandError::new(error.to_string()))?;
+    interface.message(MessageKind::Information, &format!("{} written", path.display()));
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! `Select`.
 
-use super::{Act, CommandRow, Deed, terminal};
+use super::{Act, CommandRow, Deed};
 use crate::changes::Work;
 use crate::error::CommandError;
 
@@ -29,7 +29,7 @@ struct Select {
 impl Act for Select {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         for &corners in &self.triangles {
-            terminal::face(work.state(), corners)?;
+            work.state().face(corners)?;
         }
         work.select(self.triangles.clone());
         Ok(())

@@ -6,7 +6,8 @@ use trimalla::half_edge::{FaceId, HalfEdgeId, VertexId};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::LeppRule;
 
-use super::{Ask, CommandRow, Deed, terminal};
+use super::{Ask, CommandRow, Deed};
+use crate::arguments::index_of;
 use crate::document::Document;
 use crate::error::CommandError;
 use crate::messages::{Interface, MessageKind};
@@ -18,15 +19,10 @@ pub(super) const ROW: CommandRow = CommandRow {
     help: "Of a triangle: angles, area, aspect ratio, neighbours, circle test, and its longest-edge propagation path with \
            the terminal edge. Of a vertex: its place and its neighbours.",
     parse: |arguments| {
-        let words = arguments.rest();
-        let names: Vec<u32> = words.iter().copied().map(crate::arguments::index_of).collect::<Result<_, _>>()?;
-        match names[..] {
-            [i] => Deed::ask(Show::Vertex(i)),
-            [i, j, k] => Deed::ask(Show::Triangle([i, j, k])),
-            _ => {
-                let message = "one vertex, or the three of a triangle, are shown";
-                Err(words.last().map_or_else(|| CommandError::at(5, 1, message), |word| word.fault(message)))
-            }
+        let i = arguments.index()?;
+        match arguments.next() {
+            None => Deed::ask(Show::Vertex(i)),
+            Some(word) => Deed::ask(Show::Triangle([i, index_of(word)?, arguments.index()?])),
         }
     },
 };
@@ -42,7 +38,7 @@ impl Ask for Show {
             Self::Vertex(name) => of_vertex(document, name)?,
             Self::Triangle(corners) => {
                 let Some(t) = document.triangulation() else { return Err(CommandError::nothing_triangulated()) };
-                of_triangle(document, t, terminal::face(document.state(), corners)?)
+                of_triangle(document, t, document.state().face(corners)?)
             }
         };
         lines.iter().for_each(|line| interface.message(MessageKind::Information, line));
@@ -57,7 +53,7 @@ fn of_vertex(document: &Document, name: u32) -> Result<Vec<String>, CommandError
     };
     let mut lines = vec![format!("vertex {name} at {}", t.point(v))];
     lines.push(if t.is_used(v) {
-        let mut around: Vec<u32> = t.neighbours(v).map(|w| document.name(w).unwrap_or(w.0)).collect();
+        let mut around: Vec<u32> = t.neighbours(v).map(|w| document.name(w)).collect();
         around.sort_unstable();
         let around: Vec<String> = around.iter().map(u32::to_string).collect();
         format!("neighbours: {}", around.join(" "))
@@ -68,7 +64,7 @@ fn of_vertex(document: &Document, name: u32) -> Result<Vec<String>, CommandError
 }
 
 fn of_triangle(document: &Document, t: &ConstrainedTriangulation, f: FaceId) -> Vec<String> {
-    let name = |v: VertexId| document.name(v).unwrap_or(v.0).to_string();
+    let name = |v: VertexId| document.name(v).to_string();
     let names = |f: FaceId| t.face_vertices(f).map(name).join(" ");
     let [a, b, c] = t.face_points(f);
     let triangle = Triangle::new(a, b, c);

@@ -2,13 +2,10 @@
 
 use trimalla::refine::{Event, Refinement, StepOutcome};
 
-use super::{Act, CommandRow, Deed, terminal};
+use super::{Act, CommandRow, Deed};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
-
-/// What the records of single steps may take.
-const HISTORY_BYTES: usize = 256 << 20;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Step",
@@ -30,7 +27,7 @@ impl Act for Step {
             if work.interface.is_cancelled() {
                 return Err(CommandError::cancelled());
             }
-            let Some(event) = work.step() else { break };
+            let Some(event) = work.step()? else { break };
             let is_done =
                 matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
             let text = text_of(work, &event);
@@ -53,8 +50,7 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
     }
     let options = state.options.refine_options();
     let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
-    let picked: Vec<_> =
-        state.selection.iter().map(|&corners| terminal::face(state, corners)).collect::<Result<_, _>>()?;
+    let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
     let mut refinement = match mesh {
         Mesh::AtRest(at_rest) if at_rest.is_delaunay => {
             let cdt = trimalla::constrained::ConstrainedDelaunay::from(at_rest.t.clone());
@@ -62,7 +58,7 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
         }
         _ => Refinement::new(mesh.triangulation().clone(), options).map_err(|e| failed(&e))?,
     };
-    refinement.keep_history(HISTORY_BYTES);
+    refinement.keep_history(usize::MAX);
     for face in picked {
         refinement.pick(face);
     }
@@ -72,7 +68,7 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
 
 /// What a step did, in a line.
 fn text_of(work: &Work<'_>, event: &Event) -> String {
-    let name = |v: trimalla::half_edge::VertexId| work.state().names.name(v).unwrap_or(v.0).to_string();
+    let name = |v: trimalla::half_edge::VertexId| work.state().name(v).to_string();
     let mut text = format!("step {}: {}", event.number, event.outcome.key());
     if let (Some((triangle, _)), Some(why)) = (event.selected, event.why()) {
         text.push_str(&format!(", triangle {} ({why})", triangle.map(name).join(" ")));

@@ -49,7 +49,7 @@ pub(super) fn insert(work: &mut Work<'_>, at: Point, name: u32) -> Result<(), Co
     let failed = |error: BuildError| CommandError::new(error.to_string());
     match work.insert(name, |edit| edit.insert(at).map_err(failed))? {
         Inserted::Existing(v) => {
-            let other = work.state().names.name(v).unwrap_or(v.0);
+            let other = work.state().name(v);
             work.say(format!("vertex {name} lies on vertex {other}, and stands for it"));
         }
         Inserted::New(_) => work.say(format!("vertex {name} at {at}")),
