@@ -2,21 +2,19 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`app`] | the window: which panel is where, and what its buttons run |
-//! | [`worker`] | commands at work on a thread of their own, which can be cancelled |
-//! | [`scene`] | what is drawn of the document, as plain arrays |
-//! | [`view`] | the part of the plane that is seen |
-//! | [`viewer`] | the drawing: triangles, edges, the picked triangle, its path and its circle |
-//! | [`inspector`], [`configuration`], [`console`] | the panels |
+//! | `app` | the window: which panel is where, and what its buttons run |
+//! | `worker` | commands at work on a thread of their own, which can be cancelled |
+//! | `scene` | what is drawn of the document, as plain arrays |
+//! | `viewer` | the drawing: triangles by the graphics card, all else above them |
+//! | `tools` | what clicks and drags into the drawing do |
+//! | `panels` | inspector, options, console |
 //!
 //! Whatever a click does appears in the console as the command it is.
 
-pub mod app;
-mod configuration;
-mod console;
-mod inspector;
+mod app;
+mod panels;
 mod scene;
-mod view;
+mod tools;
 mod viewer;
 mod worker;
 

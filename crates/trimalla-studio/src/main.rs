@@ -12,8 +12,8 @@ fn main() -> ExitCode {
     let shown = eframe::run_native(
         "trimalla",
         options,
-        Box::new(move |_| {
-            let mut studio = Studio::new();
+        Box::new(move |created| {
+            let mut studio = Studio::new(created.wgpu_render_state.as_ref().map(|state| state.target_format));
             if let Some(file) = &file {
                 studio.open(&file.to_string_lossy());
             }

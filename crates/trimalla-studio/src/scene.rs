@@ -1,23 +1,11 @@
-//! What is drawn of a document, as plain arrays.
+//! What is drawn of a document, as plain arrays. It is made where commands are at work, so that the window need not wait
+//! for it.
 
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::{Point, Triangle};
-use trimalla::half_edge::VertexId;
+use trimalla::half_edge::{FaceId, VertexId};
 use trimalla::refine::LeppRule;
 use trimalla_workbench::{Document, Figures};
-
-/// An edge: its ends, and what it is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Edge {
-    pub(crate) ends: [Point; 2],
-    pub(crate) is_constrained: bool,
-}
-
-/// A triangle: its corners, and its smallest angle in degrees.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Face {
-    pub(crate) corners: [Point; 3],
-    pub(crate) min_angle_deg: f64,
-}
 
 /// A vertex: where it is, its name, and whether it was added.
 #[derive(Clone, Copy, Debug)]
@@ -27,68 +15,156 @@ pub(crate) struct Vertex {
     pub(crate) is_steiner: bool,
 }
 
-/// Points, edges and triangles of a document.
+/// A triangle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Face {
+    /// Its corners, by their places in [`Scene::points`].
+    pub(crate) corners: [u32; 3],
+    /// Its smallest angle in degrees.
+    pub(crate) min_angle_deg: f32,
+    pub(crate) facts: Facts,
+}
+
+/// What is known of a triangle, in 32 bits: which edges are constrained, how round it is, its region.
+///
+/// ```text
+///     31 …  region  … 16 │ 15 …  quality  … 3 │ 2 1 0
+///                                               edge opposite the corner of that number
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Facts(pub(crate) u32);
+
+impl Facts {
+    const QUALITY_STEPS: f32 = 8191.0;
+
+    fn new(constrained: [bool; 3], quality: f32, region: u32) -> Self {
+        let edges = constrained.iter().rev().fold(0, |bits, &is| bits << 1 | u32::from(is));
+        let quality = (quality.clamp(0.0, 1.0) * Self::QUALITY_STEPS) as u32;
+        Self(region.min(0xFFFF) << 16 | quality << 3 | edges)
+    }
+
+    /// Whether the edge opposite a corner is constrained.
+    pub(crate) fn is_constrained(self, corner: usize) -> bool {
+        self.0 >> corner & 1 == 1
+    }
+
+    /// Twice the inradius by the circumradius: 1 where it is equilateral.
+    pub(crate) fn quality(self) -> f32 {
+        (self.0 >> 3 & 0x1FFF) as f32 / Self::QUALITY_STEPS
+    }
+
+    /// The number of its region, from 1; 0 for none.
+    pub(crate) fn region(self) -> u32 {
+        self.0 >> 16
+    }
+}
+
+/// Points, triangles and segments of a document.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scene {
+    /// Every place of the triangulation, those of unused vertices too.
+    pub(crate) points: Vec<Point>,
     pub(crate) vertices: Vec<Vertex>,
-    pub(crate) edges: Vec<Edge>,
     pub(crate) faces: Vec<Face>,
+    /// Segments and contours, where nothing is triangulated yet.
+    pub(crate) segments: Vec<[Point; 2]>,
+    /// Places from which holes are removed.
+    pub(crate) holes: Vec<Point>,
     pub(crate) figures: Figures,
+    /// The box around everything: the lower left and the upper right corner.
+    pub(crate) bounds: Option<[Point; 2]>,
+}
+
+impl Scene {
+    /// What is drawn of a document.
+    pub(crate) fn of(document: &Document) -> Self {
+        let drawing = document.drawing();
+        let mut scene = match document.triangulation() {
+            Some(t) => Self::of_triangulation(document, t),
+            None => Self::of_drawing(document),
+        };
+        scene.holes.clone_from(&drawing.holes);
+        scene.figures = document.figures();
+        scene.bounds = bounds(scene.vertices.iter().map(|v| v.at));
+        scene
+    }
+
+    fn of_drawing(document: &Document) -> Self {
+        let drawing = document.drawing();
+        let at = |v: usize| drawing.points.get(v).copied().unwrap_or_default();
+        let vertex = |(i, &at): (usize, &Point)| {
+            let v = VertexId::from_index(i);
+            Vertex { at, name: document.name(v), is_steiner: false }
+        };
+        let segments = drawing.segments.iter().map(|ends| ends.map(|v| at(v as usize)));
+        let (outer, inner) = document.contours();
+        let rings = outer.into_iter().chain(inner.iter().map(Vec::as_slice));
+        let sides = rings.flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]));
+        Self {
+            vertices: drawing.points.iter().enumerate().map(vertex).collect(),
+            segments: segments.chain(sides.map(|ends| ends.map(|v| at(v.index())))).collect(),
+            ..Self::default()
+        }
+    }
+
+    fn of_triangulation(document: &Document, t: &ConstrainedTriangulation) -> Self {
+        let input = document.drawing().points.len();
+        let vertex = |v: VertexId| Vertex { at: t.point(v), name: document.name(v), is_steiner: v.index() >= input };
+        let face = |f: FaceId| {
+            let [a, b, c] = t.face_points(f);
+            let triangle = Triangle::new(a, b, c);
+            // The half-edge i of a face runs from corner i to the next, so it is opposite corner i + 2.
+            let [first, second, third] = f.half_edges().map(|h| t.is_marked(h));
+            let region = t.mesh().region(f);
+            Face {
+                corners: t.face_vertices(f).map(|v| v.0),
+                min_angle_deg: triangle.min_angle().degrees() as f32,
+                facts: Facts::new([second, third, first], quality(&triangle), region),
+            }
+        };
+        Self {
+            points: t.points().to_vec(),
+            vertices: t.used_vertices().map(vertex).collect(),
+            faces: t.real_faces().map(face).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The corners of a triangle.
+    pub(crate) fn corners(&self, face: &Face) -> [Point; 3] {
+        face.corners.map(|v| self.points[v as usize])
+    }
+}
+
+/// Twice the inradius by the circumradius.
+fn quality(triangle: &Triangle) -> f32 {
+    let [a, b, c] = triangle.edge_lengths_sq().map(f64::sqrt);
+    let product = a * b * c;
+    let ratio = (a + b - c) * (b + c - a) * (c + a - b) / product;
+    if ratio.is_finite() { ratio as f32 } else { 0.0 }
+}
+
+fn bounds(mut all: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
+    let first = all.next()?;
+    Some(all.fold([first, first], |[low, high], p| {
+        [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
+    }))
 }
 
 /// A picked triangle, and what is shown of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Picked {
-    /// The names of its corners.
     pub(crate) names: [u32; 3],
     pub(crate) triangle: Triangle,
-    /// The triangles of its path, itself first.
+    /// The names of the triangles across its edges.
+    pub(crate) neighbours: Vec<[u32; 3]>,
+    /// Whether its edges pass the circle test.
+    pub(crate) passes_circle_test: bool,
+    /// The triangles of its longest-edge propagation path, itself first.
     pub(crate) path: Vec<[Point; 3]>,
+    pub(crate) path_names: Vec<[u32; 3]>,
     pub(crate) terminal_edge: [Point; 2],
-}
-
-impl Scene {
-    /// The scene of a document.
-    pub(crate) fn of(document: &Document) -> Self {
-        let input = document.drawing().points.len();
-        let Some(t) = document.triangulation() else {
-            let at = &document.drawing().points;
-            let name = |i: usize| document.name(VertexId::from_index(i));
-            let vertex = |(i, &at): (usize, &Point)| Vertex { at, name: name(i), is_steiner: false };
-            let line = |[a, b]: [usize; 2]| Edge { ends: [at[a], at[b]], is_constrained: true };
-            let segments = document.drawing().segments.iter().map(|ends| ends.map(|v| v as usize));
-            let (outer, inner) = document.contours();
-            let rings = outer.into_iter().chain(inner.iter().map(Vec::as_slice));
-            let sides = rings.flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]));
-            let sides = sides.map(|ends| ends.map(VertexId::index));
-            return Self {
-                vertices: at.iter().enumerate().map(vertex).collect(),
-                edges: segments.chain(sides).map(line).collect(),
-                faces: Vec::new(),
-                figures: document.figures(),
-            };
-        };
-        let vertex = |v: VertexId| Vertex { at: t.point(v), name: document.name(v), is_steiner: v.index() >= input };
-        let face = |corners: [Point; 3]| {
-            let [a, b, c] = corners;
-            Face { corners, min_angle_deg: Triangle::new(a, b, c).min_angle().degrees() }
-        };
-        Self {
-            vertices: t.used_vertices().map(vertex).collect(),
-            edges: t.edges().map(|h| Edge { ends: t.edge_points(h), is_constrained: t.is_marked(h) }).collect(),
-            faces: t.real_faces().map(|f| face(t.face_points(f))).collect(),
-            figures: document.figures(),
-        }
-    }
-
-    /// The box around everything: the lower left and the upper right corner.
-    pub(crate) fn bounds(&self) -> Option<[Point; 2]> {
-        let mut all = self.vertices.iter().map(|v| v.at);
-        let first = all.next()?;
-        Some(all.fold([first, first], |[low, high], p| {
-            [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
-        }))
-    }
+    pub(crate) terminal_names: [u32; 2],
 }
 
 impl Picked {
@@ -98,11 +174,19 @@ impl Picked {
         let face = document.face(names)?;
         let path = t.lepp(face, LeppRule::StopAtBoundary);
         let [p, q, r] = t.face_points(face);
+        let named = |f: FaceId| t.face_vertices(f).map(|v| document.name(v));
+        let across = face.half_edges().map(|h| t.twin(h).face());
+        let fails = face.half_edges().into_iter().any(|h| !t.is_marked(h) && t.fails_circle_test(h));
+        let ends = [t.origin(path.terminal_edge), t.dest(path.terminal_edge)];
         Some(Self {
             names,
             triangle: Triangle::new(p, q, r),
+            neighbours: across.into_iter().filter(|&f| t.is_real(f)).map(named).collect(),
+            passes_circle_test: !fails,
             path: path.faces.iter().map(|&f| t.face_points(f)).collect(),
+            path_names: path.faces.iter().map(|&f| named(f)).collect(),
             terminal_edge: t.edge_points(path.terminal_edge),
+            terminal_names: ends.map(|v| document.name(v)),
         })
     }
 }

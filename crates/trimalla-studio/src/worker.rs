@@ -7,16 +7,23 @@ use std::time::Duration;
 
 use trimalla_workbench::{Document, Interface, MessageKind, script};
 
+use crate::scene::Scene;
+
 /// What most commands take less than: they are waited for, so that nothing flickers.
 const WAIT: Duration = Duration::from_millis(30);
 
 /// A message, and what it is about.
 pub(crate) type Message = (MessageKind, String);
 
+/// The document with what is drawn of it.
+type Done = (Box<Document>, Arc<Scene>);
+
 /// The document, at rest or with a command at work on it.
 pub(crate) struct Worker {
     /// `None` while a command is at work.
     document: Option<Box<Document>>,
+    /// What was drawn when no command was at work.
+    scene: Arc<Scene>,
     job: Option<Job>,
     /// Whether a command took the document with it.
     is_lost: bool,
@@ -24,18 +31,23 @@ pub(crate) struct Worker {
 
 struct Job {
     messages: Receiver<Message>,
-    done: Receiver<Box<Document>>,
+    done: Receiver<Done>,
     cancel: Arc<AtomicBool>,
 }
 
 /// Passes messages on to the window.
 struct Passing {
     messages: Sender<Message>,
+    /// Whether only errors are passed on.
+    is_quiet: bool,
     cancel: Arc<AtomicBool>,
 }
 
 impl Interface for Passing {
     fn message(&mut self, kind: MessageKind, text: &str) {
+        if self.is_quiet && kind != MessageKind::Error {
+            return;
+        }
         // Nobody listens when the window is closed.
         let _ = self.messages.send((kind, text.to_owned()));
     }
@@ -47,7 +59,7 @@ impl Interface for Passing {
 
 impl Worker {
     pub(crate) fn new() -> Self {
-        Self { document: Some(Box::new(Document::new())), job: None, is_lost: false }
+        Self { document: Some(Box::new(Document::new())), scene: Arc::default(), job: None, is_lost: false }
     }
 
     /// The document, unless a command is at work on it.
@@ -55,21 +67,27 @@ impl Worker {
         self.document.as_deref()
     }
 
+    /// What is drawn: of the document before the command at work, if there is one.
+    pub(crate) fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
     /// Whether a command is at work.
     pub(crate) fn is_busy(&self) -> bool {
         self.job.is_some()
     }
 
-    /// Runs the lines of a script; does nothing while a command is at work.
-    pub(crate) fn run(&mut self, text: String, context: Option<eframe::egui::Context>) {
+    /// Runs the lines of a script, quietly but for errors if that is asked; does nothing while a command is at work.
+    pub(crate) fn run(&mut self, text: String, is_quiet: bool, context: Option<eframe::egui::Context>) {
         let Some(mut document) = self.document.take() else { return };
         let (sender, messages) = channel();
         let (finished, done) = channel();
         let cancel = Arc::new(AtomicBool::new(false));
-        let mut interface = Passing { messages: sender, cancel: cancel.clone() };
+        let mut interface = Passing { messages: sender, is_quiet, cancel: cancel.clone() };
         std::thread::spawn(move || {
             script::run(&mut document, &text, false, &mut interface);
-            let _ = finished.send(document);
+            let scene = Arc::new(Scene::of(&document));
+            let _ = finished.send((document, scene));
             if let Some(context) = context {
                 context.request_repaint();
             }
@@ -89,10 +107,11 @@ impl Worker {
     pub(crate) fn wait(&mut self, most: Duration) {
         let Some(job) = self.job.as_ref().filter(|_| self.document.is_none()) else { return };
         match job.done.recv_timeout(most) {
-            Ok(document) => self.document = Some(document),
+            Ok((document, scene)) => (self.document, self.scene) = (Some(document), scene),
             // A command never panics; if one did, an empty document would be better than a dead window.
             Err(RecvTimeoutError::Disconnected) => {
                 (self.document, self.is_lost) = (Some(Box::new(Document::new())), true);
+                self.scene = Arc::default();
             }
             Err(RecvTimeoutError::Timeout) => {}
         }

@@ -9,7 +9,7 @@ use trimalla_studio::Studio;
 fn harness() -> Harness<'static, Studio> {
     Harness::builder()
         .with_size(Vec2::new(1200.0, 800.0))
-        .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::new())
+        .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::default())
 }
 
 /// Types a command into the console.
@@ -120,6 +120,10 @@ fn vertices_are_inserted_joined_and_deleted_by_clicks() {
     for corner in [Vec2::new(-half, -half), Vec2::new(half, half)] {
         click_at(&mut harness, drawing.center() + corner);
     }
+    harness.get_by_label("Edge 6-2");
+    assert_eq!(figures(&harness).constrained, 0, "the edge is only planned");
+    harness.get_by_role_and_label(Role::Button, "Insert edge").click();
+    settle(&mut harness);
     assert!(figures(&harness).constrained >= 2, "the diagonal is constrained");
 }
 

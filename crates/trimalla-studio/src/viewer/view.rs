@@ -8,11 +8,13 @@ use trimalla::geometry::Point;
 pub(crate) struct View {
     pub(crate) center: Point,
     pub(crate) scale: f64,
+    /// Whether y grows downwards.
+    pub(crate) is_y_down: bool,
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { center: Point::new(0.0, 0.0), scale: 100.0 }
+        Self { center: Point::new(0.0, 0.0), scale: 100.0, is_y_down: false }
     }
 }
 
@@ -20,20 +22,33 @@ impl View {
     /// The least and the greatest scale: beyond them nothing could be told apart.
     const SCALES: [f64; 2] = [1e-300, 1e300];
 
-    /// The view that shows a box in a part of the screen.
-    pub(crate) fn around([low, high]: [Point; 2], rect: Rect) -> Self {
+    /// Shows a box in a part of the screen.
+    pub(crate) fn fit(&mut self, [low, high]: [Point; 2], rect: Rect) {
         let center = Point::midpoint(low, high);
         let (width, height) = (f64::from(rect.width().max(1.0)), f64::from(rect.height().max(1.0)));
         let fits = |extent: f64, room: f64| if extent > 0.0 { 0.9 * room / extent } else { f64::INFINITY };
         let scale = fits(high.x - low.x, width).min(fits(high.y - low.y, height));
         let scale = if scale.is_finite() { scale } else { 100.0 };
-        Self { center, scale: scale.clamp(Self::SCALES[0], Self::SCALES[1]) }
+        self.center = center;
+        self.set_scale(scale);
+    }
+
+    /// Sets the scale, where it is a number above 0.
+    pub(crate) fn set_scale(&mut self, scale: f64) {
+        if scale > 0.0 {
+            self.scale = scale.clamp(Self::SCALES[0], Self::SCALES[1]);
+        }
+    }
+
+    /// 1 where y grows upwards, as in a textbook.
+    fn up(self) -> f64 {
+        if self.is_y_down { -1.0 } else { 1.0 }
     }
 
     /// Where a point is on the screen.
     pub(crate) fn to_screen(self, p: Point, rect: Rect) -> Pos2 {
         // Differences first, so that large coordinates keep their digits.
-        let (x, y) = ((p.x - self.center.x) * self.scale, (p.y - self.center.y) * self.scale);
+        let (x, y) = ((p.x - self.center.x) * self.scale, (p.y - self.center.y) * self.scale * self.up());
         let middle = rect.center();
         pos2(middle.x + limited(x), middle.y - limited(y))
     }
@@ -41,12 +56,13 @@ impl View {
     /// The point that is seen at a place of the screen.
     pub(crate) fn to_plane(self, at: Pos2, rect: Rect) -> Point {
         let d = at - rect.center();
-        Point::new(self.center.x + f64::from(d.x) / self.scale, self.center.y - f64::from(d.y) / self.scale)
+        Point::new(self.center.x + f64::from(d.x) / self.scale, self.center.y - f64::from(d.y) / self.scale * self.up())
     }
 
     /// Moves by so much of the screen.
     pub(crate) fn pan(&mut self, by: Vec2) {
-        let to = Point::new(self.center.x - f64::from(by.x) / self.scale, self.center.y + f64::from(by.y) / self.scale);
+        let (x, y) = (f64::from(by.x) / self.scale, f64::from(by.y) / self.scale * self.up());
+        let to = Point::new(self.center.x - x, self.center.y + y);
         if to.is_finite() {
             self.center = to;
         }

@@ -18,7 +18,15 @@ pub(crate) fn show(ui: &mut Ui, picked: Option<&Picked>) -> Option<String> {
     ui.label(format!("angles {}", angles.join("  ")));
     ui.label(format!("area {:.6}", picked.triangle.area()));
     ui.label(format!("aspect ratio {:.4}", aspect_ratio(&picked.triangle)));
-    ui.label(format!("path of {} triangles", picked.path.len()));
+    ui.label(format!("circle test: {}", if picked.passes_circle_test { "passed" } else { "an edge fails it" }));
+    let list = |all: &[[u32; 3]]| {
+        let names = all.iter().map(|[i, j, k]| format!("{i}-{j}-{k}"));
+        names.collect::<Vec<_>>().join(", ")
+    };
+    ui.label(format!("neighbours {}", list(&picked.neighbours)));
+    ui.label(format!("path of {} triangles", picked.path.len())).on_hover_text(list(&picked.path_names));
+    let [p, q] = picked.terminal_names;
+    ui.label(format!("terminal edge {p}-{q}"));
     let mut command = None;
     ui.horizontal_wrapped(|ui| {
         if ui.button("Insert midpoint").clicked() {

@@ -1,0 +1,130 @@
+//! The row that drives a refinement: step, back, play, to the end, and a slider over the history.
+
+use std::time::Duration;
+
+use eframe::egui::{Slider, Ui};
+use trimalla_workbench::Document;
+
+/// The row.
+#[derive(Debug)]
+pub(super) struct Control {
+    /// Steps a second while it plays.
+    speed: f64,
+    /// Since when it plays, in seconds of the window's clock; and how many commands could be undone then.
+    plays: Option<Playing>,
+    /// Where a drag's last quiet command stands in the history.
+    drag_at: Option<usize>,
+}
+
+/// A play that goes on.
+#[derive(Clone, Copy, Debug)]
+struct Playing {
+    next: f64,
+    undoable: Option<usize>,
+}
+
+/// What the row asks for.
+#[derive(Debug, Default)]
+pub(super) struct Played {
+    pub(super) command: Option<String>,
+    pub(super) cancels: bool,
+}
+
+impl Default for Control {
+    fn default() -> Self {
+        Self { speed: 4.0, plays: None, drag_at: None }
+    }
+}
+
+impl Control {
+    /// Ends playing.
+    pub(super) fn stop(&mut self) {
+        self.plays = None;
+    }
+
+    /// Whether a drag's quiet command stands in the history.
+    pub(super) fn has_drag(&self) -> bool {
+        self.drag_at.is_some()
+    }
+
+    /// The commands that follow a drag: its last quiet command is taken back first.
+    pub(super) fn in_place_of_drag(&mut self, text: String, is_quiet: bool, document: Option<&Document>) -> String {
+        let Some(document) = document else { return text };
+        let done = document.undoable().0;
+        let takes_back = self.drag_at.take() == Some(done) && done > 0;
+        if is_quiet {
+            self.drag_at = Some(if takes_back { done } else { done + 1 });
+        }
+        if takes_back { format!("Undo\n{text}") } else { text }
+    }
+
+    /// Shows the row.
+    pub(super) fn show(&mut self, ui: &mut Ui, document: Option<&Document>, is_busy: bool) -> Played {
+        let mut played = Played::default();
+        let mut ask = |command: String| played.command = Some(command);
+        ui.horizontal_wrapped(|ui| {
+            if ui.button("Back").on_hover_text("takes the last command back (left arrow)").clicked() {
+                ask("Undo".to_owned());
+            }
+            if ui.button("Step").on_hover_text("makes one step of refinement (right arrow)").clicked() {
+                ask("Step".to_owned());
+            }
+            let name = if self.plays.is_some() { "Pause" } else { "Play" };
+            if ui.button(name).on_hover_text("makes step after step").clicked() {
+                self.plays = match self.plays {
+                    Some(_) => None,
+                    None => Some(Playing { next: ui.input(|i| i.time), undoable: None }),
+                };
+            }
+            let speed = Slider::new(&mut self.speed, 0.5..=60.0).logarithmic(true).text("steps a second");
+            ui.add(speed).on_hover_text("how fast 'Play' is");
+            if ui.button("Refine").on_hover_text("refines to the end").clicked() {
+                ask("Refine".to_owned());
+            }
+            if let Some(document) = document {
+                self.show_history(ui, document, &mut ask);
+            }
+            if is_busy {
+                ui.spinner();
+                played.cancels = ui.button("Cancel").on_hover_text("stops the command at work (Escape)").clicked();
+                self.plays = self.plays.filter(|_| !played.cancels);
+            }
+        });
+        if let Some(document) = document {
+            self.play(ui, document, &mut played);
+        }
+        played
+    }
+
+    /// Shows the slider over the history.
+    fn show_history(&self, ui: &mut Ui, document: &Document, ask: &mut impl FnMut(String)) {
+        let (done, undone) = document.undoable();
+        let mut at = done;
+        let all = done + undone;
+        ui.spacing_mut().slider_width = 200.0;
+        let slider = Slider::new(&mut at, 0..=all.max(1)).text("History");
+        ui.add_enabled(all > 0, slider).on_hover_text("back and forth through all commands");
+        let at = at.min(all);
+        if at < done {
+            ask(format!("Undo {}", done - at));
+        } else if at > done {
+            ask(format!("Redo {}", at - done));
+        }
+    }
+
+    /// Makes the next step where it is time.
+    fn play(&mut self, ui: &Ui, document: &Document, played: &mut Played) {
+        let Some(playing) = &mut self.plays else { return };
+        let (now, done) = (ui.input(|i| i.time), document.undoable().0);
+        if now >= playing.next {
+            if playing.undoable == Some(done) {
+                // The last step changed nothing: the refinement has ended, or was refused.
+                self.plays = None;
+                return;
+            }
+            *playing = Playing { next: now + 1.0 / self.speed, undoable: Some(done) };
+            played.command = Some("Step".to_owned());
+        }
+        ui.ctx().request_repaint_after(Duration::from_secs_f64((playing.next - now).max(0.0)));
+    }
+}

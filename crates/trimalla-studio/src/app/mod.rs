@@ -1,0 +1,249 @@
+//! The window: which panel is where, and what its buttons run.
+
+mod bar;
+mod control;
+
+use std::collections::VecDeque;
+
+use eframe::egui::{self, CentralPanel, Key, Panel, Ui};
+use eframe::wgpu::TextureFormat;
+use trimalla_workbench::{Document, MessageKind, script};
+
+use self::control::Control;
+use crate::panels::console::Console;
+use crate::panels::{configuration, inspector, plan};
+use crate::scene::Picked;
+use crate::tools::{Asked, Tool, Tools};
+use crate::viewer::switches::{self, Switches};
+use crate::viewer::view::View;
+use crate::viewer::{Viewer, overlay};
+use crate::worker::Worker;
+
+/// The studio.
+///
+/// One field for each part of the window.
+pub struct Studio {
+    worker: Worker,
+    /// Commands that wait for the one at work; whether quietly.
+    waiting: VecDeque<(String, bool)>,
+    picked: Option<Picked>,
+    console: Console,
+    viewer: Viewer,
+    view: View,
+    /// Whether the next frame shows everything.
+    fits: bool,
+    switches: Switches,
+    tools: Tools,
+    control: Control,
+    path: String,
+}
+
+impl Default for Studio {
+    fn default() -> Self {
+        Self::new(None)
+    }
+}
+
+impl Studio {
+    /// A studio with an empty document, which draws into a window's card of that format.
+    #[must_use]
+    pub fn new(format: Option<TextureFormat>) -> Self {
+        Self {
+            worker: Worker::new(),
+            waiting: VecDeque::new(),
+            picked: None,
+            console: Console::default(),
+            viewer: Viewer { number: 0, format },
+            view: View::default(),
+            fits: true,
+            switches: Switches::default(),
+            tools: Tools::default(),
+            control: Control::default(),
+            path: String::new(),
+        }
+    }
+
+    /// Opens a drawing or a mesh, or runs a script (`.tri`).
+    pub fn open(&mut self, path: &str) {
+        self.path = path.to_owned();
+        self.fits = true;
+        if path.ends_with(".tri") {
+            match script::read(path) {
+                Ok(text) => self.run(text, None),
+                Err(error) => self.console.add(vec![(MessageKind::Error, error.to_string())]),
+            }
+        } else {
+            self.run(format!("Load {}", script::word(path)), None);
+        }
+    }
+
+    /// The document, unless a command is at work on it.
+    #[must_use]
+    pub fn document(&self) -> Option<&Document> {
+        self.worker.document()
+    }
+
+    /// Runs commands, one a line.
+    fn run(&mut self, text: String, context: Option<&egui::Context>) {
+        if self.worker.is_busy() {
+            let busy = "a command is at work: 'Cancel' stops it".to_owned();
+            return self.console.add(vec![(MessageKind::Command, text), (MessageKind::Error, busy)]);
+        }
+        self.worker.run(text, false, context.cloned());
+        self.poll();
+    }
+
+    /// Does what a tool asks for.
+    fn act(&mut self, asked: Asked, context: &egui::Context) {
+        match asked {
+            Asked::Say(text) => self.console.add(vec![(MessageKind::Information, text)]),
+            // A drag goes on: of moves that wait only the last one counts.
+            Asked::Quietly(text) => {
+                self.waiting.retain(|(_, is_quiet)| !is_quiet);
+                self.waiting.push_back((text, true));
+            }
+            Asked::Run(text) if self.waiting.is_empty() && !self.control.has_drag() => self.run(text, Some(context)),
+            Asked::Run(text) => self.waiting.push_back((text, false)),
+        }
+        self.run_waiting(context);
+    }
+
+    /// Runs commands that wait, as long as none takes long.
+    fn run_waiting(&mut self, context: &egui::Context) {
+        while !self.worker.is_busy() {
+            let Some((text, is_quiet)) = self.waiting.pop_front() else { return };
+            let text = self.control.in_place_of_drag(text, is_quiet, self.worker.document());
+            self.worker.run(text, is_quiet, Some(context.clone()));
+            self.poll();
+        }
+    }
+
+    /// Takes what commands at work have said, and what they have done.
+    fn poll(&mut self) {
+        let (messages, is_back) = self.worker.poll();
+        self.console.add(messages);
+        if let Some(document) = self.worker.document().filter(|_| is_back) {
+            let names = document.selection().first().copied();
+            self.picked = names.and_then(|names| Picked::of(document, names));
+        }
+    }
+
+    /// The panel on the right; a command.
+    fn show_side(&mut self, ui: &mut Ui) -> Option<String> {
+        let planned = self.worker.document().and_then(|document| plan::show(ui, &mut self.tools.edge, document));
+        if self.tools.is_begun() {
+            ui.separator();
+        }
+        let mut command = inspector::show(ui, self.picked.as_ref()).or(planned);
+        ui.separator();
+        let figures = &self.worker.scene().figures;
+        if let Some(document) = self.worker.document() {
+            ui.heading("Document");
+            ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
+            ui.label(format!("{} triangles, {} edges", figures.triangles, figures.edges));
+            if figures.triangles > 0 {
+                ui.label(format!("angles {:.2}° to {:.2}°", figures.min_angle_deg, figures.max_angle_deg));
+            }
+            ui.separator();
+            command = configuration::show(ui, document.options()).or(command);
+        }
+        command
+    }
+
+    /// The drawing; what the tool in hand asks for.
+    fn show_viewer(&mut self, ui: &mut Ui) -> Vec<Asked> {
+        let fits = std::mem::take(&mut self.fits);
+        let scene = self.worker.scene().clone();
+        // What is loaded now comes with the command at work.
+        self.fits = fits && (self.worker.is_busy() || scene.bounds.is_none());
+        let mut view = self.view;
+        let shown = self.viewer.show(ui, (&scene, "Drawing"), &mut view, &self.switches, fits);
+        let document = self.worker.document();
+        if let Some(picked) = &self.picked {
+            overlay::draw_picked(&shown.painter, picked, &self.switches);
+        }
+        let asked = self.tools.work(&shown, &mut view, (document, &scene));
+        self.view = view;
+        asked
+    }
+
+    /// Keys that work wherever the pointer is, but not while one types.
+    fn take_keys(&mut self, ui: &Ui) -> Vec<String> {
+        if ui.ctx().egui_wants_keyboard_input() {
+            return Vec::new();
+        }
+        let pressed = |key: Key| ui.input(|i| i.key_pressed(key) && i.modifiers.is_none());
+        let with_command = |key: Key| ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND, key));
+        let mut commands = Vec::new();
+        if ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND | egui::Modifiers::SHIFT, Key::Z))
+            || with_command(Key::Y)
+        {
+            commands.push("Redo".to_owned());
+        }
+        if with_command(Key::Z) {
+            commands.push("Undo".to_owned());
+        }
+        if pressed(Key::Escape) {
+            self.tools.drop_begun();
+            self.control.stop();
+            self.worker.cancel();
+        }
+        if pressed(Key::F) {
+            self.fits = true;
+        }
+        if pressed(Key::ArrowRight) {
+            commands.push("Step".to_owned());
+        }
+        if pressed(Key::ArrowLeft) {
+            commands.push("Undo".to_owned());
+        }
+        for (number, (tool, ..)) in
+            [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8]
+                .into_iter()
+                .zip(Tool::ALL)
+        {
+            if pressed(number) {
+                self.tools.take(tool);
+            }
+        }
+        commands
+    }
+
+    /// Shows the window's contents.
+    pub fn show(&mut self, ui: &mut Ui) {
+        self.poll();
+        let context = ui.ctx().clone();
+        self.run_waiting(&context);
+        if self.worker.is_busy() {
+            context.request_repaint_after(std::time::Duration::from_millis(30));
+        }
+        let mut commands = self.take_keys(ui);
+        for file in ui.input(|i| i.raw.dropped_files.clone()) {
+            self.open(&file.path().to_string_lossy());
+        }
+        Panel::top("bar").show(ui, |ui| commands.extend(self.show_bar(ui)));
+        Panel::bottom("console").resizable(true).default_size(170.0).show(ui, |ui| {
+            commands.extend(self.console.show(ui));
+        });
+        Panel::right("side").resizable(true).default_size(300.0).show(ui, |ui| {
+            egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));
+        });
+        let mut asked = Vec::new();
+        CentralPanel::default().show(ui, |ui| {
+            switches::show_view(ui, &mut self.view);
+            asked = self.show_viewer(ui);
+        });
+        for command in commands {
+            self.run(command, Some(&context));
+        }
+        for asked in asked {
+            self.act(asked, &context);
+        }
+    }
+}
+
+impl eframe::App for Studio {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        self.show(ui);
+    }
+}

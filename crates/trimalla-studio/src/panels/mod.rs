@@ -1,0 +1,6 @@
+//! The panels around the drawing.
+
+pub(crate) mod configuration;
+pub(crate) mod console;
+pub(crate) mod inspector;
+pub(crate) mod plan;

@@ -1,0 +1,56 @@
+//! What lies under the pointer.
+
+use eframe::egui::{Pos2, Rect};
+use trimalla::geometry::{Point, Segment};
+use trimalla::locate::Locus;
+use trimalla_workbench::Document;
+
+use crate::scene::Scene;
+use crate::viewer::view::View;
+
+/// What is no farther from the pointer than this is meant, in points of the screen.
+const REACH: f32 = 12.0;
+
+/// What lies under the pointer, by the names of vertices.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit {
+    /// The place in the plane.
+    pub(crate) at: Point,
+    /// A vertex near it, and where it is.
+    pub(crate) vertex: Option<u32>,
+    pub(crate) vertex_at: Option<Point>,
+    /// An edge of the triangle there, near the pointer.
+    pub(crate) edge: Option<[u32; 2]>,
+    /// The triangle there.
+    pub(crate) face: Option<[u32; 3]>,
+}
+
+impl Hit {
+    /// What lies at a place of the screen.
+    pub(crate) fn at((place, rect): (Pos2, Rect), view: View, document: Option<&Document>, scene: &Scene) -> Self {
+        let at = view.to_plane(place, rect);
+        let distance = |p: Point| view.to_screen(p, rect).distance(place);
+        let nearest = scene.vertices.iter().min_by(|a, b| distance(a.at).total_cmp(&distance(b.at)));
+        let vertex = nearest.filter(|v| distance(v.at) < REACH);
+        let mut hit =
+            Self { at, vertex: vertex.map(|v| v.name), vertex_at: vertex.map(|v| v.at), edge: None, face: None };
+        if let Some((document, t)) = document.and_then(|d| Some((d, d.triangulation()?))).filter(|_| at.is_finite()) {
+            let face = match t.locate(at) {
+                Locus::Face(f) => Some(f),
+                Locus::Edge(h) => [h, t.twin(h)].map(|h| h.face()).into_iter().find(|&f| t.is_real(f)),
+                _ => None,
+            };
+            if let Some(face) = face {
+                hit.face = Some(t.face_vertices(face).map(|v| document.name(v)));
+                let away = |[start, end]: [Point; 2]| Segment { start, end }.distance(at);
+                let by_distance = face.half_edges().map(|h| (away(t.edge_points(h)), h));
+                let reach = f64::from(REACH) / view.scale;
+                let near = by_distance.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+                if let Some((_, h)) = near.filter(|&(distance, _)| distance < reach) {
+                    hit.edge = Some([t.origin(h), t.dest(h)].map(|v| document.name(v)));
+                }
+            }
+        }
+        hit
+    }
+}
