@@ -29,6 +29,8 @@ pub struct Document {
     log: Vec<String>,
     /// Files that were read, which no command replaces.
     spared: BTreeSet<PathBuf>,
+    /// How often the document has changed.
+    version: u64,
 }
 
 impl Default for Document {
@@ -55,7 +57,8 @@ impl Document {
     /// where it would take more.
     #[must_use]
     pub fn with_history(most_bytes: usize) -> Self {
-        Self { state: State::default(), history: History::new(most_bytes), log: Vec::new(), spared: BTreeSet::new() }
+        let (log, spared) = (Vec::new(), BTreeSet::new());
+        Self { state: State::default(), history: History::new(most_bytes), log, spared, version: 0 }
     }
 
     /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
@@ -98,6 +101,7 @@ impl Document {
         }
         self.spared.extend(self.state.input.files.iter().cloned());
         self.log.push(line.trim().to_owned());
+        self.version += 1;
         let dropped = self.history.push(Done::new(line.trim().to_owned(), changes));
         tell_dropped(dropped, interface);
     }
@@ -111,6 +115,7 @@ impl Document {
         for _ in 0..times {
             let Some(done) = self.history.pop() else { break };
             self.log.pop();
+            self.version += 1;
             let undone = done.undo(&mut self.state);
             interface.message(MessageKind::Information, &format!("undone: {}", undone.line));
             self.history.push_undone(undone);
@@ -131,6 +136,7 @@ impl Document {
                 None => self.changes_of(&undone.line, interface)?,
             };
             self.log.push(undone.line.clone());
+            self.version += 1;
             tell_dropped(self.history.push_again(Done::new(undone.line, changes)), interface);
         }
         interface.reset();
@@ -238,6 +244,13 @@ impl Document {
     pub(crate) fn is_spared(&self, path: &Path) -> bool {
         let is_same = |read: &PathBuf| read == path || same_file::is_same_file(read, path).unwrap_or(false);
         self.spared.iter().any(is_same)
+    }
+
+    /// A number that is another one after each change: what was made of the document is out of date then. A command
+    /// that failed, or was cancelled, leaves it.
+    #[must_use]
+    pub fn version(&self) -> u64 {
+        self.version
     }
 
     /// How many commands can be undone, and how many can be done again.
