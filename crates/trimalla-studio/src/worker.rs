@@ -83,10 +83,12 @@ impl Worker {
         let (sender, messages) = channel();
         let (finished, done) = channel();
         let cancel = Arc::new(AtomicBool::new(false));
+        let scene = self.scene.clone();
         let mut interface = Passing { messages: sender, is_quiet, cancel: cancel.clone() };
         std::thread::spawn(move || {
+            let before = document.version();
             script::run(&mut document, &text, false, &mut interface);
-            let scene = Arc::new(Scene::of(&document));
+            let scene = if document.version() == before { scene } else { Arc::new(Scene::of(&document)) };
             let _ = finished.send((document, scene));
             if let Some(context) = context {
                 context.request_repaint();

@@ -83,6 +83,11 @@ impl Studio {
         self.worker.document()
     }
 
+    /// Runs commands, one a line, as if they were typed.
+    pub fn enter(&mut self, commands: &str) {
+        self.run(commands.to_owned(), None);
+    }
+
     /// Runs commands, one a line.
     fn run(&mut self, text: String, context: Option<&egui::Context>) {
         if self.worker.is_busy() {

@@ -29,9 +29,10 @@ impl Hit {
     /// What lies at a place of the screen.
     pub(crate) fn at((place, rect): (Pos2, Rect), view: View, document: Option<&Document>, scene: &Scene) -> Self {
         let at = view.to_plane(place, rect);
-        let distance = |p: Point| view.to_screen(p, rect).distance(place);
-        let nearest = scene.vertices.iter().min_by(|a, b| distance(a.at).total_cmp(&distance(b.at)));
-        let vertex = nearest.filter(|v| distance(v.at) < REACH);
+        let reach = f64::from(REACH) / view.scale;
+        let near = scene.vertices.iter().filter(|v| (v.at.x - at.x).abs() < reach && (v.at.y - at.y).abs() < reach);
+        let distance_sq = |p: Point| Point::distance_sq(at, p);
+        let vertex = near.min_by(|a, b| distance_sq(a.at).total_cmp(&distance_sq(b.at)));
         let mut hit =
             Self { at, vertex: vertex.map(|v| v.name), vertex_at: vertex.map(|v| v.at), edge: None, face: None };
         if let Some((document, t)) = document.and_then(|d| Some((d, d.triangulation()?))).filter(|_| at.is_finite()) {
@@ -44,7 +45,6 @@ impl Hit {
                 hit.face = Some(t.face_vertices(face).map(|v| document.name(v)));
                 let away = |[start, end]: [Point; 2]| Segment { start, end }.distance(at);
                 let by_distance = face.half_edges().map(|h| (away(t.edge_points(h)), h));
-                let reach = f64::from(REACH) / view.scale;
                 let near = by_distance.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
                 if let Some((_, h)) = near.filter(|&(distance, _)| distance < reach) {
                     hit.edge = Some([t.origin(h), t.dest(h)].map(|v| document.name(v)));

@@ -10,7 +10,7 @@ use crate::scene::{Face, Scene};
 
 /// Draws the triangles that may be seen.
 pub(super) fn draw(painter: &PlanePainter, scene: &Scene, switches: &Switches, is_dark: bool) {
-    let seen: Vec<&Face> = scene.faces.iter().filter(|face| painter.sees(&scene.corners(face))).collect();
+    let seen: Vec<&Face> = scene.faces.iter().filter(|face| painter.sees(scene.corners(face))).collect();
     let mut mesh = Mesh::default();
     for face in &seen {
         let color = colour(face, switches, is_dark);

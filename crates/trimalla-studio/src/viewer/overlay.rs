@@ -11,7 +11,7 @@ use crate::scene::{Face, Picked, Scene};
 /// Names are written at so many vertices at most.
 const LABELLED: usize = 200;
 /// So many vertices are marked at most.
-const MARKED: usize = 10_000;
+const MARKED: usize = 3000;
 /// So many circles are drawn at most.
 const CIRCLES: usize = 1000;
 
@@ -33,7 +33,7 @@ pub(super) fn draw(painter: &PlanePainter, scene: &Scene, switches: &Switches) {
 
 fn draw_circles(painter: &PlanePainter, scene: &Scene) {
     let seen: Vec<&Face> =
-        scene.faces.iter().filter(|face| painter.sees(&scene.corners(face))).take(CIRCLES + 1).collect();
+        scene.faces.iter().filter(|face| painter.sees(scene.corners(face))).take(CIRCLES + 1).collect();
     if seen.len() <= CIRCLES {
         seen.iter().for_each(|face| painter.circumcircle(scene.corners(face), 0.7, painter.palette.picked));
     }
@@ -43,7 +43,7 @@ fn draw_vertices(painter: &PlanePainter, scene: &Scene, switches: &Switches) {
     if !switches.vertices && !switches.steiner {
         return;
     }
-    let seen: Vec<_> = scene.vertices.iter().filter(|v| painter.sees(&[v.at])).take(MARKED + 1).collect();
+    let seen: Vec<_> = scene.vertices.iter().filter(|v| painter.sees_point(v.at)).take(MARKED + 1).collect();
     if seen.len() > MARKED {
         return;
     }

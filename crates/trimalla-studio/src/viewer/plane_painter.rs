@@ -11,13 +11,18 @@ pub(crate) struct PlanePainter {
     painter: Painter,
     view: View,
     rect: Rect,
+    /// The box that is seen, a little larger.
+    seen: [Point; 2],
     pub(crate) palette: Palette,
 }
 
 impl PlanePainter {
     /// For a view on a part of the screen.
     pub(crate) fn new(painter: &Painter, (view, rect): (View, Rect), is_dark: bool) -> Self {
-        Self { painter: painter.with_clip_rect(rect), view, rect, palette: Palette::of(is_dark) }
+        let around = rect.expand(8.0);
+        let [p, q] = [around.left_top(), around.right_bottom()].map(|at| view.to_plane(at, rect));
+        let seen = [Point::new(p.x.min(q.x), p.y.min(q.y)), Point::new(p.x.max(q.x), p.y.max(q.y))];
+        Self { painter: painter.with_clip_rect(rect), view, rect, seen, palette: Palette::of(is_dark) }
     }
 
     /// Where a point is on the screen.
@@ -25,10 +30,18 @@ impl PlanePainter {
         self.view.to_screen(p, self.rect)
     }
 
+    /// Whether a point is seen.
+    pub(crate) fn sees_point(&self, p: Point) -> bool {
+        self.sees([p])
+    }
+
     /// Whether something between some points may be seen.
-    pub(crate) fn sees(&self, points: &[Point]) -> bool {
-        let at: Vec<Pos2> = points.iter().map(|&p| self.at(p)).collect();
-        self.rect.intersects(Rect::from_points(&at).expand(1.0))
+    pub(crate) fn sees<const N: usize>(&self, points: [Point; N]) -> bool {
+        let [low, high] = self.seen;
+        !(points.iter().all(|p| p.x < low.x)
+            || points.iter().all(|p| p.x > high.x)
+            || points.iter().all(|p| p.y < low.y)
+            || points.iter().all(|p| p.y > high.y))
     }
 
     /// What is drawn on the screen at once.
@@ -37,7 +50,7 @@ impl PlanePainter {
     }
 
     pub(crate) fn line(&self, ends: [Point; 2], width: f32, colour: Color32) {
-        if self.sees(&ends) {
+        if self.sees(ends) {
             self.painter.line_segment(ends.map(|p| self.at(p)), Stroke::new(width, colour));
         }
     }
@@ -54,7 +67,7 @@ impl PlanePainter {
     }
 
     pub(crate) fn fill(&self, corners: [Point; 3], colour: Color32, alpha: u8) {
-        if self.sees(&corners) {
+        if self.sees(corners) {
             let corners = corners.map(|p| self.at(p));
             let [r, g, b, _] = colour.to_array();
             let fill = Color32::from_rgba_unmultiplied(r, g, b, alpha);
