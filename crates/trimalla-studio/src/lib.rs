@@ -8,10 +8,12 @@
 //! | `viewer` | the drawing: triangles by the graphics card, all else above them |
 //! | `tools` | what clicks and drags into the drawing do |
 //! | `panels` | inspector, options, console |
+//! | `compare` | recipes side by side |
 //!
 //! Whatever a click does appears in the console as the command it is.
 
 mod app;
+mod compare;
 mod panels;
 mod scene;
 mod tools;

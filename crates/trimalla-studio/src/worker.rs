@@ -58,8 +58,14 @@ impl Interface for Passing {
 }
 
 impl Worker {
+    /// With an empty document.
     pub(crate) fn new() -> Self {
-        Self { document: Some(Box::new(Document::new())), scene: Arc::default(), job: None, is_lost: false }
+        Self { document: Some(Box::default()), scene: Arc::default(), job: None, is_lost: false }
+    }
+
+    /// With a document, of which nothing is drawn before the first command.
+    pub(crate) fn of(document: Document) -> Self {
+        Self { document: Some(Box::new(document)), ..Self::new() }
     }
 
     /// The document, unless a command is at work on it.
@@ -88,7 +94,8 @@ impl Worker {
         std::thread::spawn(move || {
             let before = document.version();
             script::run(&mut document, &text, false, &mut interface);
-            let scene = if document.version() == before { scene } else { Arc::new(Scene::of(&document)) };
+            let is_drawn = !scene.vertices.is_empty() && document.version() == before;
+            let scene = if is_drawn { scene } else { Arc::new(Scene::of(&document)) };
             let _ = finished.send((document, scene));
             if let Some(context) = context {
                 context.request_repaint();

@@ -61,6 +61,16 @@ impl Document {
         Self { state: State::default(), history: History::new(most_bytes), log, spared, version: 0 }
     }
 
+    /// A document that holds the same, and has no history: what is tried on it leaves this one as it is.
+    #[must_use]
+    pub fn copy(&self) -> Self {
+        let mut copy = Self::new();
+        copy.state = self.state.clone_without_mesh();
+        copy.state.mesh.clone_from(&self.state.mesh);
+        copy.spared.clone_from(&self.spared);
+        copy
+    }
+
     /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
     ///
     /// # Errors

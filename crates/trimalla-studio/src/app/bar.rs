@@ -1,15 +1,26 @@
 //! The rows of buttons on top.
 
-use eframe::egui::{TextEdit, Ui};
+use eframe::egui::{self, TextEdit, Ui};
 use trimalla_workbench::script;
 
-use super::Studio;
+use super::{Page, Studio};
 
 impl Studio {
     /// Shows the rows; commands of what was clicked.
     pub(super) fn show_bar(&mut self, ui: &mut Ui) -> Vec<String> {
         let mut commands = Vec::new();
         ui.horizontal_wrapped(|ui| {
+            for (page, name, help) in [
+                (Page::Draw, "Draw", "the document"),
+                (Page::Compare, "Compare", "recipes side by side, each on a copy of the document"),
+            ] {
+                ui.selectable_value(&mut self.page, page, name).on_hover_text(help);
+            }
+            let is_dark = ui.visuals().dark_mode;
+            if ui.selectable_label(is_dark, "Dark").on_hover_text("light or dark").clicked() {
+                ui.ctx().set_theme(if is_dark { egui::Theme::Light } else { egui::Theme::Dark });
+            }
+            ui.separator();
             commands.extend(self.show_files(ui));
             ui.separator();
             for (name, help) in [
@@ -28,6 +39,10 @@ impl Studio {
                 self.fits = true;
             }
         });
+        if self.page == Page::Compare {
+            self.switches.show(ui);
+            return commands;
+        }
         ui.horizontal_wrapped(|ui| self.tools.show(ui));
         let document = self.worker.document();
         let played = self.control.show(ui, document, self.worker.is_busy());

@@ -10,6 +10,7 @@ use eframe::wgpu::TextureFormat;
 use trimalla_workbench::{Document, MessageKind, script};
 
 use self::control::Control;
+use crate::compare::Compare;
 use crate::panels::console::Console;
 use crate::panels::{configuration, inspector, plan};
 use crate::scene::Picked;
@@ -35,7 +36,19 @@ pub struct Studio {
     switches: Switches,
     tools: Tools,
     control: Control,
+    compare: Compare,
+    page: Page,
     path: String,
+}
+
+/// What the middle of the window shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Page {
+    /// The document.
+    #[default]
+    Draw,
+    /// Recipes side by side.
+    Compare,
 }
 
 impl Default for Studio {
@@ -59,6 +72,8 @@ impl Studio {
             switches: Switches::default(),
             tools: Tools::default(),
             control: Control::default(),
+            compare: Compare::new(format),
+            page: Page::default(),
             path: String::new(),
         }
     }
@@ -230,6 +245,14 @@ impl Studio {
         Panel::bottom("console").resizable(true).default_size(170.0).show(ui, |ui| {
             commands.extend(self.console.show(ui));
         });
+        if self.page == Page::Compare {
+            CentralPanel::default().show(ui, |ui| {
+                let said = self.compare.show(ui, self.worker.document(), &self.switches);
+                self.console.add(said);
+            });
+            commands.into_iter().for_each(|command| self.run(command, Some(&context)));
+            return;
+        }
         Panel::right("side").resizable(true).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));
         });

@@ -47,8 +47,8 @@ fn draw_vertices(painter: &PlanePainter, scene: &Scene, switches: &Switches) {
     if seen.len() > MARKED {
         return;
     }
-    // Smaller where there are many.
-    let radius = if seen.len() > 1000 { 1.5 } else { 3.0 };
+    // Smaller where they are many for the room they have.
+    let radius = (0.08 * painter.spacing(seen.len())).clamp(1.0, 3.0);
     for v in &seen {
         let palette = &painter.palette;
         if if v.is_steiner { switches.steiner } else { switches.vertices } {

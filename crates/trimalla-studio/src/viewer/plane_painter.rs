@@ -44,6 +44,11 @@ impl PlanePainter {
             || points.iter().all(|p| p.y > high.y))
     }
 
+    /// How far things are from each other, in points of the screen, if so many were spread over it.
+    pub(crate) fn spacing(&self, count: usize) -> f32 {
+        (self.rect.area() / count.max(1) as f32).sqrt()
+    }
+
     /// What is drawn on the screen at once.
     pub(crate) fn add(&self, shape: impl Into<Shape>) {
         self.painter.add(shape);

@@ -1,0 +1,66 @@
+//! What came of the recipes: figures in a table, angles as curves.
+
+use eframe::egui::{Grid, Ui};
+use egui_plot::{Legend, Line, Plot, PlotPoints};
+
+use super::slot::Slot;
+use crate::viewer::switches::Switches;
+
+/// Classes of angles, each of two degrees.
+const CLASSES: usize = 30;
+
+pub(super) fn show(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
+    ui.horizontal_top(|ui| {
+        show_figures(ui, slots, switches);
+        show_angles(ui, slots);
+    });
+}
+
+fn show_figures(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
+    Grid::new("figures").striped(true).show(ui, |ui| {
+        let below = format!("below {}°", switches.threshold_deg);
+        for heading in ["", "vertices", "added", "triangles", "smallest angle", "largest angle", &below, "seconds"] {
+            ui.strong(heading);
+        }
+        ui.end_row();
+        for slot in slots {
+            ui.label(slot.name());
+            if let Some(figures) = slot.figures() {
+                let faces = &slot.scene().faces;
+                let bad = faces.iter().filter(|face| f64::from(face.min_angle_deg) < switches.threshold_deg).count();
+                for count in [figures.vertices, figures.steiner, figures.triangles] {
+                    ui.label(count.to_string());
+                }
+                for angle in [figures.min_angle_deg, figures.max_angle_deg] {
+                    ui.label(format!("{angle:.2}°"));
+                }
+                ui.label(bad.to_string());
+                ui.label(slot.seconds().map_or_else(String::new, |seconds| format!("{seconds:.2}")));
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// The share of triangles by their smallest angle.
+fn show_angles(ui: &mut Ui, slots: &[Slot]) {
+    let plot = Plot::new("angles").legend(Legend::default()).x_axis_label("smallest angle, degrees");
+    plot.y_axis_label("% of triangles").include_y(0.0).allow_scroll(false).show(ui, |plot| {
+        for slot in slots {
+            let faces = &slot.scene().faces;
+            let mut classes = [0_usize; CLASSES];
+            for face in faces {
+                let class = (face.min_angle_deg / 60.0 * CLASSES as f32) as usize;
+                classes[class.min(CLASSES - 1)] += 1;
+            }
+            let share = |(class, &count): (usize, &usize)| {
+                let degrees = 60.0 * (class as f64 + 0.5) / CLASSES as f64;
+                [degrees, 100.0 * count as f64 / faces.len().max(1) as f64]
+            };
+            let points: Vec<[f64; 2]> = classes.iter().enumerate().map(share).collect();
+            if !faces.is_empty() {
+                plot.line(Line::new(slot.name(), PlotPoints::from(points)));
+            }
+        }
+    });
+}
