@@ -15,6 +15,7 @@ use std::thread;
 use std::time::Duration;
 
 use crate::error::IoError;
+use crate::files::Files;
 
 const BLOCK: usize = 1 << 16;
 
@@ -35,8 +36,12 @@ const TIMEOUT: Duration = Duration::from_secs(10);
 /// [`IoError::Missing`] where there is no such file. [`IoError::Unreadable`] where it is a directory, is longer, grows
 /// while it is read, has a NUL byte, or is a pipe or device that delivers nothing for ten seconds.
 pub fn read_bytes(path: impl AsRef<Path>, longest: u64) -> Result<Vec<u8>, IoError> {
-    let path = path.as_ref();
-    let bytes = read(path, None, longest)?;
+    read_text(&Files::Disk, path.as_ref(), longest)
+}
+
+/// Reads a text file of at most `longest` bytes; one with a NUL byte is a fault.
+pub(crate) fn read_text(files: &Files, path: &Path, longest: u64) -> Result<Vec<u8>, IoError> {
+    let bytes = read(files, path, None, longest)?;
     if bytes.contains(&0) {
         let source = io::Error::new(io::ErrorKind::InvalidData, "it is no text: it has a NUL byte");
         return Err(IoError::Unreadable { path: path.to_owned(), source });
@@ -45,8 +50,8 @@ pub fn read_bytes(path: impl AsRef<Path>, longest: u64) -> Result<Vec<u8>, IoErr
 }
 
 /// Reads a file that another one may refer to; what has a NUL byte ends with the block in which it stands.
-pub(crate) fn read(path: &Path, needed_by: Option<&Path>, longest: u64) -> Result<Vec<u8>, IoError> {
-    try_read(path, longest).map_err(|source| match source.kind() {
+pub(crate) fn read(files: &Files, path: &Path, needed_by: Option<&Path>, longest: u64) -> Result<Vec<u8>, IoError> {
+    files.read(path, longest).map_err(|source| match source.kind() {
         io::ErrorKind::NotFound => IoError::Missing { path: path.to_owned(), needed_by: needed_by.map(Path::to_owned) },
         _ => IoError::Unreadable { path: path.to_owned(), source },
     })
@@ -57,7 +62,8 @@ pub(crate) fn of_stream(mut stream: impl Read) -> io::Result<Vec<u8>> {
     gather(LONGEST_STREAM, too_long(LONGEST_STREAM), |block| block_of(&mut stream, block))
 }
 
-fn try_read(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
+/// Reads a file, a pipe or a device.
+pub(crate) fn of_disk(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     let found = fs::metadata(path)?;
     if found.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -74,7 +80,7 @@ fn try_read(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     }
 }
 
-fn too_long(longest: u64) -> io::Error {
+pub(crate) fn too_long(longest: u64) -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than the {longest} bytes that are read at most"))
 }
 

@@ -13,6 +13,7 @@
 //! | a mesh or drawing, and a stream | [`write_mesh_to`], [`write_pslg_to`] |
 //! | several outputs, all of them or none | [`Outputs`]; [`Draft`] and [`Pictures`] for what is written piece by piece |
 //! | a directory in which a process was killed while writing | [`recover`] |
+//! | files in memory, where there is no disk | [`Files`], [`Memory`] |
 //! | any other text file, within bounds | [`read_bytes`] |
 //! | area bounds, and bytes or a stream | [`area::read`], [`area::write`] |
 //! | measurements, and a chart of them | [`chart::draw`] |
@@ -80,6 +81,7 @@ mod columns;
 pub mod edge;
 pub mod ele;
 mod error;
+mod files;
 mod format;
 pub mod meshsuite;
 pub mod neigh;
@@ -100,6 +102,7 @@ mod write;
 pub use atomic::{Draft, Pictures, Recovered, recover};
 pub use bytes::read_bytes;
 pub use error::{Fault, Ignored, IoError, Note, Place};
+pub use files::{Files, Memory};
 pub use format::Format;
 pub use numbers::VertexRange;
 pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};

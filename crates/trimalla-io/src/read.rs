@@ -1,6 +1,5 @@
 //! From a path to a drawing or a mesh.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +8,7 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use crate::area::{self, Areas};
 use crate::bytes::{self, LONGEST_FILE};
 use crate::error::{IoError, Note};
+use crate::files::Files;
 use crate::format::{Format, companion};
 use crate::node::{self, Nodes};
 use crate::poly::{self, Poly, Sections};
@@ -58,26 +58,30 @@ pub fn read_pslg(path: impl AsRef<Path>) -> Result<Pslg, IoError> {
 /// # Errors
 /// Every [`IoError`] that is not about output.
 pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoError> {
-    let path = path.as_ref();
-    if path == Path::new("-") {
+    pslg(&Files::Disk, path.as_ref())
+}
+
+/// Reads a drawing.
+pub(crate) fn pslg(files: &Files, path: &Path) -> Result<Numbered<Pslg>, IoError> {
+    if path == Path::new("-") && matches!(files, Files::Disk) {
         let bytes = bytes::of_stream(io::stdin().lock()).map_err(|source| unreadable(path, source))?;
         return Ok(Numbered::of_poly(poly::read_unnamed(&bytes, "-")?, Vec::new()));
     }
     match Format::from_path(path) {
-        Some(Format::Poly) => read_poly(path),
+        Some(Format::Poly) => read_poly(files, path),
         Some(Format::Node) => {
-            let mut nodes = read_nodes(path, None)?;
+            let mut nodes = read_nodes(files, path, None)?;
             let notes = std::mem::take(&mut nodes.notes);
             let first_index = nodes.first_index;
             Ok(Numbered { notes, ..Numbered::whole(nodes.into_pslg(), first_index, path) })
         }
         Some(Format::MeshSuite) => {
-            let file = meshsuite::read(&read_file(path, None)?, &name_of(path))?;
+            let file = meshsuite::read(&read_file(files, path, None)?, &name_of(path))?;
             let first_index = file.first_index;
             Ok(Numbered::whole(file.into_pslg(), first_index, path))
         }
-        None => match of_stem(path, &[Format::Poly, Format::Node]) {
-            Some(file) => read_pslg_numbered(file),
+        None => match of_stem(files, path, &[Format::Poly, Format::Node]) {
+            Some(file) => pslg(files, &file),
             None => Err(unknown(path, DRAWING_ENDINGS)),
         },
         Some(_) => Err(unknown(path, DRAWING_ENDINGS)),
@@ -102,21 +106,27 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<IndexedMesh, IoError> {
 /// # Errors
 /// Every [`IoError`] that is not about output.
 pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh>, IoError> {
-    let path = path.as_ref();
+    mesh(&Files::Disk, path.as_ref())
+}
+
+/// Reads a mesh.
+pub(crate) fn mesh(files: &Files, path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
     match Format::from_path(path) {
-        Some(Format::Node) => return read_group(&companion(path, Format::Ele)),
-        None if of_stem(path, &[Format::Ele]).is_some() => return read_group(&companion(path, Format::Ele)),
+        Some(Format::Node) => return read_group(files, &companion(path, Format::Ele)),
+        None if of_stem(files, path, &[Format::Ele]).is_some() => {
+            return read_group(files, &companion(path, Format::Ele));
+        }
         _ => {}
     }
     match Format::of_mesh(path) {
-        Some(Format::Ele) => read_group(path),
+        Some(Format::Ele) => read_group(files, path),
         Some(Format::MeshSuite) => {
-            let file = meshsuite::read_mesh(&read_file(path, None)?, &name_of(path))?;
+            let file = meshsuite::read_mesh(&read_file(files, path, None)?, &name_of(path))?;
             let first_index = file.first_index;
             Ok(Numbered::whole(file.into_mesh(), first_index, path))
         }
         Some(Format::Soup) => {
-            let value = soup::read(&read_file(path, None)?, &name_of(path))?;
+            let value = soup::read(&read_file(files, path, None)?, &name_of(path))?;
             Ok(Numbered::whole(value, 1, path))
         }
         _ => Err(unknown(path, MESH_ENDINGS)),
@@ -131,55 +141,55 @@ pub fn read_mesh_numbered(path: impl AsRef<Path>) -> Result<Numbered<IndexedMesh
 /// # Errors
 /// Every [`IoError`] that is not about output; a count other than `triangles` is a fault in the file.
 pub fn read_areas(path: impl AsRef<Path>, triangles: usize) -> Result<Option<(Areas, PathBuf)>, IoError> {
-    let path = path.as_ref();
+    let (files, path) = (&Files::Disk, path.as_ref());
     if !matches!(Format::from_path(path), None | Some(Format::Ele | Format::Node))
-        || !companion(path, Format::Ele).exists()
+        || !files.is_there(&companion(path, Format::Ele))
     {
         return Ok(None);
     }
     let beside = companion(path, Format::Area);
-    if fs::symlink_metadata(&beside).is_err() {
+    if !files.is_there(&beside) {
         return Ok(None);
     }
-    let areas = area::read(&read_file(&beside, None)?, &name_of(&beside))?;
+    let areas = area::read(&read_file(files, &beside, None)?, &name_of(&beside))?;
     if areas.0.len() != triangles {
         return Err(area::miscounted(&name_of(&beside), areas.0.len(), triangles));
     }
     Ok(Some((areas, beside)))
 }
 
-fn read_poly(path: &Path) -> Result<Numbered<Pslg>, IoError> {
-    let bytes = read_file(path, None)?;
-    let mut files = vec![path.to_owned()];
+fn read_poly(files: &Files, path: &Path) -> Result<Numbered<Pslg>, IoError> {
+    let bytes = read_file(files, path, None)?;
+    let mut read = vec![path.to_owned()];
     let poly = poly::read(&bytes, &name_of(path), || {
         let beside = companion(path, Format::Node);
-        let nodes = read_nodes(&beside, Some(path))?;
-        files.push(beside);
+        let nodes = read_nodes(files, &beside, Some(path))?;
+        read.push(beside);
         Ok(nodes)
     })?;
-    Ok(Numbered::of_poly(poly, files))
+    Ok(Numbered::of_poly(poly, read))
 }
 
-fn read_nodes(path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
-    node::read(&read_file(path, needed_by)?, &name_of(path))
+fn read_nodes(files: &Files, path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
+    node::read(&read_file(files, path, needed_by)?, &name_of(path))
 }
 
 /// Reads the files of a mesh, given its `.ele` file.
-fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
-    let bytes = read_file(path, None)?;
-    let mut files = vec![path.to_owned(), companion(path, Format::Node)];
-    let mut nodes = read_nodes(&files[1], Some(path))?;
+fn read_group(files: &Files, path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
+    let bytes = read_file(files, path, None)?;
+    let mut read = vec![path.to_owned(), companion(path, Format::Node)];
+    let mut nodes = read_nodes(files, &read[1], Some(path))?;
     let mut notes = std::mem::take(&mut nodes.notes);
     let (range, first_index) = (nodes.range(), nodes.first_index);
     let mut elements = ele::read(&bytes, &name_of(path), range)?;
     notes.append(&mut elements.notes);
     drop(bytes);
     let drawing = companion(path, Format::Poly);
-    let sections = match fs::symlink_metadata(&drawing) {
-        Err(_) => None,
-        Ok(_) => poly::read_with_mesh(&read_file(&drawing, Some(path))?, &name_of(&drawing), range)?,
-    };
-    files.extend(fs::symlink_metadata(&drawing).is_ok().then_some(drawing));
+    let mut sections = None;
+    if files.is_there(&drawing) {
+        sections = poly::read_with_mesh(&read_file(files, &drawing, Some(path))?, &name_of(&drawing), range)?;
+        read.push(drawing);
+    }
     let Sections { segments, segment_markers, holes, notes: of_sections, .. } = sections.unwrap_or_default();
     notes.extend(of_sections);
     let mesh = IndexedMesh {
@@ -191,12 +201,12 @@ fn read_group(path: &Path) -> Result<Numbered<IndexedMesh>, IoError> {
         holes,
         ..nodes.into_mesh()
     };
-    Ok(Numbered { value: mesh, first_index, files, notes })
+    Ok(Numbered { value: mesh, first_index, files: read, notes })
 }
 
 /// The first existing file of the given formats that has `path` as its stem.
-fn of_stem(path: &Path, formats: &[Format]) -> Option<PathBuf> {
-    formats.iter().map(|&format| companion(path, format)).find(|file| file.exists())
+fn of_stem(files: &Files, path: &Path, formats: &[Format]) -> Option<PathBuf> {
+    formats.iter().map(|&format| companion(path, format)).find(|file| files.is_there(file))
 }
 
 fn unknown(path: &Path, expected: &'static str) -> IoError {
@@ -207,8 +217,8 @@ fn name_of(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-fn read_file(path: &Path, needed_by: Option<&Path>) -> Result<Vec<u8>, IoError> {
-    bytes::read(path, needed_by, LONGEST_FILE)
+fn read_file(files: &Files, path: &Path, needed_by: Option<&Path>) -> Result<Vec<u8>, IoError> {
+    bytes::read(files, path, needed_by, LONGEST_FILE)
 }
 
 fn unreadable(path: &Path, source: io::Error) -> IoError {

@@ -8,6 +8,7 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use crate::atomic::{Draft, Group, Pictures};
 use crate::columns::Points;
 use crate::error::IoError;
+use crate::files::Memory;
 use crate::format::{Format, companion};
 use crate::recipe;
 use crate::svg::SvgOptions;
@@ -63,7 +64,7 @@ impl WriteOptions {
 /// The files that [`write_mesh`] replaces, so that a caller can spare its inputs.
 #[must_use]
 pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
-    if is_group(path, options) {
+    if is_group(path, options) && !is_stream(path) {
         [Format::Node, Format::Ele, Format::Poly].map(|format| member(path, format)).into()
     } else {
         vec![path.to_owned()]
@@ -85,10 +86,58 @@ pub fn files_of_mesh(path: &Path, options: &WriteOptions) -> Vec<PathBuf> {
 /// ```
 #[derive(Debug, Default)]
 pub struct Outputs {
-    group: Group,
+    target: Target,
+}
+
+/// Where outputs go.
+#[derive(Debug)]
+enum Target {
+    Disk(Group),
+    /// To files in memory, once these are complete.
+    Memory(Memory, Vec<(PathBuf, Vec<u8>)>),
+}
+
+impl Default for Target {
+    fn default() -> Self {
+        Self::Disk(Group::default())
+    }
+}
+
+impl Target {
+    fn add(&mut self, path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), IoError> {
+        match self {
+            Self::Disk(group) => group.add(path, write),
+            Self::Memory(_, complete) => {
+                let mut content = Vec::new();
+                write(&mut content).map_err(|source| IoError::Unwritable { path: path.to_owned(), source })?;
+                complete.push((path.to_owned(), content));
+                Ok(())
+            }
+        }
+    }
+
+    /// The group of files on the disk.
+    fn group(&mut self, path: &Path) -> Result<&mut Group, IoError> {
+        match self {
+            Self::Disk(group) => Ok(group),
+            Self::Memory(..) => {
+                let source = io::Error::new(io::ErrorKind::Unsupported, "files in memory are written in one piece");
+                Err(IoError::Unwritable { path: path.to_owned(), source })
+            }
+        }
+    }
+
+    /// Whether `path` stands for the three files of a mesh.
+    fn is_group(&self, path: &Path, options: &WriteOptions) -> bool {
+        is_group(path, options) && (matches!(self, Self::Memory(..)) || !is_stream(path))
+    }
 }
 
 impl Outputs {
+    pub(crate) fn in_memory(memory: Memory) -> Self {
+        Self { target: Target::Memory(memory, Vec::new()) }
+    }
+
     /// Prepares a mesh in the format that the ending of `path` says.
     ///
     /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone,
@@ -108,13 +157,13 @@ impl Outputs {
         if format == Format::Area {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: MESH_ENDINGS });
         }
-        if !is_group(path, options) {
-            return self.group.add(path, |out| write_mesh_to(out, format, mesh, options));
+        if !self.target.is_group(path, options) {
+            return self.target.add(path, |out| write_mesh_to(out, format, mesh, options));
         }
         let first_index = options.first_index;
-        self.group.add(&member(path, Format::Node), |out| node::write(out, mesh, first_index))?;
-        self.group.add(&member(path, Format::Ele), |out| ele::write(out, mesh, first_index))?;
-        self.group.add(&member(path, Format::Poly), |out| poly::write_beside_node(out, mesh, first_index))
+        self.target.add(&member(path, Format::Node), |out| node::write(out, mesh, first_index))?;
+        self.target.add(&member(path, Format::Ele), |out| ele::write(out, mesh, first_index))?;
+        self.target.add(&member(path, Format::Poly), |out| poly::write_beside_node(out, mesh, first_index))
     }
 
     /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file,
@@ -128,7 +177,7 @@ impl Outputs {
         if !matches!(format, Format::Poly | Format::Node | Format::MeshSuite | Format::Svg) {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
-        self.group.add(path, |out| write_pslg_to(out, format, pslg, options))
+        self.target.add(path, |out| write_pslg_to(out, format, pslg, options))
     }
 
     /// Prepares a recipe.
@@ -136,7 +185,7 @@ impl Outputs {
     /// # Errors
     /// [`IoError::Unwritable`].
     pub fn add_recipe(&mut self, path: impl AsRef<Path>, file: &NamedOptions) -> Result<(), IoError> {
-        self.group.add(path.as_ref(), |out| recipe::write(out, file))
+        self.target.add(path.as_ref(), |out| recipe::write(out, file))
     }
 
     /// Prepares a text, such as a table or a chart.
@@ -144,7 +193,7 @@ impl Outputs {
     /// # Errors
     /// [`IoError::Unwritable`].
     pub fn add_text(&mut self, path: impl AsRef<Path>, text: &str) -> Result<(), IoError> {
-        self.group.add(path.as_ref(), |out| out.write_all(text.as_bytes()))
+        self.target.add(path.as_ref(), |out| out.write_all(text.as_bytes()))
     }
 
     /// Begins a file that is written piece by piece; [hand it back](Self::end) when it is complete.
@@ -168,7 +217,7 @@ impl Outputs {
     /// # }
     /// ```
     pub fn begin(&mut self, path: impl AsRef<Path>) -> Result<Draft, IoError> {
-        self.group.begin(path.as_ref())
+        self.target.group(path.as_ref())?.begin(path.as_ref())
     }
 
     /// Takes a file that is complete.
@@ -176,7 +225,7 @@ impl Outputs {
     /// # Errors
     /// [`IoError::Unwritable`].
     pub fn end(&mut self, draft: Draft) -> Result<(), IoError> {
-        self.group.end(draft)
+        self.target.group(draft.path())?.end(draft)
     }
 
     /// Begins a folder of numbered pictures; [hand it back](Self::end_pictures) when it is complete.
@@ -185,7 +234,7 @@ impl Outputs {
     /// [`IoError::Unwritable`]; a folder that holds anything else than such pictures, or in which the process runs, is
     /// one.
     pub fn begin_pictures(&mut self, path: impl AsRef<Path>) -> Result<Pictures, IoError> {
-        self.group.begin_pictures(path.as_ref())
+        self.target.group(path.as_ref())?.begin_pictures(path.as_ref())
     }
 
     /// Takes a folder that is complete.
@@ -193,7 +242,7 @@ impl Outputs {
     /// # Errors
     /// [`IoError::Unwritable`].
     pub fn end_pictures(&mut self, pictures: Pictures) -> Result<(), IoError> {
-        self.group.end_pictures(pictures)
+        self.target.group(pictures.path())?.end_pictures(pictures)
     }
 
     /// Puts every file in its place. Without this call, old files stay as they are and nothing new appears.
@@ -201,7 +250,13 @@ impl Outputs {
     /// # Errors
     /// [`IoError::Unwritable`].
     pub fn commit(self) -> Result<(), IoError> {
-        self.group.commit()
+        match self.target {
+            Target::Disk(group) => group.commit(),
+            Target::Memory(memory, complete) => {
+                memory.put_all(complete);
+                Ok(())
+            }
+        }
     }
 }
 
@@ -272,10 +327,9 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
     }
 }
 
-/// Whether `path` stands for three files.
+/// Whether `path` is written as three files, where it is no stream.
 fn is_group(path: &Path, options: &WriteOptions) -> bool {
-    let format = options.format.or_else(|| Format::from_path(path));
-    format == Some(Format::Ele) && !is_stream(path)
+    options.format.or_else(|| Format::from_path(path)) == Some(Format::Ele)
 }
 
 fn is_stream(path: &Path) -> bool {

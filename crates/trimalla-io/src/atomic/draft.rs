@@ -53,7 +53,7 @@ impl Draft {
         Self { path: path.to_owned(), buffer: BufWriter::with_capacity(BUFFER, sink), staged }
     }
 
-    pub(super) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 

@@ -3,6 +3,7 @@
 mod catalogue;
 mod common;
 mod damage;
+mod memory;
 mod one_file;
 mod paths;
 mod pictures;
