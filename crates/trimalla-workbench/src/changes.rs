@@ -6,6 +6,7 @@ use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla::half_edge::{Checkpoint, Entry, FaceId, UndoLog, VertexId};
 use trimalla::refine::{Event, NamedOptions};
+use trimalla_io::Files;
 
 use crate::error::CommandError;
 use crate::mesh::{AtRest, Mesh, face_of};
@@ -95,13 +96,19 @@ impl State {
 /// A command at work: it changes the document through these methods, each of which records what it overwrites.
 pub(crate) struct Work<'a> {
     state: &'a mut State,
+    files: &'a Files,
     changes: Vec<Change>,
     pub(crate) interface: &'a mut dyn Interface,
 }
 
 impl<'a> Work<'a> {
-    pub(crate) fn new(state: &'a mut State, interface: &'a mut dyn Interface) -> Self {
-        Self { state, changes: Vec::new(), interface }
+    pub(crate) fn new(state: &'a mut State, files: &'a Files, interface: &'a mut dyn Interface) -> Self {
+        Self { state, files, changes: Vec::new(), interface }
+    }
+
+    /// The files of the document.
+    pub(crate) fn files(&self) -> &'a Files {
+        self.files
     }
 
     /// The document as it is.

@@ -7,6 +7,7 @@ use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::half_edge::{FaceId, VertexId};
 use trimalla::refine::NamedOptions;
+use trimalla_io::Files;
 
 use crate::arguments::Arguments;
 use crate::changes::{Change, Work};
@@ -27,6 +28,7 @@ pub struct Document {
     history: History,
     /// The commands that led here.
     log: Vec<String>,
+    files: Files,
     /// Files that were read, which no command replaces.
     spared: BTreeSet<PathBuf>,
     /// How often the document has changed.
@@ -57,18 +59,20 @@ impl Document {
     /// where it would take more.
     #[must_use]
     pub fn with_history(most_bytes: usize) -> Self {
-        let (log, spared) = (Vec::new(), BTreeSet::new());
-        Self { state: State::default(), history: History::new(most_bytes), log, spared, version: 0 }
+        Self {
+            state: State::default(),
+            history: History::new(most_bytes),
+            log: Vec::new(),
+            files: Files::Disk,
+            spared: BTreeSet::new(),
+            version: 0,
+        }
     }
 
-    /// A document that holds the same, and has no history: what is tried on it leaves this one as it is.
+    /// The same document, whose commands read and write other files than those of the disk.
     #[must_use]
-    pub fn copy(&self) -> Self {
-        let mut copy = Self::new();
-        copy.state = self.state.clone_without_mesh();
-        copy.state.mesh.clone_from(&self.state.mesh);
-        copy.spared.clone_from(&self.spared);
-        copy
+    pub fn with_files(self, files: Files) -> Self {
+        Self { files, ..self }
     }
 
     /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
@@ -89,7 +93,7 @@ impl Document {
     fn act(&mut self, line: &str, deed: Deed, interface: &mut dyn Interface) -> Result<(), CommandError> {
         match deed {
             Deed::Edit(act) => {
-                let mut work = Work::new(&mut self.state, interface);
+                let mut work = Work::new(&mut self.state, &self.files, interface);
                 if let Err(error) = act.act(&mut work) {
                     work.take_back();
                     return Err(error);
@@ -158,7 +162,7 @@ impl Document {
         let mut arguments = Arguments::of(line);
         let name = arguments.word("a command")?;
         let Deed::Edit(act) = commands::parse(name, &mut arguments)? else { return Ok(Vec::new()) };
-        let mut work = Work::new(&mut self.state, interface);
+        let mut work = Work::new(&mut self.state, &self.files, interface);
         match act.act(&mut work) {
             Ok(()) => Ok(work.into_changes()),
             Err(error) => {
@@ -252,8 +256,13 @@ impl Document {
 
     /// Whether a file, by whatever name, is one that was read.
     pub(crate) fn is_spared(&self, path: &Path) -> bool {
-        let is_same = |read: &PathBuf| read == path || same_file::is_same_file(read, path).unwrap_or(false);
-        self.spared.iter().any(is_same)
+        self.spared.iter().any(|read| self.files.is_same(read, path))
+    }
+
+    /// The files that commands read and write.
+    #[must_use]
+    pub fn files(&self) -> &Files {
+        &self.files
     }
 
     /// A number that is another one after each change: what was made of the document is out of date then. A command

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::{fmt, io};
 
-use trimalla_io::IoError;
+use trimalla_io::{Files, IoError};
 
 use crate::commands::COMMANDS;
 use crate::document::Document;
@@ -41,12 +41,20 @@ pub const LONGEST: u64 = 64 << 20;
 /// # Errors
 /// Those of [`trimalla_io::read_bytes`] with [`LONGEST`], and for what is no text in UTF-8.
 pub fn read(path: impl AsRef<Path>) -> Result<String, IoError> {
+    read_in(&Files::Disk, path)
+}
+
+/// Reads a script that is among some files.
+///
+/// # Errors
+/// Those of [`Files::read_bytes`] with [`LONGEST`], and for what is no text in UTF-8.
+pub fn read_in(files: &Files, path: impl AsRef<Path>) -> Result<String, IoError> {
     let path = path.as_ref();
     let no_text = |error| IoError::Unreadable {
         path: path.to_owned(),
         source: io::Error::new(io::ErrorKind::InvalidData, error),
     };
-    String::from_utf8(trimalla_io::read_bytes(path, LONGEST)?).map_err(no_text)
+    String::from_utf8(files.read_bytes(path, LONGEST)?).map_err(no_text)
 }
 
 /// A word as it is written into a command: in quotes where it has blanks or begins as a comment.

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use trimalla_io::{Files, Memory};
 use trimalla_workbench::{Document, Quiet, script};
 
 /// A folder of its own for a test, removed after it.
@@ -78,4 +79,63 @@ fn a_mesh_that_is_exported_is_loaded_as_it_was() {
     let refused = script::run(&mut document, "Load nowhere.poly", false, &mut Quiet);
     assert!(refused[0].to_string().contains("nowhere.poly"), "{refused:?}");
     assert!(document.triangulation().is_none());
+}
+
+/// A document whose files are in memory, with those of a folder of the project.
+fn in_memory(folder: &str) -> (Document, Memory) {
+    let memory = Memory::default();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for entry in fs::read_dir(root.join(folder)).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = Path::new(folder).join(path.file_name().expect("a name"));
+        memory.put(name, fs::read(&path).expect("a file"));
+    }
+    (Document::new().with_files(Files::Memory(memory.clone())), memory)
+}
+
+#[test]
+fn scripts_read_and_write_files_in_memory() {
+    let (mut document, memory) = in_memory("data/shapes");
+    let before = memory.names();
+    let text = "Load data/shapes/key.poly\nTriangulate\nSet min-angle 20\nRefine\nExport key.1.ele\nExport key.svg\n\
+                Save key.tri\nLoad key.1.ele\nExpect triangulated yes\n";
+    assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+    let new: Vec<String> =
+        memory.names().iter().filter(|name| !before.contains(name)).map(|n| n.display().to_string()).collect();
+    assert_eq!(new, ["key.1.ele", "key.1.node", "key.1.poly", "key.svg", "key.tri"]);
+    let saved = script::read_in(document.files(), "key.tri").expect("a script");
+    assert_eq!(saved, "Load data/shapes/key.poly\nTriangulate\nSet min-angle 20\nRefine\n");
+    let (mut again, _) = in_memory("data/shapes");
+    assert_eq!(script::run(&mut again, &saved, false, &mut Quiet), []);
+    document.run("Undo", &mut Quiet).expect("undone");
+    assert_eq!(again, document, "what was saved leads there again");
+    for line in ["Export data/shapes/key.poly", "Save ./data/shapes/key.poly", "Export key.1.ele", "Save key.1.node"] {
+        let error = document.run(line, &mut Quiet).expect_err("it was read");
+        assert!(error.message().contains("was read"), "{line}: {error}");
+    }
+    let error = document.run("Load nowhere.poly", &mut Quiet).expect_err("it is not there");
+    assert!(error.message().contains("nowhere.poly: no such file"), "{error}");
+}
+
+#[test]
+fn the_disk_and_the_memory_lead_to_the_same_document() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let scratch = Scratch::new("both");
+    for name in ["guitar.poly", "key.poly"] {
+        fs::copy(root.join("data/shapes").join(name), scratch.path().join(name)).expect("a copy");
+        let (mut held, memory) = in_memory("data/shapes");
+        let mut disk = Document::new();
+        let folder = scratch.path().display().to_string();
+        for (document, folder) in [(&mut held, "data/shapes"), (&mut disk, &*folder)] {
+            let text = format!(
+                "Load {folder}/{name}\nTriangulate\nRefine\nExport {folder}/out.ele\nExport {folder}/out.vtu\n"
+            );
+            assert_eq!(script::run(document, &text, false, &mut Quiet), []);
+        }
+        assert_eq!(held.indexed(), disk.indexed());
+        for file in ["out.node", "out.ele", "out.poly", "out.vtu"] {
+            let of_disk = fs::read(scratch.path().join(file)).expect("a file");
+            assert_eq!(&*memory.get(Path::new("data/shapes").join(file)).expect("a file"), of_disk, "{file}");
+        }
+    }
 }

@@ -31,8 +31,9 @@ struct Load {
 impl Act for Load {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let ending = self.path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-        let mesh = || trimalla_io::read_mesh(&self.path).map_err(|error| CommandError::new(error.to_string()));
-        let drawing = || trimalla_io::read_pslg(&self.path).map_err(|error| CommandError::new(error.to_string()));
+        let files = work.files();
+        let mesh = || files.read_mesh(&self.path).map_err(|error| CommandError::new(error.to_string()));
+        let drawing = || files.read_pslg(&self.path).map_err(|error| CommandError::new(error.to_string()));
         let mut state = if MESHES.contains(&&*ending) {
             of_mesh(mesh()?)?
         } else if ending == "mesh" {
@@ -43,7 +44,7 @@ impl Act for Load {
         };
         // What lies beside it under the same stem may belong to it.
         let beside = ["node", "ele", "poly"].map(|ending| self.path.with_extension(ending));
-        state.input.files = beside.into_iter().filter(|path| path.exists()).collect();
+        state.input.files = beside.into_iter().filter(|path| files.is_there(path)).collect();
         state.input.files.push(self.path.clone());
         let (points, segments) = (state.input.drawing.points.len(), state.input.drawing.segments.len());
         let options = work.state().options.clone();

@@ -42,9 +42,7 @@ pub(super) fn write(
         let text = format!("{} was read, and is not replaced: give another name", read.display());
         return Err(CommandError::new(text));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    trimalla_io::recover(folder.unwrap_or(Path::new(".")));
-    let mut outputs = Outputs::default();
+    let mut outputs = document.files().outputs(path);
     let written = add(&mut outputs).and_then(|()| outputs.commit());
     written.map_err(|error| CommandError::new(error.to_string()))?;
     interface.message(MessageKind::Information, &format!("{} written", path.display()));
