@@ -103,7 +103,17 @@ pub(crate) struct Work<'a> {
 
 impl<'a> Work<'a> {
     pub(crate) fn new(state: &'a mut State, files: &'a Files, interface: &'a mut dyn Interface) -> Self {
-        Self { state, files, changes: Vec::new(), interface }
+        Self::going_on(state, files, Vec::new(), interface)
+    }
+
+    /// The next slice of a command that has changed something already.
+    pub(crate) fn going_on(
+        state: &'a mut State,
+        files: &'a Files,
+        changes: Vec<Change>,
+        interface: &'a mut dyn Interface,
+    ) -> Self {
+        Self { state, files, changes, interface }
     }
 
     /// The files of the document.
@@ -121,9 +131,10 @@ impl<'a> Work<'a> {
         self.changes
     }
 
-    /// Takes all changes back.
-    pub(crate) fn take_back(self) {
+    /// Takes all changes back; none is left.
+    pub(crate) fn take_back(self) -> Vec<Change> {
         self.changes.into_iter().rev().for_each(|change| change.undo(self.state));
+        Vec::new()
     }
 
     /// Says something to the user.

@@ -11,11 +11,12 @@ use trimalla_io::Files;
 
 use crate::arguments::Arguments;
 use crate::changes::{Change, Work};
-use crate::commands::{self, Deed};
+use crate::commands::{self, Deed, Job, Slice};
 use crate::error::CommandError;
 use crate::figures::Figures;
 use crate::history::{Done, History};
 use crate::messages::{Interface, MessageKind};
+use crate::running::Unfinished;
 use crate::state::State;
 
 /// A drawing, its triangulation, what a refinement is asked, and what the user picked; with a history.
@@ -80,17 +81,53 @@ impl Document {
     /// # Errors
     /// [`CommandError`] says what is wrong, and where in the line; nothing has changed then.
     pub fn run(&mut self, line: &str, interface: &mut dyn Interface) -> Result<(), CommandError> {
-        let mut arguments = Arguments::of(line);
-        let Some(name) = arguments.next() else { return Ok(()) };
-        interface.message(MessageKind::Command, line.trim());
-        let done = commands::parse(name, &mut arguments).and_then(|deed| self.act(line, deed, interface));
-        if let Err(error) = &done {
-            interface.message(MessageKind::Error, error.message());
+        let mut rest = self.start(line, interface)?;
+        while let Some(unfinished) = rest {
+            rest = self.go_on(unfinished, interface)?;
         }
-        done
+        Ok(())
     }
 
-    fn act(&mut self, line: &str, deed: Deed, interface: &mut dyn Interface) -> Result<(), CommandError> {
+    /// Begins the command of a line, and does it where it is not done in slices; else what is left to do.
+    pub(crate) fn start(
+        &mut self,
+        line: &str,
+        interface: &mut dyn Interface,
+    ) -> Result<Option<Unfinished>, CommandError> {
+        let mut arguments = Arguments::of(line);
+        let Some(name) = arguments.next() else { return Ok(None) };
+        interface.message(MessageKind::Command, line.trim());
+        let started = commands::parse(name, &mut arguments).and_then(|deed| self.act(line, deed, interface));
+        tell_error(&started, interface);
+        started
+    }
+
+    /// Does the next slice of a command; what is left to do. After an error the command is taken back.
+    pub(crate) fn go_on(
+        &mut self,
+        unfinished: Unfinished,
+        interface: &mut dyn Interface,
+    ) -> Result<Option<Unfinished>, CommandError> {
+        let Unfinished { line, mut job, changes } = unfinished;
+        let mut work = Work::going_on(&mut self.state, &self.files, changes, interface);
+        let advanced = job.advance(&mut work);
+        let changes = if advanced.is_ok() { work.into_changes() } else { work.take_back() };
+        tell_error(&advanced, interface);
+        Ok(match advanced? {
+            Slice::More => Some(Unfinished { line, job, changes }),
+            Slice::Last => {
+                self.note(&line, changes, interface);
+                None
+            }
+        })
+    }
+
+    fn act(
+        &mut self,
+        line: &str,
+        deed: Deed,
+        interface: &mut dyn Interface,
+    ) -> Result<Option<Unfinished>, CommandError> {
         match deed {
             Deed::Edit(act) => {
                 let mut work = Work::new(&mut self.state, &self.files, interface);
@@ -100,12 +137,15 @@ impl Document {
                 }
                 let changes = work.into_changes();
                 self.note(line, changes, interface);
-                Ok(())
             }
-            Deed::Ask(ask) => ask.ask(self, interface),
-            Deed::Undo(times) => self.undo(times, interface),
-            Deed::Redo(times) => self.redo(times, interface),
+            Deed::Slices(job) => {
+                return Ok(Some(Unfinished { line: line.to_owned(), job, changes: Vec::new() }));
+            }
+            Deed::Ask(ask) => ask.ask(self, interface)?,
+            Deed::Undo(times) => self.undo(times, interface)?,
+            Deed::Redo(times) => self.redo(times, interface)?,
         }
+        Ok(None)
     }
 
     /// Notes what a command has changed.
@@ -161,15 +201,33 @@ impl Document {
     fn changes_of(&mut self, line: &str, interface: &mut dyn Interface) -> Result<Vec<Change>, CommandError> {
         let mut arguments = Arguments::of(line);
         let name = arguments.word("a command")?;
-        let Deed::Edit(act) = commands::parse(name, &mut arguments)? else { return Ok(Vec::new()) };
+        let deed = commands::parse(name, &mut arguments)?;
         let mut work = Work::new(&mut self.state, &self.files, interface);
-        match act.act(&mut work) {
+        let done = match deed {
+            Deed::Edit(act) => act.act(&mut work),
+            Deed::Slices(job) => do_all(job, &mut work),
+            Deed::Ask(_) | Deed::Undo(_) | Deed::Redo(_) => Ok(()),
+        };
+        match done {
             Ok(()) => Ok(work.into_changes()),
             Err(error) => {
                 work.take_back();
                 Err(error)
             }
         }
+    }
+}
+
+/// Does all slices of a command.
+fn do_all(mut job: Box<dyn Job>, work: &mut Work<'_>) -> Result<(), CommandError> {
+    while let Slice::More = job.advance(work)? {}
+    Ok(())
+}
+
+/// Shows the error of a command that was refused.
+fn tell_error<T>(done: &Result<T, CommandError>, interface: &mut dyn Interface) {
+    if let Err(error) = done {
+        interface.message(MessageKind::Error, error.message());
     }
 }
 

@@ -17,6 +17,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`Document`] | input, triangulation, options and selection; read by methods, changed by [`Document::run`] |
+//! | [`Running`] | a command at work, slice by slice, for programs without threads |
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`script`] | many commands as a text |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
@@ -39,6 +40,7 @@ mod history;
 mod mesh;
 mod messages;
 mod names;
+mod running;
 pub mod script;
 mod state;
 
@@ -47,3 +49,4 @@ pub use document::Document;
 pub use error::CommandError;
 pub use figures::Figures;
 pub use messages::{Interface, MessageKind, Quiet};
+pub use running::{Advanced, Running};

@@ -45,6 +45,21 @@ pub(crate) trait Act {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError>;
 }
 
+/// A command that changes the document in slices, so that a program without threads can answer between two of them.
+pub(crate) trait Job: Send {
+    /// Does the next slice; after an error the caller takes all changes back.
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError>;
+}
+
+/// What is left of a command after a slice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Slice {
+    /// There is another one.
+    More,
+    /// This was the last.
+    Last,
+}
+
 /// A command that only reads the document.
 pub(crate) trait Ask {
     /// Answers by messages.
@@ -55,6 +70,8 @@ pub(crate) trait Ask {
 pub(crate) enum Deed {
     /// It changes the document.
     Edit(Box<dyn Act>),
+    /// It changes the document in slices.
+    Slices(Box<dyn Job>),
     /// It reads the document.
     Ask(Box<dyn Ask>),
     /// It takes commands back.
@@ -66,6 +83,10 @@ pub(crate) enum Deed {
 impl Deed {
     fn edit(act: impl Act + 'static) -> Result<Self, CommandError> {
         Ok(Self::Edit(Box::new(act)))
+    }
+
+    fn slices(job: impl Job + 'static) -> Result<Self, CommandError> {
+        Ok(Self::Slices(Box::new(job)))
     }
 
     fn ask(ask: impl Ask + 'static) -> Result<Self, CommandError> {

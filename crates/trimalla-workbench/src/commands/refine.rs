@@ -1,54 +1,86 @@
 //! `Refine`.
 
-use trimalla::refine::{Observer, Progress};
+use trimalla::refine::{Observer, Progress, Refinement, StopReason};
 
-use super::{Act, CommandRow, Deed, step};
+use super::{CommandRow, Deed, Job, Slice, step};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
 use crate::messages::Interface;
+
+/// A slice is so many times 256 steps or insertions: about a millisecond.
+const SLICE: usize = 4;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Refine",
     arguments: "",
     summary: "refines to the end",
     help: "By the options that 'Set' gives, from where 'Step' has got to.",
-    parse: |_| Deed::edit(Refine),
+    parse: |_| Deed::slices(Refine::default()),
 };
 
-struct Refine;
+/// Refines a copy, and puts it in place of the triangulation in the end.
+#[derive(Default)]
+struct Refine {
+    /// The refinement, after the first slice.
+    at_work: Option<Box<Refinement>>,
+}
 
-impl Act for Refine {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
-        step::begin(work)?;
-        let Some(Mesh::Refining(refinement)) = &work.state().mesh else { return Ok(()) };
-        let mut refinement = (**refinement).clone();
-        refinement.keep_history(0);
-        refinement.run(&mut Watch { interface: work.interface });
+impl Job for Refine {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        let Some(mut refinement) = self.at_work.take() else {
+            self.at_work = Some(begin(work)?);
+            return Ok(Slice::More);
+        };
+        let mut watch = Watch { interface: work.interface, left: SLICE };
+        // Preparing calls before each of its slices, of which many may be needed.
+        let is_over = refinement.prepare(&mut watch) && refinement.run(&mut watch) != StopReason::Cancelled;
         if work.interface.is_cancelled() {
             return Err(CommandError::cancelled());
         }
-        let (t, report) = refinement.finish();
-        work.replace_mesh(Mesh::given(t));
-        work.say(format!(
-            "{} vertices, {} triangles, angles {:.2} to {:.2} degrees, {} below the bounds",
-            report.vertices,
-            report.triangles,
-            report.min_angle_deg,
-            report.max_angle_deg,
-            report.leftovers.len()
-        ));
-        Ok(())
+        if !is_over {
+            self.at_work = Some(refinement);
+            return Ok(Slice::More);
+        }
+        end(*refinement, work);
+        Ok(Slice::Last)
     }
 }
 
-/// Passes on that somebody cancels.
+fn begin(work: &mut Work<'_>) -> Result<Box<Refinement>, CommandError> {
+    step::begin(work)?;
+    let Some(Mesh::Refining(refinement)) = &work.state().mesh else {
+        return Err(CommandError::nothing_triangulated());
+    };
+    let mut refinement = refinement.clone();
+    refinement.keep_history(0);
+    Ok(refinement)
+}
+
+fn end(refinement: Refinement, work: &mut Work<'_>) {
+    let (t, report) = refinement.finish();
+    work.replace_mesh(Mesh::given(t));
+    work.say(format!(
+        "{} vertices, {} triangles, angles {:.2} to {:.2} degrees, {} below the bounds",
+        report.vertices,
+        report.triangles,
+        report.min_angle_deg,
+        report.max_angle_deg,
+        report.leftovers.len()
+    ));
+}
+
+/// Ends a slice, or all of it where somebody cancels.
 struct Watch<'a> {
     interface: &'a dyn Interface,
+    /// After so many calls the slice ends.
+    left: usize,
 }
 
 impl Observer for Watch<'_> {
     fn progress(&mut self, _: Progress) -> bool {
-        !self.interface.is_cancelled()
+        let goes_on = self.left > 0 && !self.interface.is_cancelled();
+        self.left = self.left.saturating_sub(1);
+        goes_on
     }
 }

@@ -2,7 +2,7 @@
 
 use trimalla::refine::{Event, Refinement, StepOutcome};
 
-use super::{Act, CommandRow, Deed};
+use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
@@ -13,30 +13,32 @@ pub(super) const ROW: CommandRow = CommandRow {
     summary: "makes a step of refinement, or N",
     help: "By the options that 'Set' gives. Each step splits a segment, or treats the bad triangle whose turn it is; \
            'Undo' goes back. Any other change ends the refinement, and the next step begins another one.",
-    parse: |arguments| Deed::edit(Step { times: arguments.count_or_one()? }),
+    parse: |arguments| Deed::slices(Step { times: arguments.count_or_one()?, made: 0 }),
 };
 
 struct Step {
     times: usize,
+    /// So many are made.
+    made: usize,
 }
 
-impl Act for Step {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
-        begin(work)?;
-        for _ in 0..self.times {
-            if work.interface.is_cancelled() {
-                return Err(CommandError::cancelled());
-            }
-            let Some(event) = work.step()? else { break };
-            let is_done =
-                matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
-            let text = text_of(work, &event);
-            work.say(text);
-            if is_done {
-                break;
-            }
+impl Job for Step {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        if self.made == 0 {
+            begin(work)?;
         }
-        Ok(())
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
+        if self.made == self.times {
+            return Ok(Slice::Last);
+        }
+        let Some(event) = work.step()? else { return Ok(Slice::Last) };
+        let is_done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
+        let text = text_of(work, &event);
+        work.say(text);
+        self.made += 1;
+        Ok(if is_done || self.made == self.times { Slice::Last } else { Slice::More })
     }
 }
 
