@@ -76,6 +76,16 @@ impl Document {
         Self { files, ..self }
     }
 
+    /// A document that holds the same, and has no history: what is tried on it leaves this one as it is.
+    #[must_use]
+    pub fn copy(&self) -> Self {
+        let mut copy = Self::new().with_files(self.files.clone());
+        copy.state = self.state.clone_without_mesh();
+        copy.state.mesh.clone_from(&self.state.mesh);
+        copy.spared.clone_from(&self.spared);
+        copy
+    }
+
     /// Runs the command of a line. A blank line, or one that begins with `#`, does nothing.
     ///
     /// # Errors
