@@ -44,7 +44,7 @@ mod running;
 pub mod script;
 mod state;
 
-pub use commands::{COMMANDS, CommandRow};
+pub use commands::{COMMANDS, CommandRow, EXAMPLES};
 pub use document::Document;
 pub use error::CommandError;
 pub use figures::Figures;

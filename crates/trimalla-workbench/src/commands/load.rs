@@ -46,17 +46,22 @@ impl Act for Load {
         let beside = ["node", "ele", "poly"].map(|ending| self.path.with_extension(ending));
         state.input.files = beside.into_iter().filter(|path| files.is_there(path)).collect();
         state.input.files.push(self.path.clone());
-        let (points, segments) = (state.input.drawing.points.len(), state.input.drawing.segments.len());
-        let options = work.state().options.clone();
-        work.replace(State { options, ..state });
-        let triangles = work.state().mesh.as_ref().map(|mesh| mesh.triangulation().real_faces().count());
-        let triangles = triangles.map_or_else(String::new, |n| format!(", {n} triangles"));
-        work.say(format!("{}: {points} vertices, {segments} segments{triangles}", self.path.display()));
-        Ok(())
+        replace(work, state, &self.path.display().to_string())
     }
 }
 
-fn of_drawing(drawing: Pslg) -> State {
+/// Puts what was read in place of everything but the options, and says so.
+pub(super) fn replace(work: &mut Work<'_>, state: State, name: &str) -> Result<(), CommandError> {
+    let (points, segments) = (state.input.drawing.points.len(), state.input.drawing.segments.len());
+    let options = work.state().options.clone();
+    work.replace(State { options, ..state });
+    let triangles = work.state().mesh.as_ref().map(|mesh| mesh.triangulation().real_faces().count());
+    let triangles = triangles.map_or_else(String::new, |n| format!(", {n} triangles"));
+    work.say(format!("{name}: {points} vertices, {segments} segments{triangles}"));
+    Ok(())
+}
+
+pub(super) fn of_drawing(drawing: Pslg) -> State {
     let names = Names::of_count(drawing.points.len());
     State { input: Input { drawing, is_read: true, ..Input::default() }, names, ..State::default() }
 }

@@ -5,6 +5,7 @@ mod check;
 mod clear;
 mod delete;
 mod edge;
+mod example;
 mod expect;
 mod export;
 mod flip;
@@ -33,6 +34,7 @@ mod triangulate;
 mod undo;
 mod v;
 
+pub use self::example::EXAMPLES;
 use crate::arguments::{Arguments, Word};
 use crate::changes::Work;
 use crate::document::Document;
@@ -118,6 +120,7 @@ pub const COMMANDS: &[CommandRow] = &[
     edge::ROW,
     generate::ROW,
     load::ROW,
+    example::ROW,
     triangulate::ROW,
     lepp::ROW,
     insert::ROW,
