@@ -63,8 +63,8 @@ impl Change {
                 }
             }
             Self::Step { .. } => {
-                if let Some(Mesh::Refining(refinement)) = &mut state.mesh {
-                    refinement.back();
+                if let Some(Mesh::Refining(refining)) = &mut state.mesh {
+                    refining.refinement.back();
                 }
             }
         }
@@ -93,27 +93,71 @@ impl State {
     }
 }
 
+/// What a command leaves in the history.
+#[derive(Debug, Default)]
+pub(crate) struct Traces {
+    /// What it overwrote, in order.
+    pub(crate) changes: Vec<Change>,
+    /// What its last step did, if it made steps.
+    pub(crate) event: Option<Box<Event>>,
+}
+
+impl Traces {
+    /// The traces of a command that replaced everything.
+    pub(crate) fn whole(before: State, event: Option<Box<Event>>) -> Self {
+        Self { changes: vec![Change::Whole(Box::new(before))], event }
+    }
+
+    /// About how many bytes they take.
+    pub(crate) fn bytes(&self) -> usize {
+        self.changes.iter().map(Change::bytes).sum::<usize>() + self.event.as_deref().map_or(0, bytes_of_event)
+    }
+}
+
+/// An event whose lists take no more room than they need.
+fn trimmed(mut event: Event) -> Event {
+    event.lepp.shrink_to_fit();
+    event.candidates.shrink_to_fit();
+    event.encroached.shrink_to_fit();
+    event.deleted.shrink_to_fit();
+    event.destroyed.shrink_to_fit();
+    event.made.shrink_to_fit();
+    event
+}
+
+/// About how many bytes an event takes.
+fn bytes_of_event(event: &Event) -> usize {
+    let Event { lepp, candidates, encroached, deleted, destroyed, made, .. } = event;
+    let lists = size_of_val(&**lepp)
+        + size_of_val(&**candidates)
+        + size_of_val(&**encroached)
+        + size_of_val(&**deleted)
+        + size_of_val(&**destroyed)
+        + size_of_val(&**made);
+    size_of::<Event>() + lists
+}
+
 /// A command at work: it changes the document through these methods, each of which records what it overwrites.
 pub(crate) struct Work<'a> {
     state: &'a mut State,
     files: &'a Files,
-    changes: Vec<Change>,
+    traces: Traces,
     pub(crate) interface: &'a mut dyn Interface,
 }
 
 impl<'a> Work<'a> {
     pub(crate) fn new(state: &'a mut State, files: &'a Files, interface: &'a mut dyn Interface) -> Self {
-        Self::going_on(state, files, Vec::new(), interface)
+        Self::going_on(state, files, Traces::default(), interface)
     }
 
     /// The next slice of a command that has changed something already.
     pub(crate) fn going_on(
         state: &'a mut State,
         files: &'a Files,
-        changes: Vec<Change>,
+        traces: Traces,
         interface: &'a mut dyn Interface,
     ) -> Self {
-        Self { state, files, changes, interface }
+        Self { state, files, traces, interface }
     }
 
     /// The files of the document.
@@ -126,15 +170,15 @@ impl<'a> Work<'a> {
         self.state
     }
 
-    /// What was overwritten.
-    pub(crate) fn into_changes(self) -> Vec<Change> {
-        self.changes
+    /// What the command leaves in the history.
+    pub(crate) fn into_traces(self) -> Traces {
+        self.traces
     }
 
-    /// Takes all changes back; none is left.
-    pub(crate) fn take_back(self) -> Vec<Change> {
-        self.changes.into_iter().rev().for_each(|change| change.undo(self.state));
-        Vec::new()
+    /// Takes all changes back; nothing is left.
+    pub(crate) fn take_back(self) -> Traces {
+        self.traces.changes.into_iter().rev().for_each(|change| change.undo(self.state));
+        Traces::default()
     }
 
     /// Says something to the user.
@@ -145,7 +189,7 @@ impl<'a> Work<'a> {
     /// Replaces everything.
     pub(crate) fn replace(&mut self, state: State) {
         let before = std::mem::replace(self.state, state);
-        self.changes.push(Change::Whole(Box::new(before)));
+        self.traces.changes.push(Change::Whole(Box::new(before)));
         self.interface.reset();
     }
 
@@ -160,44 +204,44 @@ impl<'a> Work<'a> {
     pub(crate) fn add_point(&mut self, name: u32, p: Point) {
         let v = VertexId::from_index(self.state.input.drawing.points.len());
         self.state.input.drawing.points.push(p);
-        self.changes.push(Change::Point);
+        self.traces.changes.push(Change::Point);
         self.name(name, v);
     }
 
     /// Adds a segment to the drawing.
     pub(crate) fn add_segment(&mut self, ends: [VertexId; 2]) {
         self.state.input.drawing.segments.push(ends.map(|v| v.0));
-        self.changes.push(Change::Segment);
+        self.traces.changes.push(Change::Segment);
     }
 
     /// Sets the outer contour; there was none.
     pub(crate) fn set_outer(&mut self, ring: Vec<VertexId>) {
         self.state.input.outer = Some(ring);
-        self.changes.push(Change::Outer);
+        self.traces.changes.push(Change::Outer);
     }
 
     /// Adds a hole.
     pub(crate) fn add_inner(&mut self, ring: Vec<VertexId>) {
         self.state.input.inner.push(ring);
-        self.changes.push(Change::Inner);
+        self.traces.changes.push(Change::Inner);
     }
 
     /// Names a vertex.
     pub(crate) fn name(&mut self, name: u32, v: VertexId) {
         self.state.names.add(name, v);
-        self.changes.push(Change::Named(name));
+        self.traces.changes.push(Change::Named(name));
     }
 
     /// Changes the options.
     pub(crate) fn set_options(&mut self, options: NamedOptions) {
         let before = std::mem::replace(&mut self.state.options, options);
-        self.changes.push(Change::Options(Box::new(before)));
+        self.traces.changes.push(Change::Options(Box::new(before)));
     }
 
     /// Changes the selection.
     pub(crate) fn select(&mut self, selection: Vec<[u32; 3]>) {
         let before = std::mem::replace(&mut self.state.selection, selection);
-        self.changes.push(Change::Selection(before));
+        self.traces.changes.push(Change::Selection(before));
     }
 
     /// The vertex that a name stands for.
@@ -254,7 +298,7 @@ impl<'a> Work<'a> {
         match act(&mut t.edit(work, &mut log)) {
             Ok(done) => {
                 *is_delaunay &= keeps_delaunay;
-                self.changes.push(Change::Mesh { log, before, was_delaunay });
+                self.traces.changes.push(Change::Mesh { log, before, was_delaunay });
                 self.interface.update();
                 Ok(done)
             }
@@ -288,17 +332,18 @@ impl<'a> Work<'a> {
         }
         self.state.mesh = Some(Mesh::AtRest(Box::new(AtRest { t: cdt.into(), is_delaunay })));
         let done = done?;
-        self.changes.push(Change::Mesh { log, before, was_delaunay: is_delaunay });
+        self.traces.changes.push(Change::Mesh { log, before, was_delaunay: is_delaunay });
         self.name_vertices();
         self.interface.update();
         Ok(done)
     }
 
-    /// Makes one more step of the refinement at work; `None` where there is none.
+    /// Makes one more step of the refinement at work; [`event`](Self::event) says what it did.
     ///
     /// The refinement drops no record, as `Undo` relies on each; it is refused to go on where they take too much.
-    pub(crate) fn step(&mut self) -> Result<Option<Event>, CommandError> {
-        let Some(Mesh::Refining(refinement)) = &mut self.state.mesh else { return Ok(None) };
+    pub(crate) fn step(&mut self) -> Result<(), CommandError> {
+        let Some(Mesh::Refining(refining)) = &mut self.state.mesh else { return Ok(()) };
+        let refinement = &mut refining.refinement;
         let (steps, bytes) = (refinement.steps_made(), refinement.history_bytes());
         if bytes > STEPS_BYTES {
             let text = "the records of single steps take 256 MiB: 'Refine' goes to the end, 'Undo' goes back";
@@ -306,11 +351,17 @@ impl<'a> Work<'a> {
         }
         let event = refinement.step();
         if refinement.steps_made() > steps {
-            self.changes.push(Change::Step { bytes: refinement.history_bytes().saturating_sub(bytes) });
+            self.traces.changes.push(Change::Step { bytes: refinement.history_bytes().saturating_sub(bytes) });
         }
         self.name_vertices();
         self.interface.update();
-        Ok(Some(event))
+        self.traces.event = Some(Box::new(trimmed(event)));
+        Ok(())
+    }
+
+    /// What the last step did.
+    pub(crate) fn event(&self) -> Option<&Event> {
+        self.traces.event.as_deref()
     }
 
     /// Gives every vertex that is in use a name, and takes the names of those that are gone.
@@ -323,7 +374,7 @@ impl<'a> Work<'a> {
         let new: Vec<VertexId> = t.used_vertices().filter(|&v| names.name(v).is_none()).collect();
         for (name, v) in gone {
             self.state.names.remove(name);
-            self.changes.push(Change::Unnamed(name, v));
+            self.traces.changes.push(Change::Unnamed(name, v));
         }
         for v in new {
             self.name(self.state.names.next(), v);

@@ -6,15 +6,16 @@ use std::path::{Path, PathBuf};
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::half_edge::{FaceId, VertexId};
-use trimalla::refine::NamedOptions;
+use trimalla::refine::{Event, NamedOptions};
 use trimalla_io::Files;
 
 use crate::arguments::Arguments;
-use crate::changes::{Change, Work};
+use crate::changes::{Traces, Work};
 use crate::commands::{self, Deed, Job, Slice};
 use crate::error::CommandError;
 use crate::figures::Figures;
 use crate::history::{Done, History};
+use crate::mesh::{Mesh, Refining};
 use crate::messages::{Interface, MessageKind};
 use crate::running::Unfinished;
 use crate::state::State;
@@ -118,15 +119,15 @@ impl Document {
         unfinished: Unfinished,
         interface: &mut dyn Interface,
     ) -> Result<Option<Unfinished>, CommandError> {
-        let Unfinished { line, mut job, changes } = unfinished;
-        let mut work = Work::going_on(&mut self.state, &self.files, changes, interface);
+        let Unfinished { line, mut job, traces } = unfinished;
+        let mut work = Work::going_on(&mut self.state, &self.files, traces, interface);
         let advanced = job.advance(&mut work);
-        let changes = if advanced.is_ok() { work.into_changes() } else { work.take_back() };
+        let traces = if advanced.is_ok() { work.into_traces() } else { work.take_back() };
         tell_error(&advanced, interface);
         Ok(match advanced? {
-            Slice::More => Some(Unfinished { line, job, changes }),
+            Slice::More => Some(Unfinished { line, job, traces }),
             Slice::Last => {
-                self.note(&line, changes, interface);
+                self.note(&line, traces, interface);
                 None
             }
         })
@@ -145,11 +146,11 @@ impl Document {
                     work.take_back();
                     return Err(error);
                 }
-                let changes = work.into_changes();
-                self.note(line, changes, interface);
+                let traces = work.into_traces();
+                self.note(line, traces, interface);
             }
             Deed::Slices(job) => {
-                return Ok(Some(Unfinished { line: line.to_owned(), job, changes: Vec::new() }));
+                return Ok(Some(Unfinished { line: line.to_owned(), job, traces: Traces::default() }));
             }
             Deed::Ask(ask) => ask.ask(self, interface)?,
             Deed::Undo(times) => self.undo(times, interface)?,
@@ -159,14 +160,14 @@ impl Document {
     }
 
     /// Notes what a command has changed.
-    fn note(&mut self, line: &str, changes: Vec<Change>, interface: &mut dyn Interface) {
-        if changes.is_empty() {
+    fn note(&mut self, line: &str, traces: Traces, interface: &mut dyn Interface) {
+        if traces.changes.is_empty() {
             return;
         }
         self.spared.extend(self.state.input.files.iter().cloned());
         self.log.push(line.trim().to_owned());
         self.version += 1;
-        let dropped = self.history.push(Done::new(line.trim().to_owned(), changes));
+        let dropped = self.history.push(Done::new(line.trim().to_owned(), traces));
         tell_dropped(dropped, interface);
     }
 
@@ -195,20 +196,20 @@ impl Document {
         for _ in 0..times {
             let Some(undone) = self.history.pop_undone() else { break };
             interface.message(MessageKind::Information, &format!("done again: {}", undone.line));
-            let changes = match undone.after {
-                Some(after) => vec![Change::Whole(Box::new(std::mem::replace(&mut self.state, *after)))],
-                None => self.changes_of(&undone.line, interface)?,
+            let traces = match undone.after {
+                Some(after) => Traces::whole(std::mem::replace(&mut self.state, *after), undone.event),
+                None => self.traces_of(&undone.line, interface)?,
             };
             self.log.push(undone.line.clone());
             self.version += 1;
-            tell_dropped(self.history.push_again(Done::new(undone.line, changes)), interface);
+            tell_dropped(self.history.push_again(Done::new(undone.line, traces)), interface);
         }
         interface.reset();
         Ok(())
     }
 
     /// Runs a command that was run on this very state before: it does the same.
-    fn changes_of(&mut self, line: &str, interface: &mut dyn Interface) -> Result<Vec<Change>, CommandError> {
+    fn traces_of(&mut self, line: &str, interface: &mut dyn Interface) -> Result<Traces, CommandError> {
         let mut arguments = Arguments::of(line);
         let name = arguments.word("a command")?;
         let deed = commands::parse(name, &mut arguments)?;
@@ -219,7 +220,7 @@ impl Document {
             Deed::Ask(_) | Deed::Undo(_) | Deed::Redo(_) => Ok(()),
         };
         match done {
-            Ok(()) => Ok(work.into_changes()),
+            Ok(()) => Ok(work.into_traces()),
             Err(error) => {
                 work.take_back();
                 Err(error)
@@ -344,6 +345,49 @@ impl Document {
     #[must_use]
     pub fn undoable(&self) -> (usize, usize) {
         (self.history.len(), self.history.undone())
+    }
+
+    /// The commands that led here, the oldest first, and behind them those that were taken back, in the order in which
+    /// `Redo` does them again. The first [`position`](Self::position) of them are done.
+    pub fn history(&self) -> impl Iterator<Item = &str> {
+        self.log.iter().map(String::as_str).chain(self.history.lines_undone())
+    }
+
+    /// How many commands of the [`history`](Self::history) are done: those that can no longer be undone, too.
+    #[must_use]
+    pub fn position(&self) -> usize {
+        self.log.len()
+    }
+
+    /// What the last step did, if the last command was a `Step`.
+    ///
+    /// `Undo` leads back to the step of the command before, and `Redo` to that of the command that is done again.
+    #[must_use]
+    pub fn last_step(&self) -> Option<&Event> {
+        self.history.newest().and_then(Done::event)
+    }
+
+    /// Whether a refinement goes step by step: until another command changes the triangulation.
+    #[must_use]
+    pub fn is_refining(&self) -> bool {
+        self.refining().is_some()
+    }
+
+    /// What the refinement that goes step by step was asked when it began: [`options`](Self::options) may have changed
+    /// since, for the next one.
+    #[must_use]
+    pub fn options_in_force(&self) -> Option<&NamedOptions> {
+        self.refining().map(|refining| &refining.options)
+    }
+
+    /// How many steps the refinement that goes step by step has made.
+    #[must_use]
+    pub fn steps_made(&self) -> u64 {
+        self.refining().map_or(0, |refining| refining.refinement.steps_made())
+    }
+
+    fn refining(&self) -> Option<&Refining> {
+        self.state.mesh.as_ref().and_then(Mesh::refining)
     }
 
     pub(crate) fn state(&self) -> &State {

@@ -2,14 +2,16 @@
 
 use std::collections::VecDeque;
 
-use crate::changes::Change;
+use trimalla::refine::Event;
+
+use crate::changes::{Change, Traces};
 use crate::state::State;
 
 /// A command that was done.
 #[derive(Debug)]
 pub(crate) struct Done {
     pub(crate) line: String,
-    changes: Vec<Change>,
+    traces: Traces,
 }
 
 /// A command that was taken back.
@@ -18,20 +20,27 @@ pub(crate) struct Undone {
     pub(crate) line: String,
     /// The state it led to, where it replaced everything; else it is run again, on the state it was run on before.
     pub(crate) after: Option<Box<State>>,
+    /// The event of its last step, where it is not run again.
+    pub(crate) event: Option<Box<Event>>,
 }
 
 impl Done {
-    pub(crate) fn new(line: String, changes: Vec<Change>) -> Self {
-        Self { line, changes }
+    pub(crate) fn new(line: String, traces: Traces) -> Self {
+        Self { line, traces }
+    }
+
+    /// The event of its last step, if it made steps.
+    pub(crate) fn event(&self) -> Option<&Event> {
+        self.traces.event.as_deref()
     }
 
     fn bytes(&self) -> usize {
-        self.line.len() + self.changes.iter().map(Change::bytes).sum::<usize>()
+        self.line.len() + self.traces.bytes()
     }
 
     /// Takes the command back.
     pub(crate) fn undo(self, state: &mut State) -> Undone {
-        let mut changes = self.changes.into_iter();
+        let mut changes = self.traces.changes.into_iter();
         // What a command does after it has replaced everything is undone by going back to what was there before.
         let after = match changes.next() {
             Some(Change::Whole(before)) => Some(Box::new(std::mem::replace(state, *before))),
@@ -41,7 +50,7 @@ impl Done {
                 None
             }
         };
-        Undone { line: self.line, after }
+        Undone { line: self.line, event: self.traces.event.filter(|_| after.is_some()), after }
     }
 }
 
@@ -91,6 +100,16 @@ impl History {
         let done = self.done.pop_back()?;
         self.bytes -= done.bytes();
         Some(done)
+    }
+
+    /// The newest command.
+    pub(crate) fn newest(&self) -> Option<&Done> {
+        self.done.back()
+    }
+
+    /// The commands that were taken back, in the order in which they are done again.
+    pub(crate) fn lines_undone(&self) -> impl Iterator<Item = &str> {
+        self.undone.iter().rev().map(|undone| undone.line.as_str())
     }
 
     /// Notes a command that was taken back.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use trimalla::half_edge::{FaceId, HalfEdgeId, VertexId};
-use trimalla::refine::Refinement;
+use trimalla::refine::{NamedOptions, Refinement};
 use trimalla::triangulation::Triangulation;
 
 /// The triangulation of a document.
@@ -13,7 +13,15 @@ pub(crate) enum Mesh {
     /// Nothing is at work on it.
     AtRest(Box<AtRest>),
     /// It is refined step by step.
-    Refining(Box<Refinement>),
+    Refining(Box<Refining>),
+}
+
+/// A triangulation that is refined step by step.
+#[derive(Clone)]
+pub(crate) struct Refining {
+    pub(crate) refinement: Refinement,
+    /// What the refinement was asked when it began.
+    pub(crate) options: NamedOptions,
 }
 
 /// A triangulation at rest.
@@ -39,7 +47,15 @@ impl Mesh {
     pub(crate) fn triangulation(&self) -> &ConstrainedTriangulation {
         match self {
             Self::AtRest(at_rest) => &at_rest.t,
-            Self::Refining(refinement) => refinement.triangulation(),
+            Self::Refining(refining) => refining.refinement.triangulation(),
+        }
+    }
+
+    /// The refinement that goes step by step, if there is one.
+    pub(crate) fn refining(&self) -> Option<&Refining> {
+        match self {
+            Self::AtRest(_) => None,
+            Self::Refining(refining) => Some(refining),
         }
     }
 
@@ -47,7 +63,7 @@ impl Mesh {
     pub(crate) fn stopped(&self) -> Self {
         match self {
             Self::AtRest(_) => self.clone(),
-            Self::Refining(refinement) => Self::given((**refinement).clone().finish().0),
+            Self::Refining(refining) => Self::given(refining.refinement.clone().finish().0),
         }
     }
 }
@@ -55,10 +71,7 @@ impl Mesh {
 /// Triangulations are compared; how far a refinement is follows from the commands.
 impl PartialEq for Mesh {
     fn eq(&self, other: &Self) -> bool {
-        let steps = |mesh: &Self| match mesh {
-            Self::AtRest(_) => None,
-            Self::Refining(refinement) => Some(refinement.steps_made()),
-        };
+        let steps = |mesh: &Self| mesh.refining().map(|refining| refining.refinement.steps_made());
         steps(self) == steps(other) && self.triangulation() == other.triangulation()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::changes::Change;
+use crate::changes::Traces;
 use crate::commands::Job;
 use crate::document::Document;
 use crate::error::CommandError;
@@ -14,7 +14,7 @@ pub(crate) struct Unfinished {
     pub(crate) line: String,
     pub(crate) job: Box<dyn Job>,
     /// What it has overwritten so far.
-    pub(crate) changes: Vec<Change>,
+    pub(crate) traces: Traces,
 }
 
 /// A command at work on a document, for programs that must answer between two slices and have no threads.

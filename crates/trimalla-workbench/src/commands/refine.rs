@@ -49,10 +49,10 @@ impl Job for Refine {
 
 fn begin(work: &mut Work<'_>) -> Result<Box<Refinement>, CommandError> {
     step::begin(work)?;
-    let Some(Mesh::Refining(refinement)) = &work.state().mesh else {
+    let Some(Mesh::Refining(refining)) = &work.state().mesh else {
         return Err(CommandError::nothing_triangulated());
     };
-    let mut refinement = refinement.clone();
+    let mut refinement = Box::new(refining.refinement.clone());
     refinement.keep_history(0);
     Ok(refinement)
 }

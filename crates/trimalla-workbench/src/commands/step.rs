@@ -5,7 +5,7 @@ use trimalla::refine::{Event, Refinement, StepOutcome};
 use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
 use crate::error::CommandError;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Refining};
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Step",
@@ -33,9 +33,10 @@ impl Job for Step {
         if self.made == self.times {
             return Ok(Slice::Last);
         }
-        let Some(event) = work.step()? else { return Ok(Slice::Last) };
+        work.step()?;
+        let Some(event) = work.event() else { return Ok(Slice::Last) };
         let is_done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
-        let text = text_of(work, &event);
+        let text = text_of(work, event);
         work.say(text);
         self.made += 1;
         Ok(if is_done || self.made == self.times { Slice::Last } else { Slice::More })
@@ -50,7 +51,7 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
     if matches!(mesh, Mesh::Refining(_)) {
         return Ok(());
     }
-    let options = state.options.refine_options();
+    let (options, named) = (state.options.refine_options(), state.options.clone());
     let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
     let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
     let mut refinement = match mesh {
@@ -64,7 +65,7 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
     for face in picked {
         refinement.pick(face);
     }
-    work.replace_mesh(Mesh::Refining(Box::new(refinement)));
+    work.replace_mesh(Mesh::Refining(Box::new(Refining { refinement, options: named })));
     Ok(())
 }
 
