@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use super::ruler::Ruler;
-use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Edit};
 use crate::geometry::{Point, Vector, math};
 use crate::half_edge::{FaceId, HalfEdgeId, Journal, NoJournal, VertexId};
 use crate::locate::{Locus, Walk};
@@ -259,32 +259,46 @@ impl ConstrainedDelaunay {
         j: &mut J,
     ) -> Option<VertexId> {
         let ruler = Ruler::for_box(self.bounding_box());
-        let terminal_edge = self.within_domain(ruler, terminal_edge, j)?;
+        self.edit(j).lepp_insert(ruler, terminal_edge, centroid)
+    }
+}
+
+impl<J: Journal> Edit<'_, J> {
+    /// Inserts the point of a terminal edge, as [`ConstrainedDelaunay::lepp_insert`] says, with lengths by a ruler that
+    /// the caller keeps.
+    ///
+    /// # Complexity
+    /// That of an insertion whose place is known; linear where the hull is made the domain first.
+    pub fn lepp_insert(
+        &mut self,
+        ruler: Ruler,
+        terminal_edge: HalfEdgeId,
+        centroid: Option<Centroid>,
+    ) -> Option<VertexId> {
+        let terminal_edge = self.within_domain(ruler, terminal_edge)?;
         let splits = |t: &Self, h: HalfEdgeId| t.is_marked(h) || t.is_ghost(t.twin(h).face());
         if splits(self, terminal_edge) {
-            return self.halve(terminal_edge, j);
+            return self.halve(terminal_edge);
         }
         let seconds = terminal_faces(self, terminal_edge).into_iter().flatten();
         let second = seconds.map(|f| second_longest_edge(self, ruler, f)).find(|&s| splits(self, s));
         if let Some(second) = second {
-            return self.halve(second, j);
+            return self.halve(second);
         }
         let point = match centroid {
             Some(kind) => quadrilateral_centroid(self, ruler, terminal_edge, kind),
             None => edge_midpoint(self, terminal_edge),
         };
         match self.walk_within(terminal_edge.face(), point) {
-            Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => {
-                Some(self.edit(j).insert_vertex_at(point, locus))
-            }
+            Walk::Arrived(locus @ (Locus::Face(_) | Locus::Edge(_))) => Some(self.insert_vertex_at(point, locus)),
             Walk::Arrived(_) => None,
-            Walk::Blocked(h) => self.halve(h, j),
+            Walk::Blocked(h) => self.halve(h),
         }
     }
 
     /// A terminal edge, as a half-edge of a triangle, once the triangulation is closed by a domain; `None` where there
     /// is no such edge.
-    fn within_domain<J: Journal>(&mut self, ruler: Ruler, h: HalfEdgeId, j: &mut J) -> Option<HalfEdgeId> {
+    fn within_domain(&mut self, ruler: Ruler, h: HalfEdgeId) -> Option<HalfEdgeId> {
         if !self.is_alive(h.face()) {
             return None;
         }
@@ -297,15 +311,15 @@ impl ConstrainedDelaunay {
         }
         let kept = self.faces_within_hull();
         let behind = if kept[h.face().index()] { None } else { Some(face_behind(self, ruler, h.face(), &kept)?) };
-        self.carve(&kept, j).then(|| match behind {
+        self.carve(&kept).then(|| match behind {
             None => h,
             Some(face) => terminal_edge(self, ruler, face, LeppRule::StopAtBoundary),
         })
     }
 
-    fn halve<J: Journal>(&mut self, h: HalfEdgeId, j: &mut J) -> Option<VertexId> {
+    fn halve(&mut self, h: HalfEdgeId) -> Option<VertexId> {
         let (point, provenance) = self.point_on_subsegment(h, 0.5);
-        self.edit(j).split_subsegment(h, point, provenance).ok()
+        self.split_subsegment(h, point, provenance).ok()
     }
 }
 
