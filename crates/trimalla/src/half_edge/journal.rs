@@ -5,6 +5,8 @@
 //! and the free lists return exactly, whatever the operators did. [`NoJournal`] notes nothing and
 //! compiles to nothing; bulk builds use it.
 
+use super::ids::VertexId;
+
 /// What an [`Entry`] is about: an array, or a list that grew or shrank.
 ///
 /// Each room declares the columns of its own data, so that no room knows those of the rooms above it.
@@ -136,6 +138,16 @@ impl UndoLog {
         self.entries.is_empty()
     }
 
+    /// The vertices of which the mesh kept another half-edge, and those whose slots were taken or freed: all that have
+    /// come into use or gone out of it are among them, some several times.
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+        let is_of_vertex = |column: Column| {
+            let columns = [columns::OUTGOING, columns::VERTEX_APPENDED, columns::VERTEX_FREED, columns::VERTEX_REUSED];
+            columns.contains(&column)
+        };
+        self.entries.iter().filter(move |entry| is_of_vertex(entry.column)).map(|entry| VertexId(entry.index))
+    }
+
     /// The recorded entries, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &Entry> {
         self.entries.iter()
@@ -144,6 +156,11 @@ impl UndoLog {
     /// What was noted since a checkpoint, oldest first.
     pub(crate) fn entries_since(&self, here: Checkpoint) -> impl DoubleEndedIterator<Item = &Entry> {
         self.entries.iter().skip(here.0)
+    }
+
+    /// Frees the memory that the entries do not need.
+    pub fn shrink_to_fit(&mut self) {
+        self.entries.shrink_to_fit();
     }
 
     /// Drops all entries: changes until now can no longer be taken back.

@@ -52,6 +52,26 @@ impl Triangulation {
         }
     }
 
+    /// The vertices that may have come into use, or gone out of it, by the changes of a log: ascending, each once.
+    ///
+    /// All others are in use if they were before. So whoever keeps something for each vertex looks at these alone.
+    ///
+    /// # Complexity
+    /// n log n in the entries.
+    #[must_use]
+    pub fn vertices_changed(&self, log: &UndoLog) -> Vec<VertexId> {
+        let lone_before = |entry: &Entry| {
+            let before = (entry.column == columns::STATE).then_some(entry.old as u32);
+            before.filter(|&v| v != u32::MAX).map(VertexId)
+        };
+        let mut vertices: Vec<VertexId> = log.vertices().collect();
+        vertices.extend(log.entries().filter_map(lone_before));
+        vertices.extend(self.lone);
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
     /// Puts back one entry; returns whether this room has the column.
     pub(crate) fn undo(&mut self, entry: Entry) -> bool {
         let i = entry.index as usize;

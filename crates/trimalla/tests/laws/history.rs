@@ -98,3 +98,34 @@ fn a_history_keeps_to_its_memory() {
     refinement.run(&mut NoObserver);
     assert!(*refinement.triangulation() == end);
 }
+
+#[test]
+fn steps_that_are_forgotten_are_not_taken_back() {
+    let mut refinement = begun("key", RefineOptions::default().with_min_angle_deg(28.0));
+    refinement.keep_history(usize::MAX);
+    let mut states = vec![state(&refinement)];
+    for number in 1..=30 {
+        refinement.step();
+        let changes = refinement.last_changes().expect("a step");
+        let before = &states[number - 1].0;
+        let is_used = |t: &ConstrainedTriangulation, v: usize| {
+            v < t.points().len() && t.is_used(trimalla::half_edge::VertexId::from_index(v))
+        };
+        let t = refinement.triangulation();
+        let changed = t.vertices_changed(changes);
+        let differ = (0..t.points().len().max(before.points().len())).filter(|&v| is_used(t, v) != is_used(before, v));
+        for v in differ {
+            assert!(changed.iter().any(|changed| changed.index() == v), "vertex {v} in step {number}");
+        }
+        states.push(state(&refinement));
+    }
+    let (bytes, copy) = (refinement.history_bytes(), refinement.without_history());
+    assert!(state(&copy) == states[30] && copy.steps_made() == 0 && copy.history_bytes() == 0);
+    refinement.forget_oldest(20);
+    assert!(refinement.history_bytes() < bytes && refinement.steps_made() == 10 && refinement.step_number() == 30);
+    for at in (20..30).rev() {
+        assert!(refinement.back());
+        assert!(state(&refinement) == states[at], "back to {at}");
+    }
+    assert!(!refinement.back(), "the others are forgotten");
+}

@@ -399,7 +399,9 @@ impl Queue {
 
     /// Ends the record, and returns it.
     pub(in crate::refine) fn end_record(&mut self) -> Changes {
-        self.record.take().unwrap_or_default()
+        let mut changes = self.record.take().unwrap_or_default();
+        changes.list.shrink_to_fit();
+        changes
     }
 
     /// Restores everything that was overwritten while the record was kept.

@@ -13,7 +13,7 @@
 //! The oldest records are dropped when the records exceed the memory budget.
 
 use super::Refinement;
-use super::parts::Ledger;
+use super::parts::{Ledger, Scratch};
 use super::records::{History, Record, StepRecord};
 use crate::half_edge::{Checkpoint, UndoLog};
 use crate::refine::agenda::queue::Changes;
@@ -43,6 +43,44 @@ impl Refinement {
     #[must_use]
     pub fn steps_made(&self) -> u64 {
         self.history.as_ref().map_or(0, |history| history.recorded)
+    }
+
+    /// The number of the last step, as its [`Event`](crate::refine::Event) has it: 0 before the first.
+    #[must_use]
+    pub fn step_number(&self) -> u64 {
+        self.history.as_ref().map_or(0, |history| history.steps)
+    }
+
+    /// What the last step has overwritten in the triangulation, if it can be taken back.
+    #[must_use]
+    pub fn last_changes(&self) -> Option<&UndoLog> {
+        match self.history.as_ref()?.records.back()? {
+            Record::Step(step) => Some(&step.triangulation),
+            Record::Change { .. } => None,
+        }
+    }
+
+    /// Drops the records of so many of the oldest steps, which can no longer be taken back then.
+    pub fn forget_oldest(&mut self, steps: u64) {
+        if let Some(history) = &mut self.history {
+            history.forget_oldest(steps);
+        }
+    }
+
+    /// A copy of the refinement that begins a history of its own.
+    #[must_use]
+    pub fn without_history(&self) -> Self {
+        Self {
+            cdt: self.cdt.clone(),
+            problem: self.problem.clone(),
+            strategy: self.strategy.clone(),
+            agenda: self.agenda.clone(),
+            segments: self.segments.clone(),
+            filling: self.filling.clone(),
+            ledger: self.ledger.clone(),
+            scratch: Scratch::default(),
+            history: None,
+        }
     }
 
     /// Drops the records, unless steps of runs are recorded, too.
@@ -104,7 +142,8 @@ impl Refinement {
     fn end_record(&mut self) {
         self.scratch.is_recorded = false;
         let changes = self.agenda.queue.end_record();
-        let triangulation = std::mem::take(&mut self.scratch.log);
+        // A copy takes no more room than it needs, and the log keeps its own for the next step.
+        let triangulation = self.scratch.log.clone();
         let Some(history) = &mut self.history else { return };
         history.steps += 1;
         if let Some(mut record) = history.current_step.take() {

@@ -112,6 +112,15 @@ impl<R> History<R> {
         }
     }
 
+    /// Drops the records up to so many steps from the oldest on.
+    pub(super) fn forget_oldest(&mut self, steps: u64) {
+        let left = self.recorded.saturating_sub(steps);
+        while self.recorded > left {
+            let Some(oldest) = self.records.pop_front() else { break };
+            self.forget(&oldest);
+        }
+    }
+
     pub(super) fn pop(&mut self) -> Option<Record<R>> {
         let record = self.records.pop_back()?;
         self.forget(&record);
