@@ -1,6 +1,6 @@
 //! What one command has overwritten, and how it is put back.
 
-use trimalla::constrained::{ConstrainedDelaunay, Edit, Workspace};
+use trimalla::constrained::{Edit, Workspace};
 use trimalla::delaunay::Inserted;
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
@@ -13,7 +13,7 @@ use crate::mesh::{AtRest, Mesh, face_of};
 use crate::messages::{Interface, MessageKind};
 use crate::state::State;
 
-/// What the records of single steps of a refinement may take; they are freed when the refinement ends.
+/// What the records of the steps of one command may take.
 const STEPS_BYTES: usize = 256 << 20;
 
 /// One thing that was overwritten.
@@ -100,12 +100,14 @@ pub(crate) struct Traces {
     pub(crate) changes: Vec<Change>,
     /// What its last step did, if it made steps.
     pub(crate) event: Option<Box<Event>>,
+    /// What the records of the steps that it made take.
+    steps_bytes: usize,
 }
 
 impl Traces {
     /// The traces of a command that replaced everything.
     pub(crate) fn whole(before: State, event: Option<Box<Event>>) -> Self {
-        Self { changes: vec![Change::Whole(Box::new(before))], event }
+        Self { changes: vec![Change::Whole(Box::new(before))], event, steps_bytes: 0 }
     }
 
     /// About how many bytes they take.
@@ -262,10 +264,10 @@ impl<'a> Work<'a> {
     pub(crate) fn edit<T>(
         &mut self,
         keeps_delaunay: bool,
-        act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<T, CommandError>,
+        act: impl FnOnce(&mut Edit<'_, UndoLog>, &dyn Interface) -> Result<T, CommandError>,
     ) -> Result<T, CommandError> {
-        let done = self.change(keeps_delaunay, act)?;
-        self.name_vertices();
+        let (done, changed) = self.change(keeps_delaunay, act)?;
+        self.name_changed(&changed);
         Ok(done)
     }
 
@@ -275,17 +277,18 @@ impl<'a> Work<'a> {
         name: u32,
         act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<Inserted, CommandError>,
     ) -> Result<Inserted, CommandError> {
-        let inserted = self.change(true, act)?;
+        let (inserted, changed) = self.change(true, |edit, _| act(edit))?;
         self.name(name, inserted.vertex());
-        self.name_vertices();
+        self.name_changed(&changed);
         Ok(inserted)
     }
 
+    /// Changes the triangulation; also tells the vertices whose names have to be looked at.
     fn change<T>(
         &mut self,
         keeps_delaunay: bool,
-        act: impl FnOnce(&mut Edit<'_, UndoLog>) -> Result<T, CommandError>,
-    ) -> Result<T, CommandError> {
+        act: impl FnOnce(&mut Edit<'_, UndoLog>, &dyn Interface) -> Result<T, CommandError>,
+    ) -> Result<(T, Vec<VertexId>), CommandError> {
         self.stop_refinement();
         let Some(Mesh::AtRest(at_rest)) = &mut self.state.mesh else {
             return Err(CommandError::nothing_triangulated());
@@ -295,12 +298,14 @@ impl<'a> Work<'a> {
         let work = &mut Workspace::default();
         let mut log = UndoLog::new();
         let (before, was_delaunay) = (log.checkpoint(), *is_delaunay);
-        match act(&mut t.edit(work, &mut log)) {
+        match act(&mut t.edit(work, &mut log), self.interface) {
             Ok(done) => {
                 *is_delaunay &= keeps_delaunay;
+                log.shrink_to_fit();
+                let changed = t.vertices_changed(&log);
                 self.traces.changes.push(Change::Mesh { log, before, was_delaunay });
                 self.interface.update();
-                Ok(done)
+                Ok((done, changed))
             }
             Err(error) => {
                 t.rollback(&mut log, before);
@@ -309,10 +314,10 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Changes a constrained Delaunay triangulation; one that is not is made so first.
+    /// [`edit`](Self::edit) of a constrained Delaunay triangulation; one that is not is made so first.
     pub(crate) fn edit_delaunay<T>(
         &mut self,
-        act: impl FnOnce(&mut ConstrainedDelaunay, &mut UndoLog, &dyn Interface) -> Result<T, CommandError>,
+        act: impl FnOnce(&mut Edit<'_, UndoLog>, &dyn Interface) -> Result<T, CommandError>,
     ) -> Result<T, CommandError> {
         self.stop_refinement();
         let Some(Mesh::AtRest(at_rest)) = &self.state.mesh else { return Err(CommandError::nothing_triangulated()) };
@@ -320,40 +325,30 @@ impl<'a> Work<'a> {
             let legalised = Mesh::of_delaunay(at_rest.t.clone().into());
             self.replace_mesh(legalised);
         }
-        let Some(Mesh::AtRest(at_rest)) = self.state.mesh.take() else {
-            return Err(CommandError::nothing_triangulated());
-        };
-        let AtRest { t, is_delaunay } = *at_rest;
-        let (mut cdt, mut log) = (ConstrainedDelaunay::from(t), UndoLog::new());
-        let before = log.checkpoint();
-        let done = act(&mut cdt, &mut log, self.interface);
-        if done.is_err() {
-            cdt.rollback(&mut log, before);
-        }
-        self.state.mesh = Some(Mesh::AtRest(Box::new(AtRest { t: cdt.into(), is_delaunay })));
-        let done = done?;
-        self.traces.changes.push(Change::Mesh { log, before, was_delaunay: is_delaunay });
-        self.name_vertices();
-        self.interface.update();
-        Ok(done)
+        self.edit(true, act)
     }
 
     /// Makes one more step of the refinement at work; [`event`](Self::event) says what it did.
     ///
-    /// The refinement drops no record, as `Undo` relies on each; it is refused to go on where they take too much.
+    /// The refinement drops no record by itself, as `Undo` relies on each; a command is refused to go on where the
+    /// records of its own steps take too much.
     pub(crate) fn step(&mut self) -> Result<(), CommandError> {
         let Some(Mesh::Refining(refining)) = &mut self.state.mesh else { return Ok(()) };
         let refinement = &mut refining.refinement;
-        let (steps, bytes) = (refinement.steps_made(), refinement.history_bytes());
-        if bytes > STEPS_BYTES {
-            let text = "the records of single steps take 256 MiB: 'Refine' goes to the end, 'Undo' goes back";
+        if self.traces.steps_bytes > STEPS_BYTES {
+            let text = "the records of the steps of one command take too much memory: 'Refine' keeps none";
             return Err(CommandError::new(text));
         }
+        let (steps, before) = (refinement.steps_made(), refinement.history_bytes());
         let event = refinement.step();
         if refinement.steps_made() > steps {
-            self.traces.changes.push(Change::Step { bytes: refinement.history_bytes().saturating_sub(bytes) });
+            let bytes = refinement.history_bytes().saturating_sub(before);
+            self.traces.steps_bytes += bytes;
+            self.traces.changes.push(Change::Step { bytes });
         }
-        self.name_vertices();
+        let t = refinement.triangulation();
+        let changed = refinement.last_changes().map(|log| t.vertices_changed(log)).unwrap_or_default();
+        self.name_changed(&changed);
         self.interface.update();
         self.traces.event = Some(Box::new(trimmed(event)));
         Ok(())
@@ -365,13 +360,25 @@ impl<'a> Work<'a> {
     }
 
     /// Gives every vertex that is in use a name, and takes the names of those that are gone.
-    pub(crate) fn name_vertices(&mut self) {
+    fn name_vertices(&mut self) {
+        let Some(mesh) = &self.state.mesh else { return };
+        let slots = mesh.triangulation().points().len().max(self.state.names.slots());
+        let all: Vec<VertexId> = (0..slots).map(VertexId::from_index).collect();
+        self.name_changed(&all);
+    }
+
+    /// Gives those of some vertices that are in use a name, and takes the names of those that are gone. The vertices
+    /// ascend.
+    fn name_changed(&mut self, vertices: &[VertexId]) {
         let State { mesh: Some(mesh), names, .. } = &*self.state else { return };
         let t = mesh.triangulation();
         let input = self.state.input.drawing.points.len();
-        let is_gone = |v: VertexId| v.index() >= t.points().len() || v.index() >= input && !t.is_used(v);
-        let gone: Vec<(u32, VertexId)> = names.all().filter(|&(_, v)| is_gone(v)).collect();
-        let new: Vec<VertexId> = t.used_vertices().filter(|&v| names.name(v).is_none()).collect();
+        let is_used = |v: VertexId| v.index() < t.points().len() && t.is_used(v);
+        let is_gone = |&v: &VertexId| v.index() >= t.points().len() || v.index() >= input && !t.is_used(v);
+        let names_of = |v: VertexId| names.names_of(v).map(move |name| (name, v));
+        let mut gone: Vec<(u32, VertexId)> = vertices.iter().copied().filter(is_gone).flat_map(names_of).collect();
+        gone.sort_unstable();
+        let new: Vec<VertexId> = vertices.iter().copied().filter(|&v| is_used(v) && names.name(v).is_none()).collect();
         for (name, v) in gone {
             self.state.names.remove(name);
             self.traces.changes.push(Change::Unnamed(name, v));
@@ -383,6 +390,13 @@ impl<'a> Work<'a> {
 }
 
 impl State {
+    /// Frees the records of the oldest steps of the refinement at work.
+    pub(crate) fn forget_oldest_steps(&mut self, steps: u64) {
+        if let Some(Mesh::Refining(refining)) = &mut self.mesh {
+            refining.refinement.forget_oldest(steps);
+        }
+    }
+
     /// Everything but the triangulation.
     pub(crate) fn clone_without_mesh(&self) -> Self {
         Self {

@@ -51,7 +51,10 @@ impl PartialEq for Document {
 }
 
 impl Document {
-    /// An empty document, whose history may take 256 MiB.
+    /// What the history may take where nothing is said, in bytes.
+    pub const HISTORY_BYTES: usize = History::MOST_BYTES;
+
+    /// An empty document, whose history may take [`HISTORY_BYTES`](Self::HISTORY_BYTES).
     #[must_use]
     pub fn new() -> Self {
         Self::with_history(History::MOST_BYTES)
@@ -167,7 +170,7 @@ impl Document {
         self.spared.extend(self.state.input.files.iter().cloned());
         self.log.push(line.trim().to_owned());
         self.version += 1;
-        let dropped = self.history.push(Done::new(line.trim().to_owned(), traces));
+        let dropped = self.history.push(Done::new(line.trim().to_owned(), traces), &mut self.state);
         tell_dropped(dropped, interface);
     }
 
@@ -202,7 +205,8 @@ impl Document {
             };
             self.log.push(undone.line.clone());
             self.version += 1;
-            tell_dropped(self.history.push_again(Done::new(undone.line, traces)), interface);
+            let dropped = self.history.push_again(Done::new(undone.line, traces), &mut self.state);
+            tell_dropped(dropped, interface);
         }
         interface.reset();
         Ok(())
@@ -359,6 +363,12 @@ impl Document {
         self.log.len()
     }
 
+    /// About how many bytes the history takes.
+    #[must_use]
+    pub fn history_bytes(&self) -> usize {
+        self.history.bytes()
+    }
+
     /// What the last step did, if the last command was a `Step`.
     ///
     /// `Undo` leads back to the step of the command before, and `Redo` to that of the command that is done again.
@@ -383,7 +393,7 @@ impl Document {
     /// How many steps the refinement that goes step by step has made.
     #[must_use]
     pub fn steps_made(&self) -> u64 {
-        self.refining().map_or(0, |refining| refining.refinement.steps_made())
+        self.refining().map_or(0, |refining| refining.refinement.step_number())
     }
 
     fn refining(&self) -> Option<&Refining> {

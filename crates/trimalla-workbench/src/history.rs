@@ -34,6 +34,20 @@ impl Done {
         self.traces.event.as_deref()
     }
 
+    /// How many steps of a refinement it made.
+    fn steps(&self) -> u64 {
+        let is_step = |change: &&Change| matches!(change, Change::Step { .. });
+        self.traces.changes.iter().filter(is_step).count() as u64
+    }
+
+    /// The state before it, if it replaced everything.
+    fn before(&mut self) -> Option<&mut State> {
+        self.traces.changes.iter_mut().find_map(|change| match change {
+            Change::Whole(before) => Some(&mut **before),
+            _ => None,
+        })
+    }
+
     fn bytes(&self) -> usize {
         self.line.len() + self.traces.bytes()
     }
@@ -73,26 +87,36 @@ impl History {
         Self { done: VecDeque::new(), undone: Vec::new(), bytes: 0, most_bytes, forgotten: 0 }
     }
 
-    /// Notes a command that was done; commands that were taken back cannot be done again after it. Returns how many of
-    /// the oldest had to go.
-    pub(crate) fn push(&mut self, done: Done) -> usize {
+    /// Notes a command that was done and led to a state; commands that were taken back cannot be done again after it.
+    /// Returns how many of the oldest had to go.
+    pub(crate) fn push(&mut self, done: Done, state: &mut State) -> usize {
         self.undone.clear();
-        self.push_again(done)
+        self.push_again(done, state)
     }
 
-    /// Notes a command that was done again.
-    pub(crate) fn push_again(&mut self, done: Done) -> usize {
+    /// Notes a command that was done again and led to a state.
+    pub(crate) fn push_again(&mut self, done: Done, state: &mut State) -> usize {
         self.bytes += done.bytes();
         self.done.push_back(done);
         let mut dropped = 0;
         // The newest stays, whatever it takes.
         while self.bytes > self.most_bytes && self.done.len() > 1 {
-            let oldest = self.done.pop_front();
-            self.bytes -= oldest.map_or(0, |done| done.bytes());
+            let Some(oldest) = self.done.pop_front() else { break };
+            self.bytes -= oldest.bytes();
+            self.forget_steps(oldest.steps(), state);
             dropped += 1;
         }
         self.forgotten += dropped;
         dropped
+    }
+
+    /// Frees the records of steps before the oldest command: they are those of the refinement that the next command
+    /// which replaced everything has put away, or of the one at work.
+    fn forget_steps(&mut self, steps: u64, state: &mut State) {
+        if steps > 0 {
+            let put_away = self.done.iter_mut().find_map(Done::before);
+            put_away.unwrap_or(state).forget_oldest_steps(steps);
+        }
     }
 
     /// The newest command, to be taken back.
@@ -120,6 +144,11 @@ impl History {
     /// The command that was taken back last, to be done again.
     pub(crate) fn pop_undone(&mut self) -> Option<Undone> {
         self.undone.pop()
+    }
+
+    /// About how many bytes the records take.
+    pub(crate) const fn bytes(&self) -> usize {
+        self.bytes
     }
 
     /// How many commands can be taken back.

@@ -63,7 +63,7 @@ impl Mesh {
     pub(crate) fn stopped(&self) -> Self {
         match self {
             Self::AtRest(_) => self.clone(),
-            Self::Refining(refining) => Self::given(refining.refinement.clone().finish().0),
+            Self::Refining(refining) => Self::given(refining.refinement.without_history().finish().0),
         }
     }
 }
@@ -71,7 +71,7 @@ impl Mesh {
 /// Triangulations are compared; how far a refinement is follows from the commands.
 impl PartialEq for Mesh {
     fn eq(&self, other: &Self) -> bool {
-        let steps = |mesh: &Self| mesh.refining().map(|refining| refining.refinement.steps_made());
+        let steps = |mesh: &Self| mesh.refining().map(|refining| refining.refinement.step_number());
         steps(self) == steps(other) && self.triangulation() == other.triangulation()
     }
 }

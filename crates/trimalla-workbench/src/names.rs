@@ -1,6 +1,6 @@
 //! The indices by which the user names vertices.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use trimalla::half_edge::VertexId;
 
@@ -10,15 +10,19 @@ pub(crate) struct Names {
     by_name: BTreeMap<u32, VertexId>,
     /// The lowest name of each vertex.
     of_vertex: Vec<Option<u32>>,
-    /// How many names are not the lowest of their vertex.
-    others: usize,
+    /// The names that are not the lowest of their vertex.
+    others: BTreeSet<(VertexId, u32)>,
 }
 
 impl Names {
     /// The vertices `0..count`, each by its own number.
     pub(crate) fn of_count(count: usize) -> Self {
         let all = || (0..count).map(VertexId::from_index);
-        Self { by_name: all().map(|v| (v.0, v)).collect(), of_vertex: all().map(|v| Some(v.0)).collect(), others: 0 }
+        Self {
+            by_name: all().map(|v| (v.0, v)).collect(),
+            of_vertex: all().map(|v| Some(v.0)).collect(),
+            others: BTreeSet::new(),
+        }
     }
 
     /// The vertex of that name.
@@ -46,8 +50,9 @@ impl Names {
         match &mut self.of_vertex[v.index()] {
             // The lowest name is the first, in whatever order they come back.
             Some(first) => {
+                let other = name.max(*first);
                 *first = name.min(*first);
-                self.others += 1;
+                self.others.insert((v, other));
             }
             first => *first = Some(name),
         }
@@ -57,11 +62,11 @@ impl Names {
     pub(crate) fn remove(&mut self, name: u32) -> Option<VertexId> {
         let v = self.by_name.remove(&name)?;
         if self.of_vertex[v.index()] != Some(name) {
-            self.others -= 1;
+            self.others.remove(&(v, name));
         } else {
-            let other = if self.others > 0 { self.name_in_map(v) } else { None };
-            self.others -= usize::from(other.is_some());
-            self.of_vertex[v.index()] = other;
+            let next = self.others_of(v).next();
+            self.of_vertex[v.index()] = next;
+            next.map(|next| self.others.remove(&(v, next)));
         }
         while self.of_vertex.last() == Some(&None) {
             self.of_vertex.pop();
@@ -69,8 +74,19 @@ impl Names {
         Some(v)
     }
 
-    fn name_in_map(&self, v: VertexId) -> Option<u32> {
-        self.by_name.iter().find(|&(_, &other)| other == v).map(|(&name, _)| name)
+    /// The names of a vertex but for the lowest, ascending.
+    fn others_of(&self, v: VertexId) -> impl Iterator<Item = u32> + '_ {
+        self.others.range((v, 0)..=(v, u32::MAX)).map(|&(_, name)| name)
+    }
+
+    /// The names of a vertex, ascending.
+    pub(crate) fn names_of(&self, v: VertexId) -> impl Iterator<Item = u32> + '_ {
+        self.name(v).into_iter().chain(self.others_of(v))
+    }
+
+    /// The vertices from this number on have no names.
+    pub(crate) fn slots(&self) -> usize {
+        self.of_vertex.len()
     }
 
     /// All names with their vertices, ascending.

@@ -74,3 +74,28 @@ fn the_history_has_what_was_taken_back() {
     assert_eq!(document.history().collect::<Vec<_>>(), ["V 0 0 0", "V 1 4 0", "V 2 0 4", "Insert 1 1"]);
     assert_eq!(document.position(), 4);
 }
+
+#[test]
+fn steps_that_are_dropped_are_gone_and_the_others_are_undone() {
+    let mut document = Document::with_history(60_000);
+    run(&mut document, &["Generate polygon 40 5", "Triangulate", "Set max-area 0.001"]);
+    for _ in 0..200 {
+        run(&mut document, &["Step"]);
+    }
+    let (undoable, _) = document.undoable();
+    assert!((10..200).contains(&undoable), "{undoable}");
+    let after = document.indexed();
+    run(&mut document, &[&format!("Undo {undoable}")]);
+    assert_eq!(document.steps_made(), 200 - undoable as u64);
+    assert!(document.run("Undo", &mut Quiet).is_err());
+    run(&mut document, &[&format!("Redo {undoable}")]);
+    assert_eq!(document.indexed(), after);
+    // Another refinement takes its place, and its steps are dropped first.
+    run(&mut document, &["Insert 0.5 0.5"]);
+    for _ in 0..200 {
+        run(&mut document, &["Step"]);
+    }
+    let (undoable, _) = document.undoable();
+    run(&mut document, &[&format!("Undo {undoable}")]);
+    assert_eq!(document.triangulation().expect("a triangulation").check(), []);
+}

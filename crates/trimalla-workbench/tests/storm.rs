@@ -1,4 +1,7 @@
-//! A robot edits, with undo and redo: what it leaves leads there again from the record, and is undone to nothing.
+//! A robot edits, with undo and redo: what it leaves leads there again from the record, and is undone to nothing. After
+//! every command the names of vertices are those that a slow reading of the whole triangulation gives.
+
+use std::collections::BTreeMap;
 
 use trimalla::half_edge::VertexId;
 use trimalla_testkit::generators::SplitMix64;
@@ -53,7 +56,8 @@ impl Robot {
             25 => format!("Centroid {i} {j} {k}"),
             26 => format!("LEPP {} CEN", self.below(28)),
             27 => format!("Select {i} {j} {k}"),
-            28 => format!("Step {}", self.below(6)),
+            // One step at a time, as a vertex may come and go between two.
+            28 => "Step".to_owned(),
             29 => "Refine".to_owned(),
             30 => format!("Set min-angle {}", self.below(25)),
             31 => "Reset".to_owned(),
@@ -68,6 +72,111 @@ impl Robot {
     }
 }
 
+/// The names of vertices, kept by looking at all of them after each command.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct SlowNames(BTreeMap<u32, VertexId>);
+
+impl SlowNames {
+    /// The names after a command, which were these before it.
+    fn after(mut self, line: &str, document: &Document) -> Self {
+        let points = document.drawing().points.len();
+        let words: Vec<&str> = line.split(' ').collect();
+        let given = if words[0] == "V" { words[1].parse().ok() } else { None };
+        let Some(t) = document.triangulation() else {
+            if words[0] == "Reset" {
+                self.0.retain(|_, v| v.index() < points);
+            }
+            let named = self.0.values().map(|v| v.index() + 1).max().unwrap_or(0);
+            for v in (named..points).map(VertexId::from_index) {
+                self.0.insert(given.unwrap_or_else(|| self.next()), v);
+            }
+            self.0.retain(|_, v| v.index() < points);
+            return self;
+        };
+        self.0.retain(|_, v| v.index() < t.points().len() && (v.index() < points || t.is_used(*v)));
+        if let Some(name) = given {
+            self.0.insert(name, document.vertex(name).expect("a vertex"));
+        } else if words[0] == "Insert" && !t.used_vertices().any(|v| self.is_nameless(v)) {
+            // It lies on another vertex, and stands for it.
+            self.0.insert(self.next(), t.used_vertices().find(|&v| at(t.point(v), &words)).expect("a vertex"));
+        }
+        for v in t.used_vertices() {
+            if self.is_nameless(v) {
+                self.0.insert(self.next(), v);
+            }
+        }
+        self
+    }
+
+    fn next(&self) -> u32 {
+        self.0.last_key_value().map_or(0, |(&name, _)| name + 1)
+    }
+
+    fn is_nameless(&self, v: VertexId) -> bool {
+        !self.0.values().any(|&other| other == v)
+    }
+
+    /// Compares with the document's.
+    fn assert_same(&self, document: &Document, line: &str) {
+        let t = document.triangulation();
+        for (&name, &v) in &self.0 {
+            let v = t.map_or(v, |t| t.representative(v));
+            assert_eq!(document.vertex(name), Some(v), "vertex {name} after {line}");
+        }
+        let mut lowest = BTreeMap::new();
+        for (&name, &v) in self.0.iter().rev() {
+            lowest.insert(v, name);
+        }
+        for (v, name) in lowest {
+            assert_eq!(document.name(v), name, "the name of {v:?} after {line}");
+        }
+        for name in self.next()..self.next() + 3 {
+            assert_eq!(document.vertex(name), None, "no vertex {name} after {line}");
+        }
+    }
+}
+
+/// Whether a point is that of a command.
+fn at(p: trimalla::geometry::Point, words: &[&str]) -> bool {
+    [p.x, p.y] == [1, 2].map(|i| words[i].parse::<f64>().expect("a coordinate"))
+}
+
+/// The names after each command that can be undone, and after each that can be done again.
+#[derive(Default)]
+struct SlowHistory {
+    now: SlowNames,
+    before: Vec<SlowNames>,
+    undone: Vec<SlowNames>,
+}
+
+impl SlowHistory {
+    /// Follows a command that was done; `undoable` is what the document says then.
+    fn follow(&mut self, line: &str, document: &Document) {
+        let (undoable, _) = document.undoable();
+        match line.split(' ').next() {
+            Some("Undo") => {
+                while self.before.len() > undoable {
+                    let before = self.before.pop().expect("a command");
+                    self.undone.push(std::mem::replace(&mut self.now, before));
+                }
+            }
+            Some("Redo") => {
+                while self.before.len() < undoable {
+                    let after = self.undone.pop().expect("a command that was undone");
+                    self.before.push(std::mem::replace(&mut self.now, after));
+                }
+            }
+            _ if undoable > self.before.len() => {
+                self.undone.clear();
+                self.before.push(self.now.clone());
+                self.now = std::mem::take(&mut self.now).after(line, document);
+            }
+            _ => {}
+        }
+        self.now.assert_same(document, line);
+    }
+}
+
 #[test]
 fn an_edit_storm_is_recorded_and_undone_exactly() {
     let (actions, most) = (10_000, 120);
@@ -75,15 +184,21 @@ fn an_edit_storm_is_recorded_and_undone_exactly() {
     let mut document = Document::new();
     // The mesh of a few points stays small.
     document.run("Set max-vertices 400", &mut Quiet).expect("an option");
-    let mut done = 0;
+    let (mut done, mut names) = (0, SlowHistory::default());
+    names.follow("Set max-vertices 400", &document);
     for action in 0..actions {
         let line = robot.command(&document);
-        done += usize::from(document.run(&line, &mut Quiet).is_ok());
+        if document.run(&line, &mut Quiet).is_ok() {
+            done += 1;
+            names.follow(&line, &document);
+        }
         if let Some(t) = document.triangulation() {
             assert_eq!(t.check(), [], "after action {action}, {line}");
             if t.points().len() > most {
-                document.run("Clear", &mut Quiet).expect("cleared");
-                document.run("Set max-vertices 400", &mut Quiet).expect("an option");
+                for line in ["Clear", "Set max-vertices 400"] {
+                    document.run(line, &mut Quiet).expect("cleared");
+                    names.follow(line, &document);
+                }
             }
         }
     }

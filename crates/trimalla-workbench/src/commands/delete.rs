@@ -19,6 +19,6 @@ struct Delete {
 impl Act for Delete {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let v = work.vertex(self.name)?;
-        work.edit(true, |edit| edit.remove_with_segments(v).map_err(|error| CommandError::new(error.to_string())))
+        work.edit(true, |edit, _| edit.remove_with_segments(v).map_err(|error| CommandError::new(error.to_string())))
     }
 }

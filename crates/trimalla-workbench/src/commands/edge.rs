@@ -30,7 +30,7 @@ impl Act for Edge {
             work.add_segment([a, b]);
             return Ok(());
         }
-        work.edit(true, |edit| {
+        work.edit(true, |edit, _| {
             edit.insert_segment(a, b, Crossings::Split).map_err(|error| CommandError::new(error.to_string()))
         })?;
         Ok(())

@@ -22,7 +22,7 @@ impl Act for Flip {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let [i, j] = self.ends;
         let [a, b] = [work.vertex(i)?, work.vertex(j)?];
-        work.edit(false, |edit| {
+        work.edit(false, |edit, _| {
             let none = || CommandError::new(format!("there is no edge {i} {j}"));
             let h = edge_of(edit, a, b).ok_or_else(none)?;
             let stays = || CommandError::new(format!("edge {i} {j} is constrained, or its quadrilateral not convex"));

@@ -3,10 +3,10 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::{ConstrainedTriangulation, Edit};
 use trimalla::geometry::Triangle;
 use trimalla::half_edge::{FaceId, UndoLog, VertexId};
-use trimalla::refine::{Centroid, LeppRule};
+use trimalla::refine::{Centroid, LeppRule, Ruler, lepp};
 
 use super::{Act, CommandRow, Deed};
 use crate::arguments::Arguments;
@@ -45,7 +45,7 @@ struct Lepp {
 impl Act for Lepp {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let most = work.state().options.refine_options().limits.max_vertices;
-        let [inserted, left] = work.edit_delaunay(|cdt, log, interface| self.refine(cdt, log, most, interface))?;
+        let [inserted, left] = work.edit_delaunay(|edit, interface| self.refine(edit, most, interface))?;
         let why = if left > 0 { ", for which rounding or the vertex budget leaves no room" } else { "" };
         work.say(format!(
             "{inserted} vertices were inserted; {left} triangles are left below {} degrees{why}",
@@ -62,21 +62,22 @@ impl Lepp {
     /// Refines; how many vertices were inserted, and how many triangles are left below the bound.
     fn refine(
         &self,
-        cdt: &mut ConstrainedDelaunay,
-        log: &mut UndoLog,
+        cdt: &mut Edit<'_, UndoLog>,
         most: usize,
         interface: &dyn Interface,
     ) -> Result<[usize; 2], CommandError> {
         let (mut waiting, mut inserted, mut left) = (BinaryHeap::new(), 0, 0);
+        // The box of all vertices stays, as points are inserted inside it.
+        let ruler = Ruler::for_box(cdt.bounding_box());
         waiting.extend(cdt.real_faces().filter_map(|f| self.waiting(cdt, f)));
         while let Some(Reverse((_, corners))) = waiting.pop() {
             let Some(f) = face_of(cdt, corners) else { continue };
             if interface.is_cancelled() {
                 return Err(CommandError::cancelled());
             }
-            let path = cdt.lepp(f, LeppRule::StopAtBoundary);
+            let edge = lepp::terminal_edge(cdt, ruler, f, LeppRule::StopAtBoundary);
             let room = cdt.points().len() < most;
-            match room.then(|| cdt.lepp_insert_with(path.terminal_edge, self.centroid, log)).flatten() {
+            match room.then(|| cdt.lepp_insert(ruler, edge, self.centroid)).flatten() {
                 Some(v) => {
                     inserted += 1;
                     // Flips leave changed triangles around the new vertex only.
@@ -91,7 +92,7 @@ impl Lepp {
     }
 
     /// A face as it waits, if its smallest angle is below the bound.
-    fn waiting(&self, cdt: &ConstrainedDelaunay, f: FaceId) -> Option<Waiting> {
+    fn waiting(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> Option<Waiting> {
         let [a, b, c] = cdt.face_points(f);
         let angle = Triangle::new(a, b, c).min_angle().degrees();
         let mut corners = cdt.face_vertices(f);

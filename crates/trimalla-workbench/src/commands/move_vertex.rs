@@ -23,8 +23,8 @@ struct Move {
 impl Act for Move {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let v = work.vertex(self.name)?;
-        let moved =
-            work.edit(true, |edit| edit.move_vertex(v, self.to).map_err(|error| CommandError::new(error.to_string())))?;
+        let moved = work
+            .edit(true, |edit, _| edit.move_vertex(v, self.to).map_err(|error| CommandError::new(error.to_string())))?;
         match moved {
             Inserted::Existing(other) if other != v => {
                 let other = work.state().name(other);

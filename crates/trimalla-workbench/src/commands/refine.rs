@@ -52,9 +52,7 @@ fn begin(work: &mut Work<'_>) -> Result<Box<Refinement>, CommandError> {
     let Some(Mesh::Refining(refining)) = &work.state().mesh else {
         return Err(CommandError::nothing_triangulated());
     };
-    let mut refinement = Box::new(refining.refinement.clone());
-    refinement.keep_history(0);
-    Ok(refinement)
+    Ok(Box::new(refining.refinement.without_history()))
 }
 
 fn end(refinement: Refinement, work: &mut Work<'_>) {

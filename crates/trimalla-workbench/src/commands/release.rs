@@ -22,7 +22,7 @@ impl Act for Release {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let [i, j] = self.ends;
         let [a, b] = [work.vertex(i)?, work.vertex(j)?];
-        work.edit(true, |edit| {
+        work.edit(true, |edit, _| {
             let h = edge_of(edit, a, b).ok_or_else(|| CommandError::new(format!("there is no edge {i} {j}")))?;
             let segments = edit.segments_of(h);
             if segments.is_empty() {
