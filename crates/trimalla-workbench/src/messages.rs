@@ -1,5 +1,7 @@
 //! What a document tells the program around it.
 
+use trimalla::constrained::ConstrainedTriangulation;
+
 /// What a message is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageKind {
@@ -24,6 +26,9 @@ pub trait Interface {
 
     /// Something that is shown has changed.
     fn update(&mut self) {}
+
+    /// A long command is at work: the triangulation as it is now. The document has it when the command is done.
+    fn progress(&mut self, _triangulation: &ConstrainedTriangulation) {}
 
     /// Whether the command at work is to stop; asked between insertions. What was done until then is taken back.
     fn is_cancelled(&self) -> bool {

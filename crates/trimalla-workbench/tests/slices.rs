@@ -138,3 +138,21 @@ fn what_has_no_slices_or_is_refused_is_done_at_once() {
         assert_eq!(document.figures().vertices, usize::from(line.starts_with('V')));
     }
 }
+
+#[test]
+fn a_long_command_shows_the_triangulation_while_it_works() {
+    #[derive(Default)]
+    struct Growing(Vec<usize>);
+    impl Interface for Growing {
+        fn message(&mut self, _: MessageKind, _: &str) {}
+
+        fn progress(&mut self, triangulation: &trimalla::constrained::ConstrainedTriangulation) {
+            self.0.push(triangulation.real_faces().count());
+        }
+    }
+    let mut document = drawn(DRAWINGS[0]);
+    let mut growing = Growing::default();
+    document.run("Refine", &mut growing).expect("refined");
+    assert!(growing.0.len() > 3 && growing.0.is_sorted(), "{:?}", growing.0);
+    assert!(growing.0[0] < document.figures().triangles);
+}

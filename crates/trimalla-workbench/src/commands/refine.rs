@@ -39,6 +39,7 @@ impl Job for Refine {
             return Err(CommandError::cancelled());
         }
         if !is_over {
+            work.interface.progress(refinement.triangulation());
             self.at_work = Some(refinement);
             return Ok(Slice::More);
         }
