@@ -22,6 +22,7 @@ mod operators;
 mod options;
 #[cfg(feature = "conformance")]
 mod own_steps;
+mod plans;
 mod predicates;
 mod quality;
 mod references;

@@ -29,6 +29,7 @@ mod tests;
 
 use crate::geometry::{CircleSide, Orientation, Point, in_circle_perturbed, orient2d};
 use crate::half_edge::Patch;
+pub(super) use recursive::Watch;
 
 /// Up to this many boundary vertices recursion is quicker.
 const SHORT: usize = 24;
@@ -72,8 +73,16 @@ impl Filler {
                 return Some(edges);
             }
         }
-        recursive::fill(boundary, patch, &mut self.recursive)
+        recursive::fill(boundary, patch, &mut self.recursive, &mut ())
     }
+}
+
+/// Fills the pseudo-polygon of some points by recursion and watches it; returns whether the points bound such a region.
+///
+/// # Complexity
+/// Quadratic at worst.
+pub(super) fn watch_recursion(points: &[Point], watch: &mut impl Watch) -> bool {
+    recursive::fill(Boundary(points), &mut Patch::default(), &mut recursive::Room::default(), watch).is_some()
 }
 
 /// The boundary of a pseudo-polygon; its vertices are named by their positions.

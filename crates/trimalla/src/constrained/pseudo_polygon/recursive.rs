@@ -27,15 +27,38 @@ struct Stretch {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room(Vec<Stretch>);
 
+/// Watches the recursion. What `()` does compiles to nothing.
+pub(crate) trait Watch {
+    /// A vertex has become the best corner of a base so far.
+    fn improved(&mut self, vertex: u32);
+
+    /// The stretch from `first` to `last` has got its corner, the best of those that were told since the last call.
+    fn chosen(&mut self, first: u32, last: u32, corner: u32);
+}
+
+impl Watch for () {
+    #[inline(always)]
+    fn improved(&mut self, _: u32) {}
+
+    #[inline(always)]
+    fn chosen(&mut self, _: u32, _: u32, _: u32) {}
+}
+
 /// See [`super::Filler::fill`].
-pub(super) fn fill(boundary: Boundary<'_>, patch: &mut Patch, room: &mut Room) -> Option<Edges> {
+pub(super) fn fill(
+    boundary: Boundary<'_>,
+    patch: &mut Patch,
+    room: &mut Room,
+    watch: &mut impl Watch,
+) -> Option<Edges> {
     let n = boundary.len()?;
     patch.start(boundary.0.len());
     patch.base = Side::new(0, 0);
     room.0.clear();
     let mut next = Some(Stretch { first: 0, last: n - 1, parent: Side::BOUNDARY });
     while let Some(Stretch { first, last, parent }) = next.take().or_else(|| room.0.pop()) {
-        let corner = best_corner(boundary, first, last)?;
+        let corner = best_corner(boundary, first, last, watch)?;
+        watch.chosen(first, last, corner);
         // Counter-clockwise first → last → corner; the other two sides are rims or bases of stretches.
         let this = patch.triangles.len() as u32;
         patch
@@ -56,13 +79,14 @@ pub(super) fn fill(boundary: Boundary<'_>, patch: &mut Patch, room: &mut Room) -
 }
 
 /// Of the vertices strictly between and left of the base, the one whose circle holds none of the others.
-fn best_corner(boundary: Boundary<'_>, first: u32, last: u32) -> Option<u32> {
+fn best_corner(boundary: Boundary<'_>, first: u32, last: u32, watch: &mut impl Watch) -> Option<u32> {
     let [a, b] = boundary.at([first, last]);
     let mut best = None;
     for (v, &p) in (first + 1..).zip(&boundary.0[first as usize + 1..last as usize]) {
         let is_better = best.is_none_or(|(_, c)| is_inside([a, b, c], p));
         if is_better && ccw(a, b, p) {
             best = Some((v, p));
+            watch.improved(v);
         }
     }
     best.map(|(v, _)| v)

@@ -46,7 +46,7 @@ fn fill_randomised(points: &[Point]) -> Option<Vec<Filled>> {
 
 fn fill_recursive(points: &[Point]) -> Option<Vec<Filled>> {
     let mut patch = Patch::default();
-    recursive::fill(Boundary(points), &mut patch, &mut recursive::Room::default()).map(|_| triangles(&patch))
+    recursive::fill(Boundary(points), &mut patch, &mut recursive::Room::default(), &mut ()).map(|_| triangles(&patch))
 }
 
 /// The triangles as sorted positions, after checking that every side leads where it says.
