@@ -19,6 +19,7 @@
 //! | [`Document`] | input, triangulation, options and selection; read by methods, changed by [`Document::run`] |
 //! | [`Running`] | a command at work, slice by slice, for programs without threads |
 //! | [`COMMANDS`] | every command: name, arguments, help |
+//! | [`EdgePlan`] | what inserting an edge would do, step by step |
 //! | [`script`] | many commands as a text |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
 //!
@@ -34,6 +35,7 @@ mod arguments;
 mod changes;
 mod commands;
 mod document;
+mod edge_plan;
 mod error;
 mod figures;
 mod history;
@@ -46,6 +48,7 @@ mod state;
 
 pub use commands::{COMMANDS, CommandRow, EXAMPLES};
 pub use document::Document;
+pub use edge_plan::{EdgePlan, NamedPoint, PlanSide};
 pub use error::CommandError;
 pub use figures::Figures;
 pub use messages::{Interface, MessageKind, Quiet};

@@ -1,6 +1,6 @@
-//! What a document tells of the steps of a refinement, and of its history.
+//! What a document tells: the steps of a refinement, its history, and what an edge would do.
 
-use trimalla_workbench::{Document, Quiet};
+use trimalla_workbench::{Document, Interface, MessageKind, NamedPoint, Quiet};
 
 /// A document after these commands.
 fn after(lines: &[&str]) -> Document {
@@ -98,4 +98,67 @@ fn steps_that_are_dropped_are_gone_and_the_others_are_undone() {
     let (undoable, _) = document.undoable();
     run(&mut document, &[&format!("Undo {undoable}")]);
     assert_eq!(document.triangulation().expect("a triangulation").check(), []);
+}
+
+/// Keeps what the document says.
+#[derive(Default)]
+struct Said(Vec<String>);
+
+impl Interface for Said {
+    fn message(&mut self, kind: MessageKind, text: &str) {
+        if kind == MessageKind::Information {
+            self.0.push(text.to_owned());
+        }
+    }
+}
+
+/// What the document says of a command.
+fn said(document: &mut Document, line: &str) -> Vec<String> {
+    let mut said = Said::default();
+    document.run(line, &mut said).unwrap_or_else(|error| panic!("{line}: {error}"));
+    said.0
+}
+
+#[test]
+fn a_plan_tells_the_recursion_on_both_sides() {
+    let begin = ["V 0 0 0", "V 1 9 0", "V 2 1 1", "V 3 4 3", "V 4 8 1", "V 5 4 -1", "Triangulate"];
+    let mut document = after(&begin);
+    let plan = document.edge_plan(0, 1).expect("a plan");
+    let names = |vertices: &[NamedPoint]| vertices.iter().map(|v| v.name).collect::<Vec<_>>();
+    assert_eq!(names(&plan.right.boundary), [1, 5, 0]);
+    assert_eq!(names(&plan.left.boundary).first(), Some(&0));
+    assert_eq!(plan.left.calls.len() + 2, plan.left.boundary.len());
+    assert_eq!(plan.crossed.len(), plan.left.boundary.len() + plan.right.boundary.len() - 5);
+    let said = said(&mut document, "Plan 0 1");
+    assert_eq!(said.iter().filter(|line| line.contains("chosen")).count(), plan.left.calls.len() + 1);
+    assert!(said.contains(&"  right: base 1-0, tried 5, chosen 5, left 1 5 and 5 0".to_owned()), "{said:#?}");
+    run(&mut document, &["Edge 0 1"]);
+    for side in [&plan.left, &plan.right] {
+        for call in &side.calls {
+            let triangle = [call.first, call.last, call.chosen].map(|i| side.boundary[i].name);
+            assert!(document.face(triangle).is_some(), "{triangle:?} is there");
+        }
+    }
+    let there = document.edge_plan(1, 0).expect("a plan");
+    assert!(there.is_there && there.left.boundary.is_empty() && there.right.calls.is_empty());
+    assert!(document.edge_plan(0, 0).is_err() && document.edge_plan(0, 77).is_err());
+    assert!(Document::new().edge_plan(0, 1).is_err());
+}
+
+#[test]
+fn a_long_side_of_a_plan_is_told_without_calls() {
+    let mut document = Document::new();
+    // Two rows of points, between which the edge leads.
+    let row = |document: &mut Document, y: f64| {
+        for i in 0..2500 {
+            run(document, &[&format!("Insert {} {}", 0.001 * f64::from(i), y * (1.0 + 1e-9 * f64::from(i * i)))]);
+        }
+    };
+    run(&mut document, &["V 0 -1 0", "V 1 4 0"]);
+    row(&mut document, 0.01);
+    row(&mut document, -0.01);
+    run(&mut document, &["Triangulate DAC"]);
+    let plan = document.edge_plan(0, 1).expect("a plan");
+    assert_eq!((plan.left.boundary.len(), plan.right.boundary.len()), (2502, 2502));
+    assert!(plan.left.calls.is_empty() && plan.right.calls.is_empty());
 }
