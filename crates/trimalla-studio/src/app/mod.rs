@@ -12,7 +12,7 @@ use trimalla_workbench::{Document, MessageKind, script};
 use self::control::Control;
 use crate::compare::Compare;
 use crate::panels::console::Console;
-use crate::panels::{configuration, inspector, plan};
+use crate::panels::{configuration, inspector, plan, step};
 use crate::scene::Picked;
 use crate::tools::{Asked, Tool, Tools};
 use crate::viewer::switches::{self, Switches};
@@ -154,6 +154,10 @@ impl Studio {
         if self.tools.is_begun() {
             ui.separator();
         }
+        if let Some(document) = self.worker.document().filter(|document| document.last_step().is_some()) {
+            step::show(ui, document);
+            ui.separator();
+        }
         let mut command = inspector::show(ui, self.picked.as_ref()).or(planned);
         ui.separator();
         let figures = &self.worker.scene().figures;
@@ -179,6 +183,10 @@ impl Studio {
         let mut view = self.view;
         let shown = self.viewer.show(ui, (&scene, "Drawing"), &mut view, &self.switches, fits);
         let document = self.worker.document();
+        let stepped = document.and_then(|d| Some((d.last_step()?, d.triangulation()?)));
+        if let Some((event, t)) = stepped.filter(|_| self.switches.step) {
+            overlay::draw_step(&shown.painter, event, t);
+        }
         if let Some(picked) = &self.picked {
             overlay::draw_picked(&shown.painter, picked, &self.switches);
         }

@@ -4,3 +4,4 @@ pub(crate) mod configuration;
 pub(crate) mod console;
 pub(crate) mod inspector;
 pub(crate) mod plan;
+pub(crate) mod step;
