@@ -59,6 +59,9 @@ impl Facts {
     }
 }
 
+/// Classes of angles, each of two degrees.
+pub(crate) const CLASSES: usize = 30;
+
 /// Points, triangles and segments of a document.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scene {
@@ -71,6 +74,8 @@ pub(crate) struct Scene {
     /// Places from which holes are removed.
     pub(crate) holes: Vec<Point>,
     pub(crate) figures: Figures,
+    /// How many triangles have which smallest angle, from 0 to 60 degrees.
+    pub(crate) classes: [usize; CLASSES],
     /// The box around everything: the lower left and the upper right corner.
     pub(crate) bounds: Option<[Point; 2]>,
 }
@@ -85,6 +90,9 @@ impl Scene {
         };
         scene.holes.clone_from(&drawing.holes);
         scene.figures = document.figures();
+        for face in &scene.faces {
+            scene.classes[((face.min_angle_deg / 60.0 * CLASSES as f32) as usize).min(CLASSES - 1)] += 1;
+        }
         scene.bounds = bounds(scene.vertices.iter().map(|v| v.at));
         scene
     }

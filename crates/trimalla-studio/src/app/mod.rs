@@ -12,7 +12,7 @@ use trimalla_workbench::{Document, MessageKind, script};
 use self::control::Control;
 use crate::compare::Compare;
 use crate::panels::console::Console;
-use crate::panels::{configuration, inspector, plan, step};
+use crate::panels::{configuration, information, inspector, plan, step};
 use crate::scene::Picked;
 use crate::tools::{Asked, Tool, Tools};
 use crate::viewer::switches::{self, Switches};
@@ -36,6 +36,7 @@ pub struct Studio {
     switches: Switches,
     tools: Tools,
     control: Control,
+    course: information::Course,
     compare: Compare,
     page: Page,
     path: String,
@@ -72,6 +73,7 @@ impl Studio {
             switches: Switches::default(),
             tools: Tools::default(),
             control: Control::default(),
+            course: information::Course::default(),
             compare: Compare::new(format),
             page: Page::default(),
             path: String::new(),
@@ -145,6 +147,7 @@ impl Studio {
         if let Some(document) = self.worker.document().filter(|_| is_back) {
             let names = document.selection().first().copied();
             self.picked = names.and_then(|names| Picked::of(document, names));
+            self.course.note(document, &self.worker.scene().figures);
         }
     }
 
@@ -160,14 +163,8 @@ impl Studio {
         }
         let mut command = inspector::show(ui, self.picked.as_ref()).or(planned);
         ui.separator();
-        let figures = &self.worker.scene().figures;
         if let Some(document) = self.worker.document() {
-            ui.heading("Document");
-            ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
-            ui.label(format!("{} triangles, {} edges", figures.triangles, figures.edges));
-            if figures.triangles > 0 {
-                ui.label(format!("angles {:.2}° to {:.2}°", figures.min_angle_deg, figures.max_angle_deg));
-            }
+            information::show(ui, document, self.worker.scene(), &self.course);
             ui.separator();
             command = configuration::show(ui, document.options()).or(command);
         }

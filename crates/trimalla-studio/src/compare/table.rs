@@ -4,10 +4,8 @@ use eframe::egui::{Grid, Ui};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
 use super::slot::Slot;
+use crate::scene::CLASSES;
 use crate::viewer::switches::Switches;
-
-/// Classes of angles, each of two degrees.
-const CLASSES: usize = 30;
 
 pub(super) fn show(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
     ui.horizontal_top(|ui| {
@@ -47,17 +45,13 @@ fn show_angles(ui: &mut Ui, slots: &[Slot]) {
     let plot = Plot::new("angles").legend(Legend::default()).x_axis_label("smallest angle, degrees");
     plot.y_axis_label("% of triangles").include_y(0.0).allow_scroll(false).show(ui, |plot| {
         for slot in slots {
-            let faces = &slot.scene().faces;
-            let mut classes = [0_usize; CLASSES];
-            for face in faces {
-                let class = (face.min_angle_deg / 60.0 * CLASSES as f32) as usize;
-                classes[class.min(CLASSES - 1)] += 1;
-            }
+            let scene = slot.scene();
+            let faces = &scene.faces;
             let share = |(class, &count): (usize, &usize)| {
                 let degrees = 60.0 * (class as f64 + 0.5) / CLASSES as f64;
                 [degrees, 100.0 * count as f64 / faces.len().max(1) as f64]
             };
-            let points: Vec<[f64; 2]> = classes.iter().enumerate().map(share).collect();
+            let points: Vec<[f64; 2]> = scene.classes.iter().enumerate().map(share).collect();
             if !faces.is_empty() {
                 plot.line(Line::new(slot.name(), PlotPoints::from(points)));
             }

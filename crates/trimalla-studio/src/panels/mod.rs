@@ -2,6 +2,7 @@
 
 pub(crate) mod configuration;
 pub(crate) mod console;
+pub(crate) mod information;
 pub(crate) mod inspector;
 pub(crate) mod plan;
 pub(crate) mod step;

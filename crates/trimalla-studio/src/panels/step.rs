@@ -31,7 +31,11 @@ pub(crate) fn show(ui: &mut Ui, document: &Document) {
             (None, Some([a, b])) => format!("subsegment {}-{}", name(a), name(b)),
             (None, None) => String::new(),
         };
-        let verdict = candidate.refused.map_or_else(|| "taken".to_owned(), |reason| format!("refused: {reason}"));
+        let verdict = match (candidate.refused, candidate.point) {
+            (Some(reason), _) => format!("refused: {reason}"),
+            (None, Some(_)) => "taken".to_owned(),
+            (None, None) => "it waits to be split".to_owned(),
+        };
         ui.label(format!("tried {number}: {place}, {verdict}"));
     }
     for &[a, b] in &event.encroached {

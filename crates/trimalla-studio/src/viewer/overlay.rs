@@ -102,7 +102,7 @@ pub(crate) fn draw_step(painter: &PlanePainter, event: &Event, t: &ConstrainedTr
     for (number, face) in event.lepp.iter().enumerate() {
         if let Some(corners) = corners(face) {
             let middle = trimalla::geometry::Triangle { corners }.centroid();
-            painter.text(middle, Align2::CENTER_CENTER, format!("t{number}"), 12.0, palette.picked);
+            painter.text(middle, Align2::CENTER_CENTER, format!("t{number}"), 12.0, palette.vertex);
         }
     }
     if let Some(edge) = event.terminal_edge.and_then(ends) {
