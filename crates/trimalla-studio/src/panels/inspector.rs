@@ -29,14 +29,16 @@ pub(crate) fn show(ui: &mut Ui, picked: Option<&Picked>) -> Option<String> {
     ui.label(format!("terminal edge {p}-{q}"));
     let mut command = None;
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Insert midpoint").clicked() {
-            command = Some(format!("Midpoint {i} {j} {k}"));
-        }
-        if ui.button("Insert centroid").clicked() {
-            command = Some(format!("Centroid {i} {j} {k}"));
-        }
-        if ui.button("Show").clicked() {
-            command = Some(format!("Show {i} {j} {k}"));
+        for (name, help, line) in [
+            ("Insert midpoint", "the midpoint of the terminal edge", format!("Midpoint {i} {j} {k}")),
+            ("Insert centroid", "the centroid of the terminal triangles", format!("Centroid {i} {j} {k}")),
+            ("Refine this", "treats it once, by the options", format!("Treat {i} {j} {k}")),
+            ("Until destroyed", "treats it until it is gone", format!("Treat {i} {j} {k} destroyed")),
+            ("Show", "tells about it in the console", format!("Show {i} {j} {k}")),
+        ] {
+            if ui.button(name).on_hover_text(help).clicked() {
+                command = Some(line);
+            }
         }
     });
     command

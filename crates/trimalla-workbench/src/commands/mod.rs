@@ -30,6 +30,7 @@ mod show;
 mod stats;
 mod step;
 mod terminal;
+mod treat;
 mod triangulate;
 mod undo;
 mod v;
@@ -134,6 +135,7 @@ pub const COMMANDS: &[CommandRow] = &[
     set::ROW,
     step::ROW,
     refine::ROW,
+    treat::ROW,
     undo::ROW,
     redo::ROW,
     plan::ROW,

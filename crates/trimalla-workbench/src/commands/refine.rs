@@ -32,7 +32,7 @@ impl Job for Refine {
             self.at_work = Some(begin(work)?);
             return Ok(Slice::More);
         };
-        let mut watch = Watch { interface: work.interface, left: SLICE };
+        let mut watch = Watch::new(work.interface);
         // Preparing calls before each of its slices, of which many may be needed.
         let is_over = refinement.prepare(&mut watch) && refinement.run(&mut watch) != StopReason::Cancelled;
         if work.interface.is_cancelled() {
@@ -70,10 +70,16 @@ fn end(refinement: Refinement, work: &mut Work<'_>) {
 }
 
 /// Ends a slice, or all of it where somebody cancels.
-struct Watch<'a> {
+pub(super) struct Watch<'a> {
     interface: &'a dyn Interface,
     /// After so many calls the slice ends.
     left: usize,
+}
+
+impl<'a> Watch<'a> {
+    pub(super) fn new(interface: &'a dyn Interface) -> Self {
+        Self { interface, left: SLICE }
+    }
 }
 
 impl Observer for Watch<'_> {

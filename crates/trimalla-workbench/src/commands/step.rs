@@ -1,11 +1,13 @@
 //! `Step`.
 
-use trimalla::refine::{Event, Refinement, StepOutcome};
+use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::refine::{Event, RefineOptions, Refinement, StepOutcome};
 
 use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::{Mesh, Refining};
+use crate::state::State;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Step",
@@ -52,21 +54,27 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
         return Ok(());
     }
     let (options, named) = (state.options.refine_options(), state.options.clone());
-    let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
     let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
-    let mut refinement = match mesh {
-        Mesh::AtRest(at_rest) if at_rest.is_delaunay => {
-            let cdt = trimalla::constrained::ConstrainedDelaunay::from(at_rest.t.clone());
-            Refinement::new(cdt, options).map_err(|e| failed(&e))?
-        }
-        _ => Refinement::new(mesh.triangulation().clone(), options).map_err(|e| failed(&e))?,
-    };
+    let mut refinement = refinement(state, options)?;
     refinement.keep_history(usize::MAX);
     for face in picked {
         refinement.pick(face);
     }
     work.replace_mesh(Mesh::Refining(Box::new(Refining { refinement, options: named })));
     Ok(())
+}
+
+/// A refinement of a copy of the triangulation.
+pub(super) fn refinement(state: &State, options: RefineOptions) -> Result<Refinement, CommandError> {
+    let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
+    match &state.mesh {
+        None => Err(CommandError::nothing_triangulated()),
+        Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => {
+            let cdt = ConstrainedDelaunay::from(at_rest.t.clone());
+            Refinement::new(cdt, options).map_err(|e| failed(&e))
+        }
+        Some(mesh) => Refinement::new(mesh.triangulation().clone(), options).map_err(|e| failed(&e)),
+    }
 }
 
 /// What a step did, in a line.
