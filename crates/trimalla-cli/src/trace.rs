@@ -7,15 +7,12 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use clap::Args;
-use serde_json::{Value, json};
 use trimalla::constrained::ConstrainedTriangulation;
-use trimalla::geometry::Point;
-use trimalla::half_edge::VertexId;
-use trimalla::refine::{Candidate, Event, Name};
+use trimalla::refine::Event;
 use trimalla_io::{Draft, IoError, Outputs, Pictures};
+use trimalla_workbench::record::{Frame, trace_line};
 
 use crate::exit::Failure;
-use crate::frames::Frame;
 use crate::targets::or_reader_left;
 
 /// What is recorded of every step.
@@ -99,7 +96,7 @@ impl State {
     fn record(&mut self, event: &Event, cdt: &ConstrainedTriangulation) -> Result<(), IoError> {
         self.begin()?;
         if let (Some(lines), Some(path)) = (&mut self.lines, &self.options.trace) {
-            let written = writeln!(lines, "{}", line(event)).map_err(|source| unwritable(path, source));
+            let written = writeln!(lines, "{}", trace_line(event)).map_err(|source| unwritable(path, source));
             or_reader_left(path, written)?;
         }
         if let (Some(pictures), Some(path)) = (&mut self.pictures, &self.options.frames) {
@@ -124,30 +121,4 @@ impl State {
 
 fn unwritable(path: &Path, source: std::io::Error) -> IoError {
     IoError::Unwritable { path: path.to_owned(), source }
-}
-
-/// A step as one JSON object; vertices are counted from 0 in the order of creation.
-fn line(event: &Event) -> String {
-    let name = |t: &Name| json!(t.map(|v| v.0));
-    let names = |list: &[Name]| list.iter().map(name).collect::<Value>();
-    let edge = |e: &[VertexId; 2]| json!(e.map(|v| v.0));
-    let at = |p: Point| json!([p.x, p.y]);
-    let candidate = |c: &Candidate| json!({ "point": c.point.map(at), "edge": c.edge.as_ref().map(edge), "refused": c.refused.map(|r| r.key()) });
-    json!({
-        "step": event.number,
-        "outcome": event.outcome.key(),
-        "subsegment": event.subsegment.as_ref().map(edge),
-        "selected": event.selected.as_ref().map(|s| name(&s.0)),
-        "why": event.why(),
-        "lepp": names(&event.lepp),
-        "terminal_edge": event.terminal_edge.as_ref().map(edge),
-        "candidates": event.candidates.iter().map(candidate).collect::<Value>(),
-        "encroached": event.encroached.iter().map(edge).collect::<Value>(),
-        "inserted": event.inserted.map(|i| json!({ "vertex": i.vertex.0, "point": at(i.point), "kind": i.kind.key() })),
-        "deleted": event.deleted.iter().map(|(v, p)| json!({ "vertex": v.0, "point": at(*p) })).collect::<Value>(),
-        "given_up": event.given_up.map(|r| r.key()),
-        "destroyed": names(&event.destroyed),
-        "made": names(&event.made),
-    })
-    .to_string()
 }

@@ -21,6 +21,7 @@
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`EdgePlan`] | what inserting an edge would do, step by step |
 //! | [`script`] | many commands as a text |
+//! | [`record`] | the steps of a refinement as lines and as pictures |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
 //!
 //! # Guarantees
@@ -43,6 +44,7 @@ mod mesh;
 mod messages;
 mod names;
 mod running;
+pub mod record;
 pub mod script;
 mod state;
 

@@ -12,21 +12,25 @@ const SIZE: f64 = 800.0;
 /// Room around the drawing and for the line of text above it.
 const MARGIN: f64 = 40.0;
 
-/// One picture's content.
-pub(crate) struct Frame<'a> {
+/// The picture of one step.
+#[derive(Debug)]
+pub struct Frame<'a> {
     event: &'a Event,
     cdt: &'a ConstrainedTriangulation,
     bounds: BoundingBox,
 }
 
 impl<'a> Frame<'a> {
-    pub(crate) fn new(event: &'a Event, cdt: &'a ConstrainedTriangulation) -> Self {
+    /// The picture of a step, given the triangulation after it.
+    #[must_use]
+    pub fn new(event: &'a Event, cdt: &'a ConstrainedTriangulation) -> Self {
         let bounds = cdt.bounding_box().unwrap_or_else(|| BoundingBox::around(Point::default()));
         Self { event, cdt, bounds }
     }
 
-    /// The picture. Destroyed triangles are drawn as far as their vertices still exist.
-    pub(crate) fn to_svg(&self) -> String {
+    /// The picture as SVG. Destroyed triangles are drawn as far as their vertices still exist.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
         let side = SIZE + 2.0 * MARGIN;
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {side} {side}\" font-family=\"sans-serif\" font-size=\"15\">\n\
