@@ -8,7 +8,7 @@
 //! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
 //! | [`file_numbers`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
-//! | [`trace`] | every step recorded: as a line, and as a picture |
+//! | [`trace`], [`player`] | every step recorded: as a line, as a picture, and on a page that plays them |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`prompt`], [`script_text`] | commands typed at a terminal; what a script shows |
@@ -27,6 +27,7 @@ mod missed;
 mod outcome;
 mod outputs;
 mod picks;
+mod player;
 mod progress;
 mod prompt;
 mod recipe_file;

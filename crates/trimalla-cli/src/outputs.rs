@@ -13,6 +13,7 @@ use crate::args::{OutputOptions, ReportOptions};
 use crate::console::{self, Stream, count, shown};
 use crate::exit::Failure;
 use crate::input::Input;
+use crate::player::PlayerOptions;
 use crate::recipe_file::RecipeFileOptions;
 use crate::targets::{Target, directory_of, is_stdout, or_reader_left, place_of};
 use crate::trace::TraceOptions;
@@ -29,6 +30,8 @@ pub(crate) struct Outputs {
     trace: Option<Target>,
     /// The folder of the frames, if there is one.
     frames: Option<Target>,
+    /// The file of the player, if there is one.
+    player: Option<Target>,
     /// A folder that is made if it is not there.
     folder: Option<PathBuf>,
 }
@@ -80,6 +83,13 @@ impl Outputs {
         self.trace = target.map(|target| self.checked(target)).transpose()?;
         let target = options.frames.as_deref().map(Target::of_pictures);
         self.frames = target.map(|target| self.checked(target)).transpose()?;
+        self.with_player(&options.player)
+    }
+
+    /// Checks where the page that plays the steps goes.
+    pub(crate) fn with_player(mut self, options: &PlayerOptions) -> Result<Self, Failure> {
+        let target = options.player.as_deref().map(Target::of_text);
+        self.player = target.map(|target| self.checked(target)).transpose()?;
         Ok(self)
     }
 
@@ -100,7 +110,7 @@ impl Outputs {
     }
 
     fn all(&self) -> impl Iterator<Item = &Target> {
-        self.targets.iter().chain(&self.recipe).chain(&self.trace).chain(&self.frames)
+        self.targets.iter().chain(&self.recipe).chain(&self.trace).chain(&self.frames).chain(&self.player)
     }
 
     /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.

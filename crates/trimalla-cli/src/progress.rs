@@ -133,6 +133,9 @@ impl Observer for Watch {
         defer_ctrl_c(); // From here on temporary files may be there.
         self.before.set(Some(begun.overview()));
         self.pick_failed = !self.picks.pick(begun);
+        if let Some(trace) = &self.trace {
+            trace.start(begun.triangulation());
+        }
     }
 
     fn progress(&mut self, progress: Progress) -> bool {

@@ -20,7 +20,7 @@ use crate::progress::{self, Watch};
 use crate::recipe_file;
 use crate::recipe_options::AskedOptions;
 use crate::repeat::CommandLine;
-use crate::trace::TraceOptions;
+use crate::trace::{Trace, TraceOptions};
 use crate::{json, text};
 
 /// The options of a refinement, of its outputs and of its report.
@@ -51,6 +51,8 @@ pub(crate) type MakeMesh<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Out
 
 /// A refinement to be run, and what the report says of its input.
 pub(crate) struct Job<'a> {
+    /// The name of the input, without folder and ending.
+    pub(crate) title: String,
     /// The line of the report about the input.
     pub(crate) heading: String,
     /// The command that repeats the run, as far as the input goes.
@@ -81,7 +83,7 @@ impl RefiningOptions {
     /// Completes or removes what killed runs have left in the places of the outputs.
     pub(crate) fn recover(&self) {
         let Self { output, asked, trace, report, .. } = self;
-        let single = [&asked.file.save_recipe, &trace.trace, &trace.frames];
+        let single = [&asked.file.save_recipe, &trace.trace, &trace.frames, &trace.player.player];
         outputs::recover(output.output.iter().chain(single.into_iter().flatten()), report.quiet);
     }
 
@@ -89,7 +91,7 @@ impl RefiningOptions {
     pub(crate) fn run(&self, asked: &NamedOptions, job: &Job<'_>, outputs: &Outputs) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
-        let trace = self.trace.begin();
+        let trace = self.trace.begin(&job.title);
         let picks = self.asked.pick.of(job.first_index, job.triangles)?;
         let before = Rc::default();
         let watch = Watch::new(!self.report.json && !self.report.quiet)
@@ -99,6 +101,7 @@ impl RefiningOptions {
         let mut outcome = (job.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
         picks.check()?;
         outcome.warnings.extend(self.asked.pick.warning(asked.recipe.select));
+        outcome.warnings.extend(trace.as_ref().and_then(Trace::warning));
         let Outcome { meshed: Meshed { mesh, report, .. }, warnings, .. } = &outcome;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;

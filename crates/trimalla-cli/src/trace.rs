@@ -1,4 +1,4 @@
-//! `--trace` and `--frames`: every step of a refinement as a line of JSON, and as a picture.
+//! `--trace`, `--frames` and `--player`: every step of a refinement as a line of JSON, as a picture, and on a page.
 
 use std::cell::RefCell;
 use std::io::Write as _;
@@ -10,9 +10,10 @@ use clap::Args;
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::refine::Event;
 use trimalla_io::{Draft, IoError, Outputs, Pictures};
-use trimalla_workbench::record::{Frame, trace_line};
+use trimalla_workbench::record::{Frame, Player, trace_line};
 
 use crate::exit::Failure;
+use crate::player::PlayerOptions;
 use crate::targets::or_reader_left;
 
 /// What is recorded of every step.
@@ -31,6 +32,9 @@ pub(crate) struct TraceOptions {
     /// it is empty or holds nothing but such pictures.
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub(crate) frames: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) player: PlayerOptions,
 }
 
 /// Records steps; clones share what is recorded.
@@ -43,25 +47,39 @@ struct State {
     outputs: Outputs,
     lines: Option<Draft>,
     pictures: Option<Pictures>,
+    /// The title of the page.
+    title: String,
+    player: Option<Player>,
     /// The first fault; nothing is recorded after it.
-    failure: Option<IoError>,
+    failure: Option<Failure>,
 }
 
 impl TraceOptions {
     /// Begins recording, if there is anything to record.
-    pub(crate) fn begin(&self) -> Option<Trace> {
-        let is_wanted = self.trace.is_some() || self.frames.is_some();
-        let state = State { options: self.clone(), ..State::default() };
+    pub(crate) fn begin(&self, title: &str) -> Option<Trace> {
+        let is_wanted = self.trace.is_some() || self.frames.is_some() || self.player.player.is_some();
+        let state = State { options: self.clone(), title: title.to_owned(), ..State::default() };
         is_wanted.then(|| Trace(Rc::new(RefCell::new(state))))
     }
 }
 
 impl Trace {
+    /// Takes the triangulation before the first step.
+    pub(crate) fn start(&self, cdt: &ConstrainedTriangulation) {
+        let mut state = self.0.borrow_mut();
+        if state.options.player.player.is_some() {
+            match Player::of_refinement(&state.title, cdt) {
+                Ok(player) => state.player = Some(player),
+                Err(error) => state.failure = Some(error.into()),
+            }
+        }
+    }
+
     /// Records a step.
     pub(crate) fn record(&self, event: &Event, cdt: &ConstrainedTriangulation) {
         let mut state = self.0.borrow_mut();
         if state.failure.is_none() {
-            state.failure = state.record(event, cdt).err();
+            state.failure = state.record(event, cdt).err().map(Failure::from);
         }
     }
 
@@ -74,16 +92,21 @@ impl Trace {
     pub(crate) fn finish(&self) -> Result<Outputs, Failure> {
         let mut state = self.0.borrow_mut();
         match state.failure.take() {
-            Some(failure) => Err(failure.into()),
-            None => Ok(state.finish()?),
+            Some(failure) => Err(failure),
+            None => state.finish(),
         }
+    }
+
+    /// What to tell the user of what was not recorded.
+    pub(crate) fn warning(&self) -> Option<String> {
+        self.0.borrow().player.as_ref().and_then(Player::warning)
     }
 }
 
 impl State {
     /// Begins the outputs, at the first step: until then Ctrl-C ends the program at once.
     fn begin(&mut self) -> Result<(), IoError> {
-        let Self { options: TraceOptions { trace, frames }, outputs, lines, pictures, .. } = self;
+        let Self { options: TraceOptions { trace, frames, .. }, outputs, lines, pictures, .. } = self;
         if let (Some(path), None) = (trace, &lines) {
             *lines = Some(outputs.begin(path)?);
         }
@@ -103,10 +126,13 @@ impl State {
             let drawn = pictures.add(event.number, &Frame::new(event, cdt).to_svg());
             drawn.map_err(|source| unwritable(path, source))?;
         }
+        if let Some(player) = &mut self.player {
+            player.add(event, cdt);
+        }
         Ok(())
     }
 
-    fn finish(&mut self) -> Result<Outputs, IoError> {
+    fn finish(&mut self) -> Result<Outputs, Failure> {
         self.begin()?; // There may have been no step.
         let mut outputs = mem::take(&mut self.outputs);
         if let (Some(lines), Some(path)) = (self.lines.take(), &self.options.trace) {
@@ -114,6 +140,9 @@ impl State {
         }
         if let Some(pictures) = self.pictures.take() {
             outputs.end_pictures(pictures)?;
+        }
+        if let Some(player) = self.player.take() {
+            self.options.player.write(player, &mut outputs)?;
         }
         Ok(outputs)
     }

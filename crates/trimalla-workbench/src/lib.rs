@@ -21,7 +21,7 @@
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`EdgePlan`] | what inserting an edge would do, step by step |
 //! | [`script`] | many commands as a text |
-//! | [`record`] | the steps of a refinement as lines and as pictures |
+//! | [`record`] | the steps of a run as lines, as pictures, and on a page that plays them |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
 //!
 //! # Guarantees

@@ -69,7 +69,7 @@ fn what_is_cancelled_changes_nothing() {
     let before = document.indexed();
     let refused = script::run(&mut document, "Clear\nClear\n", true, &mut Impatient);
     assert!(refused.is_empty() && document.indexed() == before, "no line of a script is begun");
-    for line in ["LEPP 25", "Refine", "Step 3"] {
+    for line in ["LEPP 25", "Refine", "Step 3", "Player nowhere/run.html"] {
         let error = document.run(line, &mut Impatient).expect_err("cancelled");
         assert!(error.message().contains("cancelled"), "{line}: {error}");
         assert_eq!(document.indexed(), before, "{line}");

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use trimalla_io::{Files, Memory};
+use serde_json::Value;
 use trimalla_workbench::{Document, Quiet, script};
 
 /// A folder of its own for a test, removed after it.
@@ -138,4 +139,62 @@ fn the_disk_and_the_memory_lead_to_the_same_document() {
             assert_eq!(&*memory.get(Path::new("data/shapes").join(file)).expect("a file"), of_disk, "{file}");
         }
     }
+}
+
+/// The data of a page.
+fn played(path: &Path) -> Value {
+    let page = fs::read_to_string(path).expect("a page");
+    let (_, after) = page.split_once("id=\"data\">").expect("the data");
+    serde_json::from_str(after.split_once("</script>").expect("its end").0).expect("JSON")
+}
+
+/// How many triangles there are after the last step, and how many steps.
+fn end_of(data: &Value) -> (usize, usize) {
+    let steps = data["steps"].as_array().expect("steps");
+    let last = &steps.last().expect("a step")["delta"]["triangles"];
+    (last.as_u64().expect("a count") as usize, steps.len())
+}
+
+#[test]
+fn a_player_shows_what_would_come_and_changes_nothing() {
+    let scratch = Scratch::new("player");
+    let path = scratch.path().join("run.html");
+    let write = format!("Player {}", path.display());
+    let mut document = Document::new();
+    let drawn = "V 0 0 0\nV 1 6 0\nV 2 6 5\nV 3 0 5\nV 5 2 2\nV 6 4 2\nV 7 3 4\nV 8 3 0\nOuter 4 0 1 2 3\nInner 3 5 7 6\n\
+                 Edge 8 2\n";
+    for text in [drawn, "Clear\nGenerate random 40 5\nEdge 3 17\nEdge 4 20\n"] {
+        assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+        document.run(&write, &mut Quiet).expect("a page");
+        assert!(document.triangulation().is_none(), "{text}");
+        let construction = played(&path);
+        document.run("Triangulate", &mut Quiet).expect("triangles");
+        assert_eq!(end_of(&construction).0, document.figures().triangles, "{text}");
+        for line in ["Set min-angle 28", "Step 3", "Select 0 1 2"] {
+            let _ = document.run(line, &mut Quiet); // There may be no such triangle.
+            let (before, mesh, undoable) = (document.script(), document.indexed(), document.undoable());
+            document.run(&write, &mut Quiet).expect("a page");
+            assert_eq!((document.script(), document.indexed(), document.undoable()), (before, mesh, undoable));
+            let run = played(&path);
+            let start = run["start"]["triangles"].as_array().expect("triangles").len();
+            assert_eq!(start, document.figures().triangles, "{text}{line}: from where the steps have got to");
+            document.run("Refine", &mut Quiet).expect("refined");
+            assert_eq!(end_of(&run).0, document.figures().triangles, "{text}{line}");
+            document.run("Undo", &mut Quiet).expect("undone");
+        }
+    }
+}
+
+#[test]
+fn a_player_replaces_nothing_that_was_read() {
+    let scratch = Scratch::new("player-spared");
+    let drawing = scratch.path().join("d.poly");
+    let text = "3 2 0 0\n0 0 0\n1 4 0\n2 0 3\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n";
+    fs::write(&drawing, text).expect("written");
+    let mut document = Document::new();
+    document.run(&format!("Load {}", drawing.display()), &mut Quiet).expect("a drawing");
+    let error = document.run(&format!("Player {}", drawing.display()), &mut Quiet).expect_err("it was read");
+    assert!(error.message().contains("was read"), "{error}");
+    document.run(&format!("Player {}/no/run.html", scratch.path().display()), &mut Quiet).expect_err("no folder");
+    assert_eq!(fs::read_to_string(&drawing).expect("the drawing"), text);
 }

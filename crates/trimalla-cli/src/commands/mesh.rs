@@ -22,6 +22,7 @@ Examples:
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
   trimalla mesh - -o - --format poly <key.poly            in a pipe
   trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
+  trimalla mesh key.poly --player run.html                every step, to play in a browser
   trimalla mesh key.poly --select first --save-recipe mine.toml
   trimalla mesh key.poly --algorithm lepp-centroid --pick 3,7         two triangles treated, no others
   trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
@@ -71,6 +72,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let names = FileNumbers::of(&drawing);
     let domain = options.drawing.domain_options(options.triangulator);
     let job = Job {
+        title: drawing.title(),
         heading: text::of_drawing(&drawing),
         command: CommandLine::new("mesh", &options.drawing.input).with_domain(
             domain.rule,

@@ -76,6 +76,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     mesh.files.extend(drawing.iter().flat_map(|drawing| drawing.files.clone())); // None of these is overwritten.
     let outputs = options.refining.outputs(&mesh)?;
     let job = Job {
+        title: mesh.title(),
         heading: heading(&mesh),
         command: options
             .input

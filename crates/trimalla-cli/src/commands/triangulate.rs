@@ -6,6 +6,7 @@ use clap::Args;
 use trimalla::Triangulated;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::drawing::Pslg;
+use trimalla_workbench::record::Player;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
@@ -13,12 +14,14 @@ use crate::exit::{Failure, STATUSES, Status};
 use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
+use crate::player::PlayerOptions;
 use crate::{json, progress, text};
 
 const HELP: &str = "\
 Examples:
   trimalla triangulate key.poly -o key.1.ele
   trimalla triangulate points.node -o points.svg --algorithm divide-and-conquer
+  trimalla triangulate key.poly --player run.html     point by point, segment by segment, in a browser
 
 The triangulation is unique: cocircular points are decided by a fixed rule, so that algorithms
 and the order of the points make no difference, but for the order in which triangles are listed.
@@ -90,25 +93,34 @@ pub(crate) struct Options {
     output: OutputOptions,
 
     #[command(flatten)]
+    player: PlayerOptions,
+
+    #[command(flatten)]
     report: ReportOptions,
 }
 
 /// Runs the command.
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
-    outputs::recover(&options.output.output, options.report.quiet);
+    outputs::recover(options.output.output.iter().chain(&options.player.player), options.report.quiet);
     let drawing = read_drawing(&options.drawing.input)?;
-    let outputs = Outputs::plan(&options.output, &drawing)?;
+    let outputs = Outputs::plan(&options.output, &drawing)?.with_player(&options.player)?;
     let stream = outputs.report_stream(&options.report)?;
     let names = FileNumbers::of(&drawing);
     let start = Instant::now();
     let Triangulated { mesh, warnings } = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();
+    let crossings = options.drawing.domain_options(AlgorithmKey::default()).crossings;
+    let player = options.player.of_construction(&drawing.title(), &drawing.value, crossings, &mesh)?;
     progress::begin_writing()?;
     let warnings = drawing.notes.iter().cloned().chain(warnings.iter().map(|w| names.warning(w)));
-    let warnings: Vec<_> = warnings.collect();
+    let warnings: Vec<_> = warnings.chain(player.as_ref().and_then(Player::warning)).collect();
     options.report.warn(&warnings);
-    let prepared = outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh, &[])?;
+    let mut recorded = trimalla_io::Outputs::default();
+    if let Some(player) = player {
+        options.player.write(player, &mut recorded)?;
+    }
+    let prepared = outputs.prepare_mesh(recorded, &mesh, &[])?;
     let angles_deg = || text::extreme_angles_deg(&mesh);
     if options.report.json {
         json::print(&json::of_triangulation(&mesh, angles_deg(), options.algorithm.key(), seconds, &warnings))?;

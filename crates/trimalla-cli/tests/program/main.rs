@@ -19,6 +19,7 @@ mod judge;
 mod kills;
 mod outputs;
 mod picks;
+mod player;
 mod readme;
 mod recipes;
 mod refine;

@@ -19,6 +19,7 @@ mod midpoint;
 mod move_vertex;
 mod outer;
 mod plan;
+mod player;
 mod redo;
 mod refine;
 mod release;
@@ -145,6 +146,7 @@ pub const COMMANDS: &[CommandRow] = &[
     expect::ROW,
     save::ROW,
     export::ROW,
+    player::ROW,
     help::ROW,
 ];
 

@@ -53,15 +53,21 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
     if matches!(mesh, Mesh::Refining(_)) {
         return Ok(());
     }
-    let (options, named) = (state.options.refine_options(), state.options.clone());
-    let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
-    let mut refinement = refinement(state, options)?;
+    let mut refinement = refinement_of(state)?;
     refinement.keep_history(usize::MAX);
+    let options = state.options.clone();
+    work.replace_mesh(Mesh::Refining(Box::new(Refining { refinement, options })));
+    Ok(())
+}
+
+/// A refinement by the options, in which the triangles that are selected are picked.
+pub(super) fn refinement_of(state: &State) -> Result<Refinement, CommandError> {
+    let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
+    let mut refinement = refinement(state, state.options.refine_options())?;
     for face in picked {
         refinement.pick(face);
     }
-    work.replace_mesh(Mesh::Refining(Box::new(Refining { refinement, options: named })));
-    Ok(())
+    Ok(refinement)
 }
 
 /// A refinement of a copy of the triangulation.

@@ -1,0 +1,562 @@
+// Canvas and controls.
+"use strict";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const mesh = startOf(data);
+const at = (id) => document.getElementById(id);
+const [canvas, curve] = [at("mesh"), at("curve")];
+const steps = data.steps.length;
+/** Scale in pixels a unit, and the point in the middle of the canvas. */
+const camera = { scale: 1, x: 0, y: 0, fitted: 1, isFit: true };
+let [playing, picked, due, ink] = [false, undefined, false, {}];
+
+// ---------------------------------------------------------------- the camera
+
+function boxOf(points) {
+  const box = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
+  for (const [x, y] of points) {
+    [box.left, box.right] = [Math.min(box.left, x), Math.max(box.right, x)];
+    [box.low, box.high] = [Math.min(box.low, y), Math.max(box.high, y)];
+  }
+  return box.left <= box.right ? box : { left: 0, right: 1, low: 0, high: 1 };
+}
+
+/** The box around all points of the run. */
+const box = (() => {
+  const all = [data.start.points.map(([, ...p]) => p), data.drawing ? data.drawing.points : []];
+  for (const { delta } of data.steps) all.push(delta.points.map(([, ...p]) => p));
+  return boxOf(all.flat());
+})();
+
+/** Shows a box, which takes a share of the canvas. */
+function fitTo(box, share) {
+  const [w, h] = [box.right - box.left, box.high - box.low];
+  const scale = share * Math.min(canvas.clientWidth / (w || h || 1), canvas.clientHeight / (h || w || 1));
+  [camera.scale, camera.x, camera.y, camera.isFit] = [scale || 1, box.left + w / 2, box.low + h / 2, false];
+  redraw();
+}
+
+function fit() {
+  fitTo(box, 0.92);
+  [camera.fitted, camera.isFit] = [camera.scale, true];
+}
+
+/** Zooms to what the present step is about; whole slices of a mesh are shown as a whole. */
+function zoomToStep() {
+  const { trace } = data.steps[mesh.step - 1] || {};
+  if (!trace) return fit();
+  const named = [...(trace.lepp || []), ...(trace.selected ? [trace.selected] : []), ...trace.made, ...(trace.crossed || []), ...(trace.subsegment ? [trace.subsegment] : [])];
+  const points = named.flat().map((v) => mesh.points.get(v)).filter(Boolean);
+  if (trace.inserted) points.push(trace.inserted.point);
+  if (points.length && named.length < 200) fitTo(boxOf(points), 0.6);
+  else fit();
+}
+
+/** From the drawing to the canvas; y points upwards in the drawing. */
+function place([x, y]) {
+  const [w, h] = [canvas.clientWidth, canvas.clientHeight];
+  return [w / 2 + (x - camera.x) * camera.scale, h / 2 - (y - camera.y) * camera.scale];
+}
+
+function unplace(px, py) {
+  const [w, h] = [canvas.clientWidth, canvas.clientHeight];
+  return [camera.x + (px - w / 2) / camera.scale, camera.y - (py - h / 2) / camera.scale];
+}
+
+/** Zooms by a factor; what is at a place of the canvas stays there. */
+function zoom(factor, px = canvas.clientWidth / 2, py = canvas.clientHeight / 2) {
+  const [x, y] = unplace(px, py);
+  camera.scale = Math.min(Math.max(camera.scale * factor, camera.fitted / 50), camera.fitted * 1e9);
+  const [u, v] = unplace(px, py);
+  [camera.x, camera.y, camera.isFit] = [camera.x + x - u, camera.y + y - v, false];
+  redraw();
+}
+
+// ---------------------------------------------------------------- drawing
+
+function redraw() {
+  if (due) return;
+  due = true;
+  requestAnimationFrame(() => {
+    due = false;
+    draw();
+  });
+}
+
+/** A context with the size of its canvas, in pixels of the page. */
+function contextOf(element) {
+  const ratio = window.devicePixelRatio || 1;
+  const [w, h] = [element.clientWidth, element.clientHeight];
+  if (element.width !== Math.round(w * ratio)) element.width = Math.round(w * ratio);
+  if (element.height !== Math.round(h * ratio)) element.height = Math.round(h * ratio);
+  const g = element.getContext("2d");
+  g.setTransform(ratio, 0, 0, ratio, 0, 0);
+  g.clearRect(0, 0, w, h);
+  g.lineJoin = g.lineCap = "round";
+  return g;
+}
+
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  const names = "paper ink faint rule edge heavy hidden good fair bad made path selected terminal alarm circle accent";
+  ink = Object.fromEntries(names.split(" ").map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}
+
+/** A colour between two, given as #rrggbb. */
+function mix(from, to, share) {
+  const part = (colour, i) => parseInt(colour.slice(1 + 2 * i, 3 + 2 * i), 16);
+  return `rgb(${[0, 1, 2].map((i) => Math.round(part(from, i) * (1 - share) + part(to, i) * share)).join(",")})`;
+}
+
+/** The colour of a smallest angle: from bad to fair below the threshold, good above. */
+function colourOf(angle) {
+  const bound = Number(at("threshold").value);
+  return angle < bound ? mix(ink.bad, ink.fair, Math.floor((12 * angle) / bound) / 12) : ink.good;
+}
+
+function draw() {
+  const [shown, step] = [mesh.step, data.steps[mesh.step - 1]];
+  const isBefore = at("before").checked && step;
+  // What a step is about may have been destroyed by it, and is there before it.
+  const known = new Map(mesh.points);
+  if (step) {
+    back(mesh, data);
+    for (const [v, p] of mesh.points) if (!known.has(v)) known.set(v, p);
+    if (!isBefore) forward(mesh, data);
+  }
+  drawMesh(contextOf(canvas), step, known, isBefore);
+  seek(mesh, data, shown);
+  drawCurve();
+}
+
+function drawMesh(g, step, known, isBefore) {
+  const trace = step ? step.trace : {};
+  if (at("fills").checked) fillTriangles(g);
+  if (at("news").checked && step) {
+    const news = isBefore ? trace.destroyed : trace.made;
+    fillNamed(g, news, known, isBefore ? ink.alarm : ink.made, 0.3);
+  }
+  const path = trace.lepp || [];
+  fillNamed(g, path, known, ink.path, 0.28);
+  if (trace.selected) fillNamed(g, [trace.selected], known, ink.selected, 0.55);
+  if (at("circles").checked) for (const { corners } of mesh.triangles.values()) ring(g, circleOf(corners), ink.circle, 0.6, 0.45);
+  drawInput(g);
+  const edges = edgesOf();
+  strokePath(g, edges, ink.edge, 0.8);
+  strokeEdges(g, [...mesh.marked.values()], mesh.points, ink.heavy, 2.4);
+  strokeEdges(g, trace.crossed || [], known, ink.alarm, 2, [5, 5]);
+  if (trace.terminal_edge) strokeEdges(g, [trace.terminal_edge], known, ink.terminal, 4);
+  const concerned = [...(trace.encroached || []), ...(trace.subsegment ? [trace.subsegment] : [])];
+  strokeEdges(g, concerned, known, ink.alarm, 3.5);
+  if (at("circle").checked) {
+    for (const t of [trace.selected, picked && picked.t]) {
+      const corners = t && t.map((v) => known.get(v));
+      if (corners && corners.every(Boolean)) ring(g, circleOf(corners), ink.circle, 1.6, 1);
+    }
+  }
+  if (picked && mesh.triangles.has(key(picked.t))) outline(g, picked.corners, ink.accent, 3);
+  drawVertices(g);
+  drawPath(g, path, known);
+  drawTried(g, trace);
+  drawSides(g, trace, known);
+  if (trace.inserted) dot(g, trace.inserted.point, 6, ink.alarm, ink.paper);
+  for (const { point } of trace.deleted || []) cross(g, point, 6, ink.alarm);
+  if (at("numbers").checked) drawNumbers(g);
+}
+
+/** Triangles in view, by colour. */
+function fillTriangles(g) {
+  const byColour = new Map();
+  for (const { corners, angle } of mesh.triangles.values()) {
+    const colour = colourOf(angle);
+    if (!byColour.has(colour)) byColour.set(colour, new Path2D());
+    addCorners(byColour.get(colour), corners);
+  }
+  for (const [colour, path] of byColour) {
+    g.fillStyle = colour;
+    g.fill(path);
+  }
+}
+
+function addCorners(path, corners) {
+  corners.forEach((p, i) => path[i ? "lineTo" : "moveTo"](...place(p)));
+  path.closePath();
+}
+
+function fillNamed(g, triangles, points, colour, alpha) {
+  const path = new Path2D();
+  for (const t of triangles) {
+    const corners = t.map((v) => points.get(v));
+    if (corners.every(Boolean)) addCorners(path, corners);
+  }
+  g.globalAlpha = alpha;
+  g.fillStyle = colour;
+  g.fill(path);
+  g.globalAlpha = 1;
+}
+
+function edgesOf() {
+  const path = new Path2D();
+  for (const { corners } of mesh.triangles.values()) addCorners(path, corners);
+  return path;
+}
+
+function strokePath(g, path, colour, width, dash = []) {
+  g.setLineDash(dash);
+  [g.strokeStyle, g.lineWidth] = [colour, width];
+  g.stroke(path);
+  g.setLineDash([]);
+}
+
+function strokeEdges(g, edges, points, colour, width, dash) {
+  const path = new Path2D();
+  for (const ends of edges) {
+    const [a, b] = ends.map((v) => points.get(v));
+    if (!a || !b) continue;
+    path.moveTo(...place(a));
+    path.lineTo(...place(b));
+  }
+  strokePath(g, path, colour, width, dash);
+}
+
+function outline(g, corners, colour, width) {
+  const path = new Path2D();
+  addCorners(path, corners);
+  strokePath(g, path, colour, width);
+}
+
+function ring(g, circle, colour, width, alpha) {
+  // Circles of flat triangles are lines on any screen.
+  if (!circle || !(circle.radius * camera.scale < 1e5)) return;
+  const path = new Path2D();
+  const [x, y] = place([circle.x, circle.y]);
+  path.arc(x, y, circle.radius * camera.scale, 0, 2 * Math.PI);
+  g.globalAlpha = alpha;
+  strokePath(g, path, colour, width);
+  g.globalAlpha = 1;
+}
+
+function dot(g, p, radius, colour, rim) {
+  const path = new Path2D();
+  path.arc(...place(p), radius, 0, 2 * Math.PI);
+  g.fillStyle = colour;
+  g.fill(path);
+  if (rim) strokePath(g, path, rim, 1.5);
+}
+
+function cross(g, p, size, colour) {
+  const [x, y] = place(p);
+  const path = new Path2D();
+  for (const s of [-1, 1]) {
+    path.moveTo(x - size, y - s * size);
+    path.lineTo(x + size, y + s * size);
+  }
+  strokePath(g, path, colour, 2.2);
+}
+
+function label(g, text, [x, y], colour, size = 12) {
+  g.font = `600 ${size}px system-ui, sans-serif`;
+  [g.textAlign, g.textBaseline] = ["center", "middle"];
+  [g.strokeStyle, g.lineWidth] = [ink.paper, 3.5];
+  g.strokeText(text, x, y);
+  g.fillStyle = colour;
+  g.fillText(text, x, y);
+}
+
+/** What is to be triangulated: points and segments that are not in yet. */
+function drawInput(g) {
+  if (!data.drawing) return;
+  const points = new Map(data.drawing.points.map((p, v) => [v, p]));
+  strokeEdges(g, data.drawing.segments, points, ink.hidden, 1.2, [2, 5]);
+  for (const [v, p] of points) if (!mesh.points.has(v)) dot(g, p, 2.2, ink.faint);
+}
+
+function drawVertices(g) {
+  const isNear = mesh.points.size < 4000 || camera.scale > 8 * camera.fitted;
+  for (const [v, p] of mesh.points) {
+    const isSteiner = v >= data.input_points;
+    if (isSteiner ? at("steiner").checked && isNear : isNear) dot(g, p, isSteiner ? 2.4 : 2.8, isSteiner ? ink.path : ink.heavy);
+  }
+}
+
+/** The path of the selected triangle, numbered. */
+function drawPath(g, path, known) {
+  path.forEach((t, i) => {
+    const corners = t.map((v) => known.get(v));
+    if (!corners.every(Boolean)) return;
+    const middle = [0, 1].map((k) => (corners[0][k] + corners[1][k] + corners[2][k]) / 3);
+    label(g, `t${i}`, place(middle), i ? ink.path : ink.selected, 13);
+  });
+}
+
+/** The places tried: refused ones with their reasons. */
+function drawTried(g, { candidates = [] }) {
+  candidates.forEach(({ point, refused }, i) => {
+    if (!point) return;
+    const [x, y] = place(point);
+    if (refused) cross(g, point, 5, ink.alarm);
+    else dot(g, point, 4, ink.made, ink.paper);
+    if (refused) label(g, `${i + 1}: ${refused}`, [x, y - 14], ink.alarm, 11);
+  });
+}
+
+/** The vertices on both sides of a segment that is about to go in. */
+function drawSides(g, { left = [], right = [] }, known) {
+  for (const [side, name] of [[left, "L"], [right, "R"]]) {
+    side.forEach((v, i) => {
+      const p = known.get(v);
+      if (p) label(g, `${name}${i + 1}`, place(p).map((c) => c - 11), ink.alarm, 11);
+    });
+  }
+}
+
+function drawNumbers(g) {
+  const [w, h] = [canvas.clientWidth, canvas.clientHeight];
+  const seen = [...mesh.points].map(([v, p]) => [v, place(p)]).filter(([, [x, y]]) => x > 0 && y > 0 && x < w && y < h);
+  if (seen.length > 600) return;
+  for (const [v, [x, y]] of seen) label(g, String(v), [x + 9, y - 8], ink.ink, 10);
+}
+
+/** The smallest angle over the run, and where we are in it. */
+const heights = [data.start.angle, ...data.steps.map(({ delta }) => delta.angle)];
+function drawCurve() {
+  const g = contextOf(curve);
+  const [w, h] = [curve.clientWidth, curve.clientHeight];
+  const x = (i) => 2 + ((w - 4) * i) / Math.max(1, steps);
+  const y = (angle) => h - 3 - ((h - 8) * angle) / 60;
+  g.font = "10px system-ui, sans-serif";
+  g.fillStyle = ink.faint;
+  for (const angle of [0, 30, 60]) {
+    const line = new Path2D();
+    line.moveTo(2, y(angle));
+    line.lineTo(w - 2, y(angle));
+    strokePath(g, line, ink.rule, 1);
+    if (angle) g.fillText(`${angle}°`, 3, y(angle) + 10);
+  }
+  const bound = new Path2D();
+  bound.moveTo(2, y(at("threshold").value));
+  bound.lineTo(w - 2, y(at("threshold").value));
+  strokePath(g, bound, ink.fair, 1.2, [4, 3]);
+  const path = new Path2D();
+  let isOpen = false;
+  // No more points than pixels: of each column the lowest.
+  const wide = Math.max(1, Math.ceil(heights.length / Math.max(1, w)));
+  for (let i = 0; i < heights.length; i += wide) {
+    const here = heights.slice(i, i + wide).filter((angle) => angle !== null);
+    if (here.length) path[isOpen ? "lineTo" : "moveTo"](x(i), y(Math.min(...here)));
+    isOpen = here.length > 0;
+  }
+  strokePath(g, path, ink.accent, 1.6);
+  const now = new Path2D();
+  now.moveTo(x(mesh.step), 2);
+  now.lineTo(x(mesh.step), h - 2);
+  strokePath(g, now, ink.alarm, 1.2);
+  if (heights[mesh.step] !== null) {
+    g.fillStyle = ink.alarm;
+    g.beginPath();
+    g.arc(x(mesh.step), y(heights[mesh.step]), 3, 0, 2 * Math.PI);
+    g.fill();
+  }
+}
+
+// ---------------------------------------------------------------- words beside it
+
+function fill(list, rows) {
+  const items = rows.filter(([, value]) => value !== undefined && value !== "").flatMap(([name, value, kind]) => {
+    const [dt, dd] = ["dt", "dd"].map((tag) => document.createElement(tag));
+    [dt.textContent, dd.textContent, dd.className] = [name, value, kind || ""];
+    return [dt, dd];
+  });
+  at(list).replaceChildren(...items);
+}
+
+const degrees = (angle) => (angle === null || angle === undefined ? "–" : `${angle.toFixed(3)}°`);
+const list = (names, word) => (names && names.length ? `${names.length} ${word}: ${names.slice(0, 12).map((n) => n.join("–")).join(", ")}${names.length > 12 ? ", …" : ""}` : "");
+
+function tell() {
+  const step = data.steps[mesh.step - 1];
+  const trace = step ? step.trace : {};
+  const early = data.is_cut && mesh.step === steps ? " The run has more steps, which this page does not hold." : "";
+  at("words").textContent = (step ? wordsOf(step) : "Before the first step") + early;
+  fill("counts", [
+    ["Smallest angle", degrees(heights[mesh.step])],
+    ["Vertices", `${mesh.points.size}`],
+    ["Triangles", `${mesh.triangles.size}`],
+  ]);
+  const tried = (trace.candidates || []).map(({ point, edge, refused }, i) => [
+    `Place ${i + 1}`,
+    `${point ? point.map((c) => Number(c.toPrecision(9))).join(", ") : `split of ${(edge || []).join("–")}`}${refused ? `: refused, ${refused}` : ": accepted"}`,
+    refused ? "alarm" : "",
+  ]);
+  fill("details", [
+    ["Outcome", trace.outcome || "–"],
+    ["Selected", trace.selected ? `${trace.selected.join(" ")} (${trace.why})` : ""],
+    ["Path", (trace.lepp || []).map((t, i) => `t${i} = ${t.join(" ")}`).join(", ")],
+    ["Terminal edge", trace.terminal_edge ? trace.terminal_edge.join("–") : ""],
+    ["Subsegment", trace.subsegment ? trace.subsegment.join("–") : ""],
+    ["Crossed", list(trace.crossed, "edges")],
+    ["Left", (trace.left || []).join(" ")],
+    ["Right", (trace.right || []).join(" ")],
+    ...tried,
+    ["Encroached", list(trace.encroached, "subsegments"), "alarm"],
+    ["Inserted", trace.inserted ? `${trace.inserted.vertex} at ${trace.inserted.point.map((c) => Number(c.toPrecision(9))).join(", ")} (${trace.inserted.kind})` : ""],
+    ["Deleted", (trace.deleted || []).map((d) => d.vertex).join(" ")],
+    ["Given up", trace.given_up || "", "alarm"],
+    ["Destroyed", step ? `${trace.destroyed.length} triangles` : ""],
+    ["Made", step ? `${trace.made.length} triangles` : ""],
+  ]);
+  const isThere = picked && mesh.triangles.has(key(picked.t));
+  fill("picked", isThere
+    ? [["Vertices", picked.t.join(" ")], ["Angles", anglesOf(picked.corners).map((a) => a.toFixed(2)).join("°, ") + "°"]]
+    : [["", picked ? "it is gone" : "click one"]]);
+  at("slider").value = mesh.step;
+  at("slider").setAttribute("aria-valuetext", `step ${mesh.step} of ${steps}`);
+  at("place").textContent = `${mesh.step} / ${steps}`;
+  at("first").disabled = at("back").disabled = mesh.step === 0;
+  at("last").disabled = at("next").disabled = mesh.step === steps;
+  at("degrees").textContent = `${at("threshold").value}°`;
+  const share = (100 * at("threshold").value) / 60;
+  at("scale").style.background = `linear-gradient(90deg, ${ink.bad}, ${ink.fair} ${share}%, ${ink.good} ${share}%)`;
+  at("rate").textContent = `${rate()} / s`;
+}
+
+// ---------------------------------------------------------------- controls
+
+function show() {
+  tell();
+  if (at("follow").checked) zoomToStep();
+  redraw();
+}
+
+function goTo(step) {
+  seek(mesh, data, step);
+  show();
+  noteStep();
+}
+
+/** Writes the step into the address, so that it can be sent; not more often than browsers allow. */
+let noting;
+function noteStep() {
+  clearTimeout(noting);
+  noting = setTimeout(() => {
+    try {
+      history.replaceState(null, "", `#step=${mesh.step}`);
+    } catch {
+      // A browser that refuses this for files shows the same steps.
+    }
+  }, 400);
+}
+
+function openFragment() {
+  const found = /step=(\d+)/.exec(location.hash);
+  if (found) seek(mesh, data, Number(found[1]));
+  if (/follow/.test(location.hash)) at("follow").checked = true;
+  show();
+}
+
+const rate = () => Number((10 ** Number(at("speed").value)).toPrecision(2));
+
+function play(isOn) {
+  if (isOn && !playing && mesh.step === steps) seek(mesh, data, 0);
+  const wasOn = playing;
+  playing = isOn && steps > 0;
+  at("play").textContent = playing ? "⏸ Pause" : "▶ Play";
+  at("play").setAttribute("aria-label", playing ? "Pause" : "Play");
+  if (playing && !wasOn) requestAnimationFrame((now) => tick(now, now, 0));
+}
+
+/** Makes the steps that are due; `owed` is a part of one. */
+function tick(now, before, owed) {
+  if (!playing) return;
+  const sum = owed + ((now - before) / 1000) * rate();
+  const whole = Math.floor(sum);
+  if (whole) goTo(mesh.step + whole);
+  if (mesh.step === steps) play(false);
+  else requestAnimationFrame((next) => tick(next, now, sum - whole));
+}
+
+function move(step) {
+  play(false);
+  goTo(step);
+}
+
+function pick(px, py) {
+  const [x, y] = unplace(px, py);
+  const isIn = ([a, b, c]) => {
+    const sides = [[a, b], [b, c], [c, a]].map(([p, q]) => Math.sign((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])));
+    return sides.every((s) => s >= 0) || sides.every((s) => s <= 0);
+  };
+  picked = [...mesh.triangles.values()].find(({ corners }) => isIn(corners));
+  show();
+}
+
+const pointers = new Map();
+let dragged = 0;
+canvas.addEventListener("pointerdown", (event) => {
+  canvas.setPointerCapture(event.pointerId);
+  pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+  dragged = 0;
+});
+canvas.addEventListener("pointermove", (event) => {
+  const old = pointers.get(event.pointerId);
+  if (!old) return;
+  const now = [event.offsetX, event.offsetY];
+  const other = [...pointers].find(([id]) => id !== event.pointerId);
+  dragged += Math.hypot(now[0] - old[0], now[1] - old[1]);
+  if (other) {
+    const apart = (p) => Math.hypot(p[0] - other[1][0], p[1] - other[1][1]) || 1;
+    zoom(apart(now) / apart(old), ...other[1]);
+  } else {
+    at("follow").checked = camera.isFit = false;
+    camera.x -= (now[0] - old[0]) / camera.scale;
+    camera.y += (now[1] - old[1]) / camera.scale;
+    redraw();
+  }
+  pointers.set(event.pointerId, now);
+});
+for (const name of ["pointerup", "pointercancel"]) {
+  canvas.addEventListener(name, (event) => {
+    if (name === "pointerup" && pointers.size === 1 && dragged < 4) pick(event.offsetX, event.offsetY);
+    pointers.delete(event.pointerId);
+  });
+}
+canvas.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), event.offsetX, event.offsetY);
+}, { passive: false });
+curve.addEventListener("pointerdown", (event) => move((steps * event.offsetX) / (curve.clientWidth || 1)));
+
+const buttons = { first: () => move(0), back: () => move(mesh.step - 1), play: () => play(!playing), next: () => move(mesh.step + 1), last: () => move(steps), fit };
+for (const [id, act] of Object.entries(buttons)) at(id).addEventListener("click", act);
+at("slider").addEventListener("input", (event) => move(Number(event.target.value)));
+for (const id of ["follow", "threshold", "before", "fills", "news", "circle", "circles", "steiner", "numbers", "speed"]) at(id).addEventListener("input", show);
+
+const toggle = (id) => () => at(id).click();
+const keys = {
+  ArrowRight: buttons.next, ArrowLeft: buttons.back, Home: buttons.first, End: buttons.last, " ": buttons.play,
+  "+": () => zoom(1.25), "-": () => zoom(0.8), f: fit, z: toggle("follow"), b: toggle("before"), c: toggle("circle"), n: toggle("numbers"),
+};
+document.addEventListener("keydown", (event) => {
+  const { tagName, type } = event.target;
+  const isSlider = tagName === "INPUT" && type === "range";
+  const isPressed = event.key === " " && (tagName === "BUTTON" || tagName === "INPUT");
+  if (event.ctrlKey || event.metaKey || event.altKey || isPressed || (isSlider && /^(Arrow|Home|End)/.test(event.key))) return;
+  const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  if (!act) return;
+  event.preventDefault();
+  act();
+});
+window.addEventListener("hashchange", openFragment);
+new ResizeObserver(() => {
+  if (camera.isFit) fit();
+  draw(); // At once: a canvas that is drawn a frame later is stretched meanwhile.
+}).observe(canvas);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColours(); show(); });
+
+at("title").textContent = data.title;
+document.title = `${data.title} – trimalla player`;
+at("slider").max = steps;
+at("threshold").value = 30;
+readColours();
+fit();
+openFragment();
