@@ -76,6 +76,9 @@ function circleOf([a, b, c]) {
   return { x: a[0] + x, y: a[1] + y, radius: Math.hypot(x, y) };
 }
 
+/** A number of things, in words. */
+const count = (n, one, many = `${one}s`) => `${n} ${n === 1 ? one : many}`;
+
 /** What a step did, in words. */
 function wordsOf({ trace }) {
   const words = [`Step ${trace.step}: ${trace.outcome}`];
@@ -83,10 +86,10 @@ function wordsOf({ trace }) {
   if (trace.outcome === "duplicate") words.push(`vertex ${trace.vertex} lies on vertex ${trace.on}`);
   if (trace.segment !== undefined) words.push(`segment ${trace.segment} from ${trace.subsegment.join(" to ")}`);
   else if (trace.subsegment) words.push(`subsegment ${trace.subsegment.join(" to ")}`);
-  if (trace.crossed) words.push(`${trace.crossed.length} edges crossed`);
+  if (trace.crossed) words.push(`${count(trace.crossed.length, "edge")} crossed`);
   if (trace.inserted) words.push(`vertex ${trace.inserted.vertex} inserted (${trace.inserted.kind})`);
-  if (trace.deleted && trace.deleted.length) words.push(`${trace.deleted.length} vertices deleted`);
-  if (trace.encroached && trace.encroached.length) words.push(`${trace.encroached.length} subsegments encroached upon`);
+  if (trace.deleted && trace.deleted.length) words.push(`${count(trace.deleted.length, "vertex", "vertices")} deleted`);
+  if (trace.encroached && trace.encroached.length) words.push(`${count(trace.encroached.length, "subsegment")} encroached upon`);
   if (trace.given_up) words.push(`given up: ${trace.given_up}`);
   return words.join(", ");
 }

@@ -48,6 +48,7 @@ function zoomToStep() {
   const named = [...(trace.lepp || []), ...(trace.selected ? [trace.selected] : []), ...trace.made, ...(trace.crossed || []), ...(trace.subsegment ? [trace.subsegment] : [])];
   const points = named.flat().map((v) => mesh.points.get(v)).filter(Boolean);
   if (trace.inserted) points.push(trace.inserted.point);
+  for (const { point } of trace.candidates || []) if (point) points.push(point);
   if (points.length && named.length < 200) fitTo(boxOf(points), 0.6);
   else fit();
 }
@@ -131,18 +132,22 @@ function draw() {
 
 function drawMesh(g, step, known, isBefore) {
   const trace = step ? step.trace : {};
-  if (at("fills").checked) fillTriangles(g);
-  if (at("news").checked && step) {
-    const news = isBefore ? trace.destroyed : trace.made;
-    fillNamed(g, news, known, isBefore ? ink.alarm : ink.made, 0.3);
-  }
+  const seen = inView();
+  if (at("fills").checked) fillTriangles(g, seen);
   const path = trace.lepp || [];
   fillNamed(g, path, known, ink.path, 0.28);
   if (trace.selected) fillNamed(g, [trace.selected], known, ink.selected, 0.55);
-  if (at("circles").checked) for (const { corners } of mesh.triangles.values()) ring(g, circleOf(corners), ink.circle, 0.6, 0.45);
+  if (at("circles").checked) for (const { corners } of seen) ring(g, circleOf(corners), ink.circle, 0.6, 0.45);
   drawInput(g);
-  const edges = edgesOf();
-  strokePath(g, edges, ink.edge, 0.8);
+  // Where there is hardly a pixel between edges, they would hide the colours, and take long.
+  if (canvas.clientWidth * canvas.clientHeight > 12 * seen.length) {
+    for (const { colour, path } of pathsOf(seen, () => ink.edge)) strokePath(g, path, colour, 0.8);
+  }
+  if (at("news").checked && step) {
+    const news = isBefore ? trace.destroyed : trace.made;
+    const colour = isBefore ? ink.alarm : ink.made;
+    strokePath(g, fillNamed(g, news, known, colour, 0.16), colour, 2.2);
+  }
   strokeEdges(g, [...mesh.marked.values()], mesh.points, ink.heavy, 2.4);
   strokeEdges(g, trace.crossed || [], known, ink.alarm, 2, [5, 5]);
   if (trace.terminal_edge) strokeEdges(g, [trace.terminal_edge], known, ink.terminal, 4);
@@ -164,15 +169,38 @@ function drawMesh(g, step, known, isBefore) {
   if (at("numbers").checked) drawNumbers(g);
 }
 
-/** Triangles in view, by colour. */
-function fillTriangles(g) {
-  const byColour = new Map();
-  for (const { corners, angle } of mesh.triangles.values()) {
-    const colour = colourOf(angle);
-    if (!byColour.has(colour)) byColour.set(colour, new Path2D());
-    addCorners(byColour.get(colour), corners);
+/** The triangles whose boxes meet the canvas. */
+function inView() {
+  const [left, high] = unplace(0, 0);
+  const [right, low] = unplace(canvas.clientWidth, canvas.clientHeight);
+  const isSeen = ({ corners: [a, b, c] }) =>
+    Math.max(a[0], b[0], c[0]) >= left && Math.min(a[0], b[0], c[0]) <= right &&
+    Math.max(a[1], b[1], c[1]) >= low && Math.min(a[1], b[1], c[1]) <= high;
+  return [...mesh.triangles.values()].filter(isSeen);
+}
+
+/** No more triangles than this are in one path: browsers draw large paths slowly. */
+const MOST_IN_PATH = 200;
+
+/** Paths of triangles, each with its colour. */
+function pathsOf(triangles, colourOf) {
+  const [open, done] = [new Map(), []];
+  for (const triangle of triangles) {
+    const colour = colourOf(triangle.angle);
+    let last = open.get(colour);
+    if (!last || last.count === MOST_IN_PATH) {
+      last = { colour, path: new Path2D(), count: 0 };
+      open.set(colour, last);
+      done.push(last);
+    }
+    addCorners(last.path, triangle.corners);
+    last.count += 1;
   }
-  for (const [colour, path] of byColour) {
+  return done;
+}
+
+function fillTriangles(g, triangles) {
+  for (const { colour, path } of pathsOf(triangles, colourOf)) {
     g.fillStyle = colour;
     g.fill(path);
   }
@@ -193,11 +221,6 @@ function fillNamed(g, triangles, points, colour, alpha) {
   g.fillStyle = colour;
   g.fill(path);
   g.globalAlpha = 1;
-}
-
-function edgesOf() {
-  const path = new Path2D();
-  for (const { corners } of mesh.triangles.values()) addCorners(path, corners);
   return path;
 }
 
@@ -209,14 +232,16 @@ function strokePath(g, path, colour, width, dash = []) {
 }
 
 function strokeEdges(g, edges, points, colour, width, dash) {
-  const path = new Path2D();
-  for (const ends of edges) {
-    const [a, b] = ends.map((v) => points.get(v));
-    if (!a || !b) continue;
-    path.moveTo(...place(a));
-    path.lineTo(...place(b));
+  for (let from = 0; from < edges.length; from += MOST_IN_PATH) {
+    const path = new Path2D();
+    for (const ends of edges.slice(from, from + MOST_IN_PATH)) {
+      const [a, b] = ends.map((v) => points.get(v));
+      if (!a || !b) continue;
+      path.moveTo(...place(a));
+      path.lineTo(...place(b));
+    }
+    strokePath(g, path, colour, width, dash);
   }
-  strokePath(g, path, colour, width, dash);
 }
 
 function outline(g, corners, colour, width) {
@@ -268,14 +293,23 @@ function drawInput(g) {
   if (!data.drawing) return;
   const points = new Map(data.drawing.points.map((p, v) => [v, p]));
   strokeEdges(g, data.drawing.segments, points, ink.hidden, 1.2, [2, 5]);
-  for (const [v, p] of points) if (!mesh.points.has(v)) dot(g, p, 2.2, ink.faint);
+  const waiting = [...points].filter(([v, p]) => !mesh.points.has(v) && inCanvas(place(p)));
+  if (waiting.length <= MOST_DOTS) for (const [, p] of waiting) dot(g, p, 2.2, ink.faint);
+}
+
+/** No more vertices than this are drawn: they would hide the triangles. */
+const MOST_DOTS = 4000;
+
+function inCanvas([x, y]) {
+  return x >= 0 && y >= 0 && x <= canvas.clientWidth && y <= canvas.clientHeight;
 }
 
 function drawVertices(g) {
-  const isNear = mesh.points.size < 4000 || camera.scale > 8 * camera.fitted;
-  for (const [v, p] of mesh.points) {
-    const isSteiner = v >= data.input_points;
-    if (isSteiner ? at("steiner").checked && isNear : isNear) dot(g, p, isSteiner ? 2.4 : 2.8, isSteiner ? ink.path : ink.heavy);
+  const seen = [...mesh.points].filter(([, p]) => inCanvas(place(p)));
+  if (seen.length > MOST_DOTS) return;
+  for (const [v, p] of seen) {
+    if (v < data.input_points) dot(g, p, 2.8, ink.heavy);
+    else if (at("steiner").checked) dot(g, p, 2.4, ink.path);
   }
 }
 
@@ -290,12 +324,12 @@ function drawPath(g, path, known) {
 }
 
 /** The places tried: refused ones with their reasons. */
-function drawTried(g, { candidates = [] }) {
+function drawTried(g, { candidates = [], inserted }) {
   candidates.forEach(({ point, refused }, i) => {
     if (!point) return;
     const [x, y] = place(point);
     if (refused) cross(g, point, 5, ink.alarm);
-    else dot(g, point, 4, ink.made, ink.paper);
+    else dot(g, point, 4, inserted ? ink.made : ink.path, ink.paper);
     if (refused) label(g, `${i + 1}: ${refused}`, [x, y - 14], ink.alarm, 11);
   });
 }
@@ -311,8 +345,7 @@ function drawSides(g, { left = [], right = [] }, known) {
 }
 
 function drawNumbers(g) {
-  const [w, h] = [canvas.clientWidth, canvas.clientHeight];
-  const seen = [...mesh.points].map(([v, p]) => [v, place(p)]).filter(([, [x, y]]) => x > 0 && y > 0 && x < w && y < h);
+  const seen = [...mesh.points].map(([v, p]) => [v, place(p)]).filter(([, p]) => inCanvas(p));
   if (seen.length > 600) return;
   for (const [v, [x, y]] of seen) label(g, String(v), [x + 9, y - 8], ink.ink, 10);
 }
@@ -371,12 +404,12 @@ function fill(list, rows) {
 }
 
 const degrees = (angle) => (angle === null || angle === undefined ? "–" : `${angle.toFixed(3)}°`);
-const list = (names, word) => (names && names.length ? `${names.length} ${word}: ${names.slice(0, 12).map((n) => n.join("–")).join(", ")}${names.length > 12 ? ", …" : ""}` : "");
+const list = (names, word) => (names && names.length ? `${count(names.length, word)}: ${names.slice(0, 12).map((n) => n.join("–")).join(", ")}${names.length > 12 ? ", …" : ""}` : "");
 
 function tell() {
   const step = data.steps[mesh.step - 1];
   const trace = step ? step.trace : {};
-  const early = data.is_cut && mesh.step === steps ? " The run has more steps, which this page does not hold." : "";
+  const early = data.is_cut && mesh.step === steps ? ". The run has more steps, which this page does not hold." : "";
   at("words").textContent = (step ? wordsOf(step) : "Before the first step") + early;
   fill("counts", [
     ["Smallest angle", degrees(heights[mesh.step])],
@@ -385,7 +418,7 @@ function tell() {
   ]);
   const tried = (trace.candidates || []).map(({ point, edge, refused }, i) => [
     `Place ${i + 1}`,
-    `${point ? point.map((c) => Number(c.toPrecision(9))).join(", ") : `split of ${(edge || []).join("–")}`}${refused ? `: refused, ${refused}` : ": accepted"}`,
+    `${point ? point.map((c) => Number(c.toPrecision(9))).join(", ") : `split of ${(edge || []).join("–")}`}${refused ? `: refused, ${refused}` : trace.inserted ? ": accepted" : ": a subsegment is split first"}`,
     refused ? "alarm" : "",
   ]);
   fill("details", [
@@ -394,16 +427,16 @@ function tell() {
     ["Path", (trace.lepp || []).map((t, i) => `t${i} = ${t.join(" ")}`).join(", ")],
     ["Terminal edge", trace.terminal_edge ? trace.terminal_edge.join("–") : ""],
     ["Subsegment", trace.subsegment ? trace.subsegment.join("–") : ""],
-    ["Crossed", list(trace.crossed, "edges")],
+    ["Crossed", list(trace.crossed, "edge")],
     ["Left", (trace.left || []).join(" ")],
     ["Right", (trace.right || []).join(" ")],
     ...tried,
-    ["Encroached", list(trace.encroached, "subsegments"), "alarm"],
+    ["Encroached", list(trace.encroached, "subsegment"), "alarm"],
     ["Inserted", trace.inserted ? `${trace.inserted.vertex} at ${trace.inserted.point.map((c) => Number(c.toPrecision(9))).join(", ")} (${trace.inserted.kind})` : ""],
     ["Deleted", (trace.deleted || []).map((d) => d.vertex).join(" ")],
     ["Given up", trace.given_up || "", "alarm"],
-    ["Destroyed", step ? `${trace.destroyed.length} triangles` : ""],
-    ["Made", step ? `${trace.made.length} triangles` : ""],
+    ["Destroyed", step ? count(trace.destroyed.length, "triangle") : ""],
+    ["Made", step ? count(trace.made.length, "triangle") : ""],
   ]);
   const isThere = picked && mesh.triangles.has(key(picked.t));
   fill("picked", isThere
