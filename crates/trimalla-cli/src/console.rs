@@ -67,13 +67,6 @@ fn write_all(mut out: impl Write, text: &str) -> io::Result<()> {
     out.flush()
 }
 
-/// A number in five digits, as short as they allow.
-pub(crate) fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
-    let is_plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
-    if is_plain { format!("{rounded}") } else { format!("{rounded:e}") }
-}
-
 /// A path for messages: control characters in a name shall not reach a terminal.
 pub(crate) fn shown(path: &Path) -> String {
     let mut text = String::new();
@@ -85,18 +78,4 @@ pub(crate) fn shown(path: &Path) -> String {
         }
     }
     text
-}
-
-/// A count with its noun: `1 segment`, `2 segments`.
-pub(crate) fn count(n: usize, noun: &str) -> String {
-    let irregular = match noun {
-        "vertex" => Some("vertices"),
-        "new vertex" => Some("new vertices"),
-        _ => None,
-    };
-    match (n, irregular) {
-        (1, _) => format!("1 {noun}"),
-        (_, Some(plural)) => format!("{n} {plural}"),
-        _ => format!("{n} {noun}s"),
-    }
 }

@@ -7,9 +7,9 @@ use trimalla::quality::AngleCeiling;
 use trimalla::refine::{
     Beginning, Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions,
 };
+use trimalla_workbench::numbers::{FileNumbers, short};
 
-use crate::console::{self, short};
-use crate::file_numbers::FileNumbers;
+use crate::console;
 use crate::progress::Watch;
 
 /// By what factor a forecast may be wrong.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
+use trimalla_workbench::numbers::FileNumbers;
 
 use crate::console::{note, shown};
 use crate::exit::Failure;
@@ -19,6 +20,13 @@ pub(crate) struct Input<T> {
     pub(crate) files: Vec<PathBuf>,
     /// Messages about ignored parts of the files.
     pub(crate) notes: Vec<String>,
+}
+
+impl Input<Pslg> {
+    /// The numbers and lines of its file, for faults and warnings.
+    pub(crate) fn numbers(&self) -> FileNumbers<'_> {
+        FileNumbers::new(&self.value, self.first_index, self.name(), self.files.first().map(PathBuf::as_path))
+    }
 }
 
 impl<T> Input<T> {

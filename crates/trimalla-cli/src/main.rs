@@ -6,7 +6,7 @@
 //! | [`args`] | options that several subcommands share |
 //! | [`input`] | drawings and meshes with the numbering of their files |
 //! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
-//! | [`file_numbers`], [`records`], [`renumber`] | faults and warnings in the numbers and lines of the file |
+//! | [`drawing_faults`] | what may help where a drawing is at fault |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`player`] | every step recorded: as a line, as a picture, and on a page that plays them |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
@@ -18,8 +18,8 @@
 mod args;
 mod commands;
 mod console;
+mod drawing_faults;
 mod exit;
-mod file_numbers;
 mod foresight;
 mod input;
 mod json;
@@ -32,9 +32,7 @@ mod progress;
 mod prompt;
 mod recipe_file;
 mod recipe_options;
-mod records;
 mod refining;
-mod renumber;
 mod repeat;
 mod script_text;
 mod targets;

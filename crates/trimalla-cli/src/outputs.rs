@@ -8,9 +8,10 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::NamedOptions;
 use trimalla_io::bars::BarChart;
 use trimalla_io::{self as io, IoError, SvgOptions, WriteOptions};
+use trimalla_workbench::numbers::count;
 
 use crate::args::{OutputOptions, ReportOptions};
-use crate::console::{self, Stream, count, shown};
+use crate::console::{self, Stream, shown};
 use crate::exit::Failure;
 use crate::input::Input;
 use crate::player::PlayerOptions;

@@ -19,7 +19,7 @@ use trimalla::refine::{Beginning, Clock, Event, Observer, Overview, Progress};
 
 use crate::console;
 use crate::exit::{Failure, Status};
-use crate::picks::Picks;
+use crate::picks::RunPicks;
 use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
@@ -79,7 +79,7 @@ pub(crate) struct Watch {
     line: ProgressBar,
     trace: Option<Trace>,
     is_timed: bool,
-    picks: Picks,
+    picks: RunPicks,
     /// Whether a picked triangle does not exist, so that nothing can be refined.
     pick_failed: bool,
     /// The state before the refinement, once that has begun.
@@ -100,11 +100,18 @@ impl Watch {
     }
 
     fn of(line: ProgressBar) -> Self {
-        Self { line, trace: None, is_timed: false, picks: Picks::default(), pick_failed: false, before: Rc::default() }
+        Self {
+            line,
+            trace: None,
+            is_timed: false,
+            picks: RunPicks::default(),
+            pick_failed: false,
+            before: Rc::default(),
+        }
     }
 
     /// Sets the triangles to pick.
-    pub(crate) fn with_picks(mut self, picks: Picks) -> Self {
+    pub(crate) fn with_picks(mut self, picks: RunPicks) -> Self {
         self.picks = picks;
         self
     }

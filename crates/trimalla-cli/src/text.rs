@@ -7,8 +7,9 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, RefineOptions, Report, StopReason};
 use trimalla_compare::facts;
+use trimalla_workbench::numbers::count;
 
-use crate::console::{self, count};
+use crate::console;
 use crate::input::Input;
 use crate::missed::{MissedBounds, corners};
 

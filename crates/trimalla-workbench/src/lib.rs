@@ -20,6 +20,7 @@
 //! | [`Running`] | a command at work, slice by slice, for programs without threads |
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`EdgePlan`] | what inserting an edge would do, step by step |
+//! | [`numbers`] | messages and picks in the numbers of a file |
 //! | [`script`] | many commands as a text |
 //! | [`record`] | the steps of a run as lines, as pictures, and on a page that plays them |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
@@ -43,8 +44,9 @@ mod history;
 mod mesh;
 mod messages;
 mod names;
-mod running;
+pub mod numbers;
 pub mod record;
+mod running;
 pub mod script;
 mod state;
 

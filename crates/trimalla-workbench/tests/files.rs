@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use trimalla_io::{Files, Memory};
 use serde_json::Value;
+use trimalla_io::{Files, Memory};
 use trimalla_workbench::{Document, Quiet, script};
 
 /// A folder of its own for a test, removed after it.

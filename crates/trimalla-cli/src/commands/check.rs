@@ -8,12 +8,12 @@ use trimalla::geometry::Angle;
 use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::OptionError;
 use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
+use trimalla_workbench::numbers::{Renumber as _, count};
 
-use crate::console::{self, count};
+use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::missed::corners;
-use crate::renumber::Renumber as _;
 
 /// No more faults than this are named one by one.
 const MOST_FAULTS: usize = 50;

@@ -21,8 +21,8 @@ use trimalla_io::{Format, recipe};
 
 use crate::args::{CROSSINGS, one_of};
 use crate::console::{self, shown};
+use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
 use crate::progress;
@@ -335,8 +335,9 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 /// Reads a drawing and adds it; the files that it was read from.
 fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let drawing: Input<Pslg> = read_drawing(path)?.with_notes_shown();
-    let names = FileNumbers::of(&drawing);
-    trimalla::triangulate(&drawing.value, &experiment.domain).map_err(|error| names.failure(&error))?;
+    let names = drawing.numbers();
+    trimalla::triangulate(&drawing.value, &experiment.domain)
+        .map_err(|error| drawing_faults::failure(&names, &error))?;
     experiment.add_sound_drawing(shown(path), stem(path), drawing.value)?;
     Ok(drawing.files)
 }

@@ -6,13 +6,12 @@ use trimalla::{Error, MeshOptions};
 
 use crate::args::{DrawingOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::file_numbers::FileNumbers;
 use crate::foresight::Foresight;
 use crate::input::read_drawing;
 use crate::outcome::Outcome;
 use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
-use crate::{progress, text};
+use crate::{drawing_faults, progress, text};
 
 const HELP: &str = "\
 Examples:
@@ -69,7 +68,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.refining.recover();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = options.refining.outputs(&drawing)?;
-    let names = FileNumbers::of(&drawing);
+    let names = drawing.numbers();
     let domain = options.drawing.domain_options(options.triangulator);
     let job = Job {
         title: drawing.title(),
@@ -94,7 +93,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
                     let floor = text::floor(&meshed, refine, &drawing);
                     Ok(Outcome { meshed, warnings, foreseen, floor })
                 }
-                Err(Error::Domain(error)) => Err(names.failure(&error)),
+                Err(Error::Domain(error)) => Err(drawing_faults::failure(&names, &error)),
                 Err(Error::Option(error)) => Err(error.into()),
                 Err(other) => Err(Failure::bad_input(other.to_string())),
             }

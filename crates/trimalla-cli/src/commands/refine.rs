@@ -6,15 +6,15 @@ use clap::Args;
 use trimalla::Error;
 use trimalla::domain::{MeshError, Warning};
 use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla_workbench::numbers::{Renumber as _, count};
 
-use crate::console::{count, shown};
+use crate::console::shown;
+use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::outcome::Outcome;
 use crate::progress;
 use crate::refining::{Job, RefiningOptions};
-use crate::renumber::Renumber as _;
 use crate::repeat::CommandLine;
 
 /// No more faults than this are named one by one.
@@ -117,9 +117,7 @@ fn heading(mesh: &Input<IndexedMesh>) -> String {
 /// A warning in the words of the drawing where it is about that.
 fn warning(warning: &Warning, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> String {
     match (warning, drawing) {
-        (Warning::IdleRegion { .. } | Warning::RegionTwice { .. }, Some(drawing)) => {
-            FileNumbers::of(drawing).warning(warning)
-        }
+        (Warning::IdleRegion { .. } | Warning::RegionTwice { .. }, Some(drawing)) => drawing.numbers().warning(warning),
         _ => format!("{}: {warning}", mesh.name()),
     }
 }
@@ -143,7 +141,7 @@ fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>
             drawing.name()
         ))
         .hint("--input takes the drawing that this mesh was made from"),
-        (Error::Mesh(MeshError::Drawing(error)), Some(drawing)) => FileNumbers::of(drawing).failure(&error),
+        (Error::Mesh(MeshError::Drawing(error)), Some(drawing)) => drawing_faults::failure(&drawing.numbers(), &error),
         (Error::Option(error), _) => error.into(),
         (other, _) => Failure::bad_input(format!("{}: {other}", mesh.name())),
     }

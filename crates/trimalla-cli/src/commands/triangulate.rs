@@ -11,11 +11,10 @@ use trimalla_workbench::record::Player;
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::file_numbers::FileNumbers;
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
 use crate::player::PlayerOptions;
-use crate::{json, progress, text};
+use crate::{drawing_faults, json, progress, text};
 
 const HELP: &str = "\
 Examples:
@@ -60,16 +59,16 @@ impl Kind {
     }
 
     fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<Triangulated, Failure> {
-        let names = FileNumbers::of(drawing);
+        let names = drawing.numbers();
         match self {
             Self::Constrained(algorithm) => {
                 let made = trimalla::triangulate(&drawing.value, &options.domain_options(algorithm));
-                made.map_err(|error| names.failure(&error))
+                made.map_err(|error| drawing_faults::failure(&names, &error))
             }
             Self::Conforming => {
                 let options = options.domain_options(AlgorithmKey::default());
                 let made = trimalla::triangulate_conforming(&drawing.value, &options);
-                made.map_err(|error| names.failure(&error))
+                made.map_err(|error| drawing_faults::failure(&names, &error))
             }
         }
     }
@@ -106,7 +105,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = Outputs::plan(&options.output, &drawing)?.with_player(&options.player)?;
     let stream = outputs.report_stream(&options.report)?;
-    let names = FileNumbers::of(&drawing);
+    let names = drawing.numbers();
     let start = Instant::now();
     let Triangulated { mesh, warnings } = options.algorithm.make(&drawing, &options.drawing)?;
     let seconds = start.elapsed().as_secs_f64();

@@ -18,7 +18,8 @@ pub(super) const ROW: CommandRow = CommandRow {
     parse: |arguments| {
         let corners = [arguments.index()?, arguments.index()?, arguments.index()?];
         let word = arguments.next();
-        let destroyed = word.map_or(Ok(false), |word| crate::arguments::Arguments::key(word, &[("destroyed", true)]))?;
+        let destroyed =
+            word.map_or(Ok(false), |word| crate::arguments::Arguments::key(word, &[("destroyed", true)]))?;
         Deed::slices(Treat { corners, destroyed, at_work: None })
     },
 };

@@ -1,6 +1,7 @@
 //! Faults and warnings of the library in the numbers of the file, with its lines.
 
 use std::cell::OnceCell;
+use std::path::Path;
 
 use trimalla::constrained::{ConstraintError, CrossingPair};
 use trimalla::domain::{DomainError, NearFeature, OpenEnd, Warning};
@@ -8,41 +9,44 @@ use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
 
-use crate::console::{count, short};
-use crate::exit::{Failure, Status};
-use crate::input::Input;
-use crate::records::{Record, Records};
+use super::records::{Record, Records};
+use super::words::{count, short};
 
 /// No more crossings than this are named one by one.
 const MOST_CROSSINGS: usize = 1000;
 
 /// The numbers and lines that a file gives to vertices, segments and seeds.
 #[derive(Debug)]
-pub(crate) struct FileNumbers<'a> {
-    drawing: &'a Input<Pslg>,
+pub struct FileNumbers<'a> {
+    drawing: &'a Pslg,
+    /// The number of the first vertex.
+    first_index: u32,
+    /// The name of the drawing in messages.
+    name: String,
+    /// The file with the segments, if it can be read again.
+    file: Option<&'a Path>,
     records: OnceCell<Records>,
 }
 
 impl<'a> FileNumbers<'a> {
-    pub(crate) fn of(drawing: &'a Input<Pslg>) -> Self {
-        Self { drawing, records: OnceCell::new() }
+    /// The numbers of a drawing whose first vertex has the number `first_index`; lines are those of the file, if there
+    /// is one.
+    #[must_use]
+    pub fn new(drawing: &'a Pslg, first_index: u32, name: String, file: Option<&'a Path>) -> Self {
+        Self { drawing, first_index, name, file, records: OnceCell::new() }
     }
 
-    /// An error of the library in the numbers of the file.
-    pub(crate) fn failure(&self, error: &DomainError) -> Failure {
-        if let DomainError::Constraint(ConstraintError::Crossing(pairs)) = error {
-            return self.crossings(pairs);
-        }
-        let failure = Failure::bad_input(self.describe_error(error));
+    /// The number that the file gives to the vertex, segment or triangle with this index.
+    fn number(&self, index: usize) -> usize {
+        index + self.first_index as usize
+    }
+
+    /// An error of the library in the numbers of the file: one message, or one for each pair of segments that cross.
+    #[must_use]
+    pub fn fault(&self, error: &DomainError) -> Vec<String> {
         match error {
-            DomainError::OpenOutline { .. } => {
-                failure.hint("close the outline, or keep the convex hull with --domain hull")
-            }
-            DomainError::NothingNested => failure.hint("close the outline, or use --domain seeds or --domain hull"),
-            DomainError::SeedLeaks { .. } => failure.hint("close the outline of the hole, or move the seed into it"),
-            DomainError::SeedOnSegment { .. } => failure.hint("move the seed to one side of the segment"),
-            DomainError::Flat { .. } => failure.hint("a mesh needs three vertices that do not lie on one line"),
-            _ => failure,
+            DomainError::Constraint(ConstraintError::Crossing(pairs)) => self.crossings(pairs),
+            _ => vec![self.describe_error(error)],
         }
     }
 
@@ -74,20 +78,18 @@ impl<'a> FileNumbers<'a> {
     fn open_outline(&self, end: Option<OpenEnd>) -> String {
         let text = "the domain is empty: the outside comes in without crossing a segment";
         let Some(OpenEnd { vertex, at, nearest }) = end else { return self.of_file(text) };
-        let number = self.drawing.number(vertex.index());
-        let other = nearest.map(|(v, distance)| {
-            format!(", the next at vertex {}, {} away", self.drawing.number(v.index()), short(distance))
-        });
+        let number = self.number(vertex.index());
+        let other = nearest
+            .map(|(v, distance)| format!(", the next at vertex {}, {} away", self.number(v.index()), short(distance)));
         let text = format!("{text}; just one ends at vertex {number}, {at}{}", other.unwrap_or_default());
         self.at(self.records().vertices.get(vertex.index()), text)
     }
 
     fn describe_constraint(&self, fault: &ConstraintError) -> String {
         match fault {
-            ConstraintError::UnusedVertex { segment, vertex } => self.of_segment(
-                *segment,
-                &format!("ends at vertex {}, which is not used", self.drawing.number(vertex.index())),
-            ),
+            ConstraintError::UnusedVertex { segment, vertex } => {
+                self.of_segment(*segment, &format!("ends at vertex {}, which is not used", self.number(vertex.index())))
+            }
             ConstraintError::NoSuchVertex { segment, .. } => {
                 self.of_segment(*segment, "ends at a vertex that does not exist")
             }
@@ -103,13 +105,13 @@ impl<'a> FileNumbers<'a> {
     }
 
     /// Every pair of crossing segments, one a line.
-    fn crossings(&self, pairs: &[CrossingPair]) -> Failure {
+    fn crossings(&self, pairs: &[CrossingPair]) -> Vec<String> {
         let mut messages: Vec<_> = pairs.iter().take(MOST_CROSSINGS).map(|p| self.pair(p)).collect();
         if pairs.len() > MOST_CROSSINGS {
             let rest = pairs.len() - MOST_CROSSINGS;
             messages.push(self.of_file(format!("{rest} more pairs of segments cross")));
         }
-        Failure::of_many(Status::BadInput, messages).hint("--crossings split puts a vertex at each crossing")
+        messages
     }
 
     fn pair(&self, pair: &CrossingPair) -> String {
@@ -123,10 +125,11 @@ impl<'a> FileNumbers<'a> {
     }
 
     /// A warning of the library in the numbers of the file.
-    pub(crate) fn warning(&self, warning: &Warning) -> String {
+    #[must_use]
+    pub fn warning(&self, warning: &Warning) -> String {
         match warning {
             Warning::Duplicates { count: n, first } => {
-                let [a, b] = first.map(|v| self.drawing.number(v as usize));
+                let [a, b] = first.map(|v| self.number(v as usize));
                 let verb = if *n == 1 { "lies exactly on another and stays" } else { "lie exactly on others and stay" };
                 self.of_file(format!("{} {verb} unused; the first is {a}, on {b}", count(*n, "vertex")))
             }
@@ -138,7 +141,7 @@ impl<'a> FileNumbers<'a> {
             }
             Warning::VerticesOutside { count: n, first } => {
                 let verb = if *n == 1 { "lies outside the domain and is" } else { "lie outside the domain and are" };
-                let numbers = self.listed(*n, first, |v| self.drawing.number(v).to_string());
+                let numbers = self.listed(*n, first, |v| self.number(v).to_string());
                 self.of_file(format!("{} {verb} in no triangle: {numbers}", count(*n, "vertex")))
             }
             Warning::SegmentsOutside { count: n, first } => {
@@ -149,9 +152,7 @@ impl<'a> FileNumbers<'a> {
             Warning::NearlyTouching { vertex, other, distance, at } => {
                 let other = match *other {
                     NearFeature::Vertex(v) => self.vertex(VertexId(v)),
-                    NearFeature::Segment(s) if (s as usize) < self.drawing.value.segments.len() => {
-                        self.segment(s as usize)
-                    }
+                    NearFeature::Segment(s) if (s as usize) < self.drawing.segments.len() => self.segment(s as usize),
                     NearFeature::Segment(_) => "the convex hull".to_owned(),
                 };
                 let (vertex, distance) = (self.vertex(VertexId(*vertex)), short(*distance));
@@ -194,16 +195,18 @@ impl<'a> FileNumbers<'a> {
     }
 
     /// A vertex; those after the input are where segments cross.
-    pub(crate) fn vertex(&self, v: VertexId) -> String {
-        if v.index() < self.drawing.value.points.len() {
-            format!("vertex {}", self.drawing.number(v.index()))
+    #[must_use]
+    pub fn vertex(&self, v: VertexId) -> String {
+        if v.index() < self.drawing.points.len() {
+            format!("vertex {}", self.number(v.index()))
         } else {
             "a crossing".to_owned()
         }
     }
 
     /// A segment, with its line where that is known.
-    pub(crate) fn segment(&self, segment: usize) -> String {
+    #[must_use]
+    pub fn segment(&self, segment: usize) -> String {
         let number = self.segment_number(segment);
         match self.records().segments.get(segment) {
             Some(record) => format!("segment {number} (line {})", record.line),
@@ -211,8 +214,10 @@ impl<'a> FileNumbers<'a> {
         }
     }
 
-    pub(crate) fn of_file(&self, text: impl std::fmt::Display) -> String {
-        format!("{}: {text}", self.drawing.name())
+    /// A message about the drawing as a whole.
+    #[must_use]
+    pub fn of_file(&self, text: impl std::fmt::Display) -> String {
+        format!("{}: {text}", self.name)
     }
 
     fn of_segment(&self, segment: usize, text: &str) -> String {
@@ -227,7 +232,7 @@ impl<'a> FileNumbers<'a> {
 
     fn at(&self, record: Option<&Record>, text: String) -> String {
         match record {
-            Some(record) => format!("{}:{}: {text}", self.drawing.name(), record.line),
+            Some(record) => format!("{}:{}: {text}", self.name, record.line),
             None => self.of_file(text),
         }
     }
@@ -235,13 +240,13 @@ impl<'a> FileNumbers<'a> {
     /// Segments may be numbered otherwise than vertices.
     fn segment_number(&self, segment: usize) -> String {
         let own = self.records().segments.get(segment).map(|record| record.number.clone());
-        own.unwrap_or_else(|| self.drawing.number(segment).to_string())
+        own.unwrap_or_else(|| self.number(segment).to_string())
     }
 
     /// Seeds have a numbering of their own.
     fn seed_number(&self, what: &str, seed: usize) -> String {
         let own = self.seed(what, seed).map(|record| record.number.clone());
-        own.unwrap_or_else(|| self.drawing.number(seed).to_string())
+        own.unwrap_or_else(|| self.number(seed).to_string())
     }
 
     fn seed(&self, what: &str, seed: usize) -> Option<&Record> {
@@ -251,6 +256,6 @@ impl<'a> FileNumbers<'a> {
     }
 
     fn records(&self) -> &Records {
-        self.records.get_or_init(|| Records::of(self.drawing))
+        self.records.get_or_init(|| self.file.map_or_else(Records::default, Records::in_file))
     }
 }

@@ -7,35 +7,40 @@
 use std::fs;
 use std::path::Path;
 
-use trimalla::drawing::Pslg;
 use trimalla_io::read_bytes;
-
-use crate::input::Input;
 
 /// A record: its line, counted from 1, and its first word, which is its number.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Record {
-    pub(crate) line: usize,
-    pub(crate) number: String,
+pub struct Record {
+    /// The line.
+    pub line: usize,
+    /// The first word.
+    pub number: String,
 }
 
 /// The records of a drawing, section by section; empty where the file cannot be read again.
-#[derive(Debug, Default)]
-pub(crate) struct Records {
-    /// Empty where the vertices are in a file of their own.
-    pub(crate) vertices: Vec<Record>,
-    pub(crate) segments: Vec<Record>,
-    pub(crate) holes: Vec<Record>,
-    pub(crate) regions: Vec<Record>,
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Records {
+    /// Vertices; empty where they are in a file of their own.
+    pub vertices: Vec<Record>,
+    /// Segments.
+    pub segments: Vec<Record>,
+    /// Hole seeds.
+    pub holes: Vec<Record>,
+    /// Region seeds.
+    pub regions: Vec<Record>,
 }
 
 impl Records {
-    pub(crate) fn of(drawing: &Input<Pslg>) -> Self {
-        let text = drawing.files.first().and_then(|file| read(file));
-        text.map_or_else(Self::default, |text| Self::in_text(&text))
+    /// The records of a file.
+    #[must_use]
+    pub fn in_file(file: &Path) -> Self {
+        read(file).map_or_else(Self::default, |text| Self::in_text(&text))
     }
 
-    fn in_text(text: &str) -> Self {
+    /// The records of a text.
+    #[must_use]
+    pub fn in_text(text: &str) -> Self {
         let mut records = records(text);
         let mut next = || section(&mut records);
         Self { vertices: next(), segments: next(), holes: next(), regions: next() }

@@ -4,9 +4,12 @@ use trimalla::quality::InputFault;
 use trimalla::triangulation::{MeshFault, MeshVertex};
 
 /// Gives everything the number that it has in a file whose first number is `first`.
-pub(crate) trait Renumber {
+pub trait Renumber {
+    /// Adds the first number of a file to every index from 0.
     fn renumber(&mut self, first: u32);
 
+    /// The same with the numbers of the file.
+    #[must_use]
     fn renumbered(mut self, first: u32) -> Self
     where
         Self: Sized,
