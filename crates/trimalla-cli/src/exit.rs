@@ -41,10 +41,10 @@ Exit status:
   130  interrupted by Ctrl-C
 On 2, 3, 4 and 130 no file is changed.
 
-Outputs, traces and frames among them, appear together when all are complete. Files that are read are
-never replaced, whatever their names. A run that is killed, or aborted when memory runs out (134),
-leaves whole files: all old, or, if it was killed while they appeared, some old and some new until
-the next run that writes into the same directories. That run puts the others in their places too,
+Outputs, traces, frames and players among them, appear together when all are complete. Files that are
+read are never replaced, whatever their names. A run that is killed, or aborted when memory runs out
+(134), leaves whole files: all old, or, if it was killed while they appeared, some old and some new
+until the next run that writes into the same directories. That run puts the others in their places too,
 unless one was changed meanwhile, and removes the temporary files, which are called .trimalla-*.";
 
 /// Why the program ends before it is done: a status, one `error:` line each message, one `hint:` line each hint.

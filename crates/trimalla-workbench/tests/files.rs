@@ -198,3 +198,21 @@ fn a_player_replaces_nothing_that_was_read() {
     document.run(&format!("Player {}/no/run.html", scratch.path().display()), &mut Quiet).expect_err("no folder");
     assert_eq!(fs::read_to_string(&drawing).expect("the drawing"), text);
 }
+
+#[test]
+fn a_player_of_extreme_coordinates_holds_numbers() {
+    let scratch = Scratch::new("player-extreme");
+    let path = scratch.path().join("run.html");
+    let mut document = Document::new();
+    let text =
+        "Set max-vertices 200\nV 0 1e308 0\nV 1 -1e308 1e308\nV 2 0 5e-324\nV 3 0.1 1e17\nV 4 0 0\nV 5 0 0\nEdge 0 1\n";
+    assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+    for line in ["Triangulate", "Step 2", "Refine"] {
+        document.run(&format!("Player {}", path.display()), &mut Quiet).expect("a page");
+        let data = played(&path);
+        let steps = data["steps"].as_array().expect("steps");
+        let numbers = steps.iter().flat_map(|step| step["delta"]["points"].as_array().expect("a list"));
+        assert!(numbers.flat_map(|point| point.as_array().expect("a point")).all(Value::is_number), "before {line}");
+        document.run(line, &mut Quiet).expect("done");
+    }
+}

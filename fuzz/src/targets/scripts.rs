@@ -68,7 +68,7 @@ fn is_left_out(line: &str) -> bool {
     let mut words = line.split_whitespace();
     let name = words.next().unwrap_or_default().to_ascii_lowercase();
     match name.as_str() {
-        "load" | "save" | "export" => true,
+        "load" | "save" | "export" | "player" => true,
         "generate" => words.any(|word| word.len() > 3),
         "set" => line.contains("max-vertices"),
         _ => false,

@@ -31,8 +31,8 @@ Exit status:
   4    the messages cannot be written
   130  interrupted by Ctrl-C: the command at work has changed nothing
 
-Files that 'Save' and 'Export' have written before a script ends stay. Each is written whole or not at
-all, and one that was read is never replaced, the script itself included.";
+Files that 'Save', 'Export' and 'Player' have written before a script ends stay. Each is written whole
+or not at all, and one that was read is never replaced, the script itself included.";
 
 /// Run a script of commands: draw, triangulate, edit, refine, check
 #[derive(Debug, Args)]

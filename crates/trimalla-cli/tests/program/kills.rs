@@ -15,7 +15,8 @@ use std::time::{Duration, Instant};
 use crate::common::{Run, Scratch};
 
 /// Everything that a run can write, in two directories.
-const OUTPUTS: &str = "-o m.ele -o m.svg -o sub/m.vtu --save-recipe r.toml --trace t.jsonl --frames f -q";
+const OUTPUTS: &str =
+    "-o m.ele -o m.svg -o sub/m.vtu --save-recipe r.toml --trace t.jsonl --frames f --player p.html -q";
 
 /// Files by name, those in folders too.
 type State = BTreeMap<String, Vec<u8>>;

@@ -4,7 +4,8 @@
 //!   page        player.html with player.css        what is on the page
 //!   data        {"start": …, "steps": […], …}      the mesh before the first step, and what each step changed
 //!   replay.js   state, forward, back               no drawing: tests run it by itself
-//!   view.js     canvas and controls
+//!   draw.js     camera and canvases
+//!   view.js     words and controls
 //! ```
 //! A step holds the object that the trace has of it, so that the numbers are the same, and what the trace does not say:
 //! vertices that came and went, edges that became constrained or free, counts, and the smallest angle. So the page is
@@ -26,9 +27,10 @@ use super::trace::trace_line;
 const PAGE: &str = include_str!("page/player.html");
 const STYLE: &str = include_str!("page/player.css");
 const REPLAY: &str = include_str!("page/replay.js");
+const DRAW: &str = include_str!("page/draw.js");
 const VIEW: &str = include_str!("page/view.js");
 /// Where in the page the other parts go.
-const PARTS: [(&str, &str); 3] = [("/*STYLE*/", STYLE), ("/*REPLAY*/", REPLAY), ("/*VIEW*/", VIEW)];
+const PARTS: [(&str, &str); 4] = [("/*STYLE*/", STYLE), ("/*REPLAY*/", REPLAY), ("/*DRAW*/", DRAW), ("/*VIEW*/", VIEW)];
 const DATA: &str = "/*DATA*/";
 
 /// Records a run as a page that plays it.
