@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::{Slider, Ui};
+use trimalla::refine::{Event, StepOutcome};
 use trimalla_workbench::Document;
 
 /// The row.
@@ -117,8 +118,8 @@ impl Control {
         let Some(playing) = &mut self.plays else { return };
         let (now, done) = (ui.input(|i| i.time), document.undoable().0);
         if now >= playing.next {
-            if playing.undoable == Some(done) {
-                // The last step changed nothing: the refinement has ended, or was refused.
+            // The last step was refused, or nothing is left to do.
+            if playing.undoable == Some(done) || playing.undoable.is_some() && has_ended(document) {
                 self.plays = None;
                 return;
             }
@@ -127,4 +128,11 @@ impl Control {
         }
         ui.ctx().request_repaint_after(Duration::from_secs_f64((playing.next - now).max(0.0)));
     }
+}
+
+/// Whether the last step says that no other one follows.
+fn has_ended(document: &Document) -> bool {
+    let ends =
+        |event: &Event| matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
+    document.last_step().is_some_and(ends)
 }

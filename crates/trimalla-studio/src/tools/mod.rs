@@ -102,7 +102,9 @@ impl Tools {
         (document, scene): (Option<&Document>, &Scene),
     ) -> Vec<Asked> {
         let response = &shown.response;
-        let place = response.interact_pointer_pos().or_else(|| response.hover_pos());
+        // A drag begins where the button was pressed, and is noticed some points farther.
+        let pressed = response.drag_started().then(|| response.ctx.input(|i| i.pointer.press_origin())).flatten();
+        let place = pressed.or_else(|| response.interact_pointer_pos()).or_else(|| response.hover_pos());
         let hit = place.map(|at| Hit::at((at, response.rect), *view, document, scene)).filter(|hit| hit.at.is_finite());
         let mut asked = Vec::new();
         if self.tool == Tool::Move {

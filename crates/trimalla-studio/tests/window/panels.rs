@@ -1,43 +1,6 @@
-//! The panels, by label, click and key, without a display.
+//! Console, options, undo: the panels.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
-use trimalla_studio::Studio;
-
-fn harness() -> Harness<'static, Studio> {
-    Harness::builder()
-        .with_size(Vec2::new(1200.0, 800.0))
-        .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::default())
-}
-
-/// Types a command into the console.
-fn enter(harness: &mut Harness<'_, Studio>, line: &str) {
-    let input = harness.get_by_role_and_label(Role::TextInput, "Command");
-    input.focus();
-    harness.run();
-    harness.get_by_role_and_label(Role::TextInput, "Command").type_text(line);
-    harness.run();
-    harness.get_by_role_and_label(Role::Button, "Run").click();
-    settle(harness);
-}
-
-/// Waits for the command at work.
-fn settle(harness: &mut Harness<'_, Studio>) {
-    for _ in 0..3000 {
-        harness.run_steps(2);
-        if harness.state().document().is_some() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("the command does not end");
-}
-
-fn figures(harness: &Harness<'_, Studio>) -> trimalla_workbench::Figures {
-    harness.state().document().expect("nothing is at work").figures()
-}
+use super::*;
 
 #[test]
 fn commands_are_typed_and_buttons_run_them() {
@@ -55,26 +18,6 @@ fn commands_are_typed_and_buttons_run_them() {
     harness.get_by_role_and_label(Role::Button, "Redo").click();
     settle(&mut harness);
     assert_eq!(figures(&harness).triangles, 1);
-}
-
-/// Clicks at a place of the window.
-fn click_at(harness: &mut Harness<'_, Studio>, at: Pos2) {
-    for pressed in [true, false] {
-        harness.event(Event::PointerMoved(at));
-        harness.event(Event::PointerButton {
-            pos: at,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        });
-        harness.run_steps(2);
-    }
-    settle(harness);
-}
-
-/// The middle of the drawing.
-fn middle(harness: &Harness<'_, Studio>) -> Pos2 {
-    harness.get_by_label("Drawing").rect().center()
 }
 
 #[test]
