@@ -186,6 +186,21 @@ fn a_player_shows_what_would_come_and_changes_nothing() {
 }
 
 #[test]
+fn a_player_after_a_refinement_plays_that_refinement() {
+    let scratch = Scratch::new("player-after");
+    let path = scratch.path().join("run.html");
+    let mut document = Document::new();
+    let text = "Example key\nTriangulate\nSet min-angle 25\nStep 4\nRefine\nSelect\n";
+    assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+    document.run(&format!("Player {}", path.display()), &mut Quiet).expect("a page");
+    let data = played(&path);
+    let start = data["start"]["triangles"].as_array().expect("triangles").len();
+    let (triangles, steps) = end_of(&data);
+    assert_eq!((start, triangles), (213, document.figures().triangles));
+    assert!(steps > 100, "{steps}");
+}
+
+#[test]
 fn a_player_replaces_nothing_that_was_read() {
     let scratch = Scratch::new("player-spared");
     let drawing = scratch.path().join("d.poly");

@@ -13,7 +13,7 @@ use super::{Ask, CommandRow, Deed, step};
 use crate::document::Document;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
-use crate::messages::{Interface, MessageKind};
+use crate::messages::{Interface, MessageKind, Quiet};
 use crate::record::{ConstructionError, Player};
 use crate::state::Input;
 
@@ -22,10 +22,11 @@ pub(super) const ROW: CommandRow = CommandRow {
     arguments: "FILE",
     summary: "writes a page that plays a refinement, or before 'Triangulate' the triangulation",
     help: "One HTML file for any browser, without a network. A copy of the triangulation is refined by the options that \
-           'Set' gives, from where 'Step' has got to, to the end; nothing changes here. Before 'Triangulate' it plays how \
-           the triangulation comes about: point by point, segment by segment. Vertices are numbered from 0 in the order \
-           of creation. It takes 50,000 steps and 64 MiB: of a longer run it holds the first steps, and says so. The \
-           file is written whole or not at all.",
+           'Set' gives, from where 'Step' has got to, to the end; nothing changes here. Right after 'Refine' that \
+           refinement is played from its beginning. Before 'Triangulate' it plays how the triangulation comes about: \
+           point by point, segment by segment. Vertices are numbered from 0 in the order of creation. It takes 50,000 \
+           steps and 64 MiB: of a longer run it holds the first steps, and says so. The file is written whole or not at \
+           all.",
     parse: |arguments| Deed::ask(Command { path: arguments.path()? }),
 };
 
@@ -36,8 +37,10 @@ struct Command {
 impl Ask for Command {
     fn ask(&self, document: &Document, interface: &mut dyn Interface) -> Result<(), CommandError> {
         let title = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let player = match &document.state().mesh {
-            Some(mesh) => refined(&title, document, mesh, interface)?,
+        let before = before_refinement(document)?;
+        let played = before.as_ref().unwrap_or(document);
+        let player = match &played.state().mesh {
+            Some(mesh) => refined(&title, played, mesh, interface)?,
             None => constructed(&title, &document.state().input, interface)?,
         };
         if interface.is_cancelled() {
@@ -52,6 +55,28 @@ impl Ask for Command {
         interface.message(MessageKind::Information, &text);
         Ok(())
     }
+}
+
+/// The document before the refinement with which its commands end, with the options of now; `None` where they end with
+/// something else. Its commands are run again: they lead there again.
+fn before_refinement(document: &Document) -> Result<Option<Document>, CommandError> {
+    let script = document.script();
+    let lines: Vec<&str> = script.lines().collect();
+    let is = |line: &str, names: &[&str]| {
+        line.split_whitespace().next().is_some_and(|name| names.iter().any(|n| n.eq_ignore_ascii_case(name)))
+    };
+    let of_refinement = |line: &&&str| is(line, &["Step", "Refine", "Set", "Select"]);
+    let group = lines.iter().rev().take_while(of_refinement).count();
+    let (before, group) = lines.split_at(lines.len() - group);
+    if document.is_refining() || !group.iter().any(|line| is(line, &["Step", "Refine"])) {
+        return Ok(None);
+    }
+    let mut replayed = Document::new().with_files(document.files().clone());
+    let chosen = group.iter().filter(|line| is(line, &["Set", "Select"]));
+    for line in before.iter().chain(chosen) {
+        replayed.run(line, &mut Quiet)?;
+    }
+    Ok(Some(replayed))
 }
 
 /// Refines a copy to the end.
