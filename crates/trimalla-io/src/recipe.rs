@@ -24,7 +24,7 @@
 mod read;
 mod write;
 
-pub use read::{read, read_file};
+pub use read::{read, read_file, read_in};
 pub use write::write;
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! What one command has overwritten, and how it is put back.
 
+use std::path::{Path, PathBuf};
+
 use trimalla::constrained::{Edit, Workspace};
 use trimalla::delaunay::Inserted;
 use trimalla::drawing::Pslg;
@@ -11,6 +13,7 @@ use trimalla_io::Files;
 use crate::error::CommandError;
 use crate::mesh::{AtRest, Mesh, face_of};
 use crate::messages::{Interface, MessageKind};
+use crate::runs::RunInformation;
 use crate::state::State;
 
 /// What the records of the steps of one command may take.
@@ -41,6 +44,8 @@ pub(crate) enum Change {
     Mesh { log: UndoLog, before: Checkpoint, was_delaunay: bool },
     /// A refinement made a step, whose record takes so many bytes there.
     Step { bytes: usize },
+    /// The run of a refinement that came to its end was noted.
+    Noted,
 }
 
 impl Change {
@@ -65,6 +70,11 @@ impl Change {
             Self::Step { .. } => {
                 if let Some(Mesh::Refining(refining)) = &mut state.mesh {
                     refining.refinement.back();
+                }
+            }
+            Self::Noted => {
+                if let Some(Mesh::Refining(refining)) = &mut state.mesh {
+                    refining.is_noted = false;
                 }
             }
         }
@@ -102,17 +112,23 @@ pub(crate) struct Traces {
     pub(crate) event: Option<Box<Event>>,
     /// What the records of the steps that it made take.
     steps_bytes: usize,
+    /// What its run did, if it ended one.
+    pub(crate) run: Option<Box<RunInformation>>,
+    /// The files that it read.
+    pub(crate) read: Vec<PathBuf>,
 }
 
 impl Traces {
     /// The traces of a command that replaced everything.
-    pub(crate) fn whole(before: State, event: Option<Box<Event>>) -> Self {
-        Self { changes: vec![Change::Whole(Box::new(before))], event, steps_bytes: 0 }
+    pub(crate) fn whole(before: State, event: Option<Box<Event>>, run: Option<Box<RunInformation>>) -> Self {
+        Self { changes: vec![Change::Whole(Box::new(before))], event, run, ..Self::default() }
     }
 
     /// About how many bytes they take.
     pub(crate) fn bytes(&self) -> usize {
-        self.changes.iter().map(Change::bytes).sum::<usize>() + self.event.as_deref().map_or(0, bytes_of_event)
+        let run = self.run.as_ref().map_or(0, |run| size_of::<RunInformation>() + 8 * run.path_lengths.len());
+        let event = self.event.as_deref().map_or(0, bytes_of_event);
+        self.changes.iter().map(Change::bytes).sum::<usize>() + run + event
     }
 }
 
@@ -352,6 +368,26 @@ impl<'a> Work<'a> {
         self.interface.update();
         self.traces.event = Some(Box::new(trimmed(event)));
         Ok(())
+    }
+
+    /// Notes what a run did.
+    pub(crate) fn note_run(&mut self, run: RunInformation) {
+        self.traces.run = Some(Box::new(run));
+    }
+
+    /// Notes what the refinement at work did, which has come to its end; once.
+    pub(crate) fn note_end(&mut self) {
+        let Some(Mesh::Refining(refining)) = &mut self.state.mesh else { return };
+        if !std::mem::replace(&mut refining.is_noted, true) {
+            let run = RunInformation::until_now(refining);
+            self.traces.changes.push(Change::Noted);
+            self.note_run(run);
+        }
+    }
+
+    /// Notes that a file was read.
+    pub(crate) fn note_read(&mut self, path: &Path) {
+        self.traces.read.push(path.to_owned());
     }
 
     /// What the last step did.

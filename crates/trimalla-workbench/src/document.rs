@@ -18,6 +18,7 @@ use crate::history::{Done, History};
 use crate::mesh::{Mesh, Refining};
 use crate::messages::{Interface, MessageKind};
 use crate::running::Unfinished;
+use crate::runs::RunInformation;
 use crate::state::State;
 
 /// A drawing, its triangulation, what a refinement is asked, and what the user picked; with a history.
@@ -31,6 +32,8 @@ pub struct Document {
     /// The commands that led here.
     log: Vec<String>,
     files: Files,
+    /// What the runs among them did.
+    runs: Vec<RunInformation>,
     /// Files that were read, which no command replaces.
     spared: BTreeSet<PathBuf>,
     /// How often the document has changed.
@@ -68,6 +71,7 @@ impl Document {
             state: State::default(),
             history: History::new(most_bytes),
             log: Vec::new(),
+            runs: Vec::new(),
             files: Files::Disk,
             spared: BTreeSet::new(),
             version: 0,
@@ -168,8 +172,10 @@ impl Document {
             return;
         }
         self.spared.extend(self.state.input.files.iter().cloned());
+        self.spared.extend(traces.read.iter().cloned());
         self.log.push(line.trim().to_owned());
         self.version += 1;
+        self.runs.extend(traces.run.as_deref().cloned());
         let dropped = self.history.push(Done::new(line.trim().to_owned(), traces), &mut self.state);
         tell_dropped(dropped, interface);
     }
@@ -184,6 +190,9 @@ impl Document {
             let Some(done) = self.history.pop() else { break };
             self.log.pop();
             self.version += 1;
+            if done.run().is_some() {
+                self.runs.pop();
+            }
             let undone = done.undo(&mut self.state);
             interface.message(MessageKind::Information, &format!("undone: {}", undone.line));
             self.history.push_undone(undone);
@@ -200,11 +209,12 @@ impl Document {
             let Some(undone) = self.history.pop_undone() else { break };
             interface.message(MessageKind::Information, &format!("done again: {}", undone.line));
             let traces = match undone.after {
-                Some(after) => Traces::whole(std::mem::replace(&mut self.state, *after), undone.event),
+                Some(after) => Traces::whole(std::mem::replace(&mut self.state, *after), undone.event, undone.run),
                 None => self.traces_of(&undone.line, interface)?,
             };
             self.log.push(undone.line.clone());
             self.version += 1;
+            self.runs.extend(traces.run.as_deref().cloned());
             let dropped = self.history.push_again(Done::new(undone.line, traces), &mut self.state);
             tell_dropped(dropped, interface);
         }
@@ -369,6 +379,13 @@ impl Document {
         self.history.bytes()
     }
 
+    /// What the runs of refinements did that led here, the oldest first: one for each `Refine`, each `LEPP`, and each
+    /// refinement that came to its end by single steps.
+    #[must_use]
+    pub fn runs(&self) -> &[RunInformation] {
+        &self.runs
+    }
+
     /// What the last step did, if the last command was a `Step`.
     ///
     /// `Undo` leads back to the step of the command before, and `Redo` to that of the command that is done again.
@@ -396,7 +413,7 @@ impl Document {
         self.refining().map_or(0, |refining| refining.refinement.step_number())
     }
 
-    fn refining(&self) -> Option<&Refining> {
+    pub(crate) fn refining(&self) -> Option<&Refining> {
         self.state.mesh.as_ref().and_then(Mesh::refining)
     }
 

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use trimalla::refine::Event;
 
 use crate::changes::{Change, Traces};
+use crate::runs::RunInformation;
 use crate::state::State;
 
 /// A command that was done.
@@ -20,13 +21,19 @@ pub(crate) struct Undone {
     pub(crate) line: String,
     /// The state it led to, where it replaced everything; else it is run again, on the state it was run on before.
     pub(crate) after: Option<Box<State>>,
-    /// The event of its last step, where it is not run again.
+    /// The event of its last step and its run, where it is not run again.
     pub(crate) event: Option<Box<Event>>,
+    pub(crate) run: Option<Box<RunInformation>>,
 }
 
 impl Done {
     pub(crate) fn new(line: String, traces: Traces) -> Self {
         Self { line, traces }
+    }
+
+    /// What its run did, if it ended one.
+    pub(crate) fn run(&self) -> Option<&RunInformation> {
+        self.traces.run.as_deref()
     }
 
     /// The event of its last step, if it made steps.
@@ -49,7 +56,7 @@ impl Done {
     }
 
     fn bytes(&self) -> usize {
-        self.line.len() + self.traces.bytes()
+        size_of::<Self>() + self.line.len() + self.traces.bytes()
     }
 
     /// Takes the command back.
@@ -64,7 +71,8 @@ impl Done {
                 None
             }
         };
-        Undone { line: self.line, event: self.traces.event.filter(|_| after.is_some()), after }
+        let (event, run) = if after.is_some() { (self.traces.event, self.traces.run) } else { (None, None) };
+        Undone { line: self.line, after, event, run }
     }
 }
 

@@ -21,6 +21,7 @@
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`EdgePlan`] | what inserting an edge would do, step by step |
 //! | [`numbers`] | messages and picks in the numbers of a file |
+//! | [`RunInformation`] | what a run of a refinement was asked, and what it did |
 //! | [`script`] | many commands as a text |
 //! | [`record`] | the steps of a run as lines, as pictures, and on a page that plays them |
 //! | [`Interface`] | what a program shows: messages of three kinds and two events |
@@ -47,6 +48,7 @@ mod names;
 pub mod numbers;
 pub mod record;
 mod running;
+mod runs;
 pub mod script;
 mod state;
 
@@ -57,3 +59,4 @@ pub use error::CommandError;
 pub use figures::Figures;
 pub use messages::{Interface, MessageKind, Quiet};
 pub use running::{Advanced, Running};
+pub use runs::RunInformation;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use trimalla::half_edge::{FaceId, HalfEdgeId, VertexId};
-use trimalla::refine::{NamedOptions, Refinement};
+use trimalla::refine::{NamedOptions, Overview, Refinement};
 use trimalla::triangulation::Triangulation;
 
 /// The triangulation of a document.
@@ -22,6 +22,10 @@ pub(crate) struct Refining {
     pub(crate) refinement: Refinement,
     /// What the refinement was asked when it began.
     pub(crate) options: NamedOptions,
+    /// Size and smallest angle when it began.
+    pub(crate) before: Overview,
+    /// Whether it has come to its end, and its run was noted.
+    pub(crate) is_noted: bool,
 }
 
 /// A triangulation at rest.

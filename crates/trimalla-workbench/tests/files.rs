@@ -231,3 +231,30 @@ fn a_player_of_extreme_coordinates_holds_numbers() {
         document.run(line, &mut Quiet).expect("done");
     }
 }
+
+#[test]
+fn a_recipe_that_is_saved_is_read_again() {
+    let scratch = Scratch::new("recipe");
+    let path = scratch.path().join("mine.toml");
+    let mut document = Document::new();
+    let text = format!(
+        "Set algorithm lepp-centroid\nSet select smallest-circumradius\nSet min-angle 27.5\nSet max-vertices 700\nSaveRecipe {0}\n\
+         Set algorithm off-center\nSet min-angle 5\nSet max-area 3\nRecipe {0}\n",
+        path.display()
+    );
+    assert_eq!(script::run(&mut document, &text, false, &mut Quiet), []);
+    let mut expected = Document::new();
+    let set = text.lines().filter(|line| line.starts_with("Set")).take(4).collect::<Vec<_>>().join("\n");
+    assert_eq!(script::run(&mut expected, &set, false, &mut Quiet), []);
+    assert_eq!(document.options(), expected.options(), "also what was not set is as it was");
+    let before = fs::read(&path).expect("a recipe");
+    for line in [format!("SaveRecipe {}", path.display()), format!("Save {}", path.display())] {
+        let error = document.run(&line, &mut Quiet).expect_err("it was read");
+        assert!(error.message().contains("was read"), "{line}: {error}");
+    }
+    assert_eq!(fs::read(&path).expect("a recipe"), before);
+    fs::write(&path, "min-angle = 77\n").expect("written");
+    let error = document.run(&format!("Recipe {}", path.display()), &mut Quiet).expect_err("no recipe");
+    assert!(error.message().contains("mine.toml:1"), "{error}");
+    assert_eq!(document.options(), expected.options(), "nothing has changed");
+}

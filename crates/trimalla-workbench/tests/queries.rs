@@ -1,4 +1,4 @@
-//! What a document tells: the steps of a refinement, its history, and what an edge would do.
+//! What a document tells: the steps of a refinement, its runs, its history, histograms, and what an edge would do.
 
 use trimalla_workbench::{Document, Interface, MessageKind, NamedPoint, Quiet};
 
@@ -161,4 +161,67 @@ fn a_long_side_of_a_plan_is_told_without_calls() {
     let plan = document.edge_plan(0, 1).expect("a plan");
     assert_eq!((plan.left.boundary.len(), plan.right.boundary.len()), (2502, 2502));
     assert!(plan.left.calls.is_empty() && plan.right.calls.is_empty());
+}
+
+#[test]
+fn runs_are_told_and_undone_with_their_commands() {
+    let mut document = after(&["Generate polygon 40 5", "Triangulate", "Set min-angle 25", "Set max-vertices 400"]);
+    let vertices = |document: &Document| document.runs().iter().map(|run| run.after.vertices).collect::<Vec<_>>();
+    let whole = said(&mut document, "Refine");
+    let run_of_refine = document.runs()[0].clone();
+    assert_eq!((run_of_refine.before.vertices, run_of_refine.after.vertices), (40, document.figures().vertices));
+    assert_eq!(run_of_refine.after.min_angle_deg, Some(document.figures().min_angle_deg));
+    assert!(whole.iter().any(|line| line.trim() == "angle asked: 25 degrees"), "{whole:#?}");
+    let told = said(&mut document, "Stats");
+    assert!(run_of_refine.lines().iter().all(|line| told.contains(&format!("  {line}"))), "{told:#?}");
+    run(&mut document, &["Undo"]);
+    assert!(document.runs().is_empty() && document.run_so_far().is_none());
+
+    // Step by step it is the same run, which is told once, at its end.
+    run(&mut document, &["Step 3"]);
+    let begun = document.run_so_far().expect("a refinement at work");
+    assert_eq!(begun.before, run_of_refine.before);
+    assert!(begun.after.vertices < run_of_refine.after.vertices && document.runs().is_empty());
+    run(&mut document, &["Step 1000", "Step", "Step"]);
+    assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));
+    run(&mut document, &["Undo 2", "Redo 2"]);
+    assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));
+    run(&mut document, &["Undo 3"]);
+    assert!(document.runs().is_empty());
+    run(&mut document, &["Redo"]);
+    assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));
+
+    run(&mut document, &["LEPP 27 MID"]);
+    let run_of_lepp = document.runs()[1].clone();
+    assert_eq!(run_of_lepp.before, run_of_refine.after);
+    assert_eq!(vertices(&document), [run_of_refine.after.vertices, document.figures().vertices]);
+    let added = run_of_lepp.after.vertices - run_of_lepp.before.vertices;
+    let paths = run_of_lepp.path_lengths.iter().sum::<u64>();
+    assert_eq!(
+        paths,
+        (added + run_of_lepp.leftovers) as u64,
+        "a path for each vertex, and for each triangle that is left"
+    );
+    assert_eq!(run_of_lepp.options.min_angle_deg, Some(27.0));
+    // Those that replace everything keep their run for 'Redo'.
+    run(&mut document, &["Undo 4", "Redo 4"]);
+    assert_eq!(document.runs(), [run_of_refine, run_of_lepp]);
+}
+
+#[test]
+fn histograms_count_every_triangle() {
+    let mut document = after(&["Generate random 50 4"]);
+    assert_eq!(document.angle_histogram().total(), 0);
+    assert!(document.path_lengths().is_empty());
+    run(&mut document, &["Triangulate"]);
+    let figures = document.figures();
+    let histogram = document.angle_histogram();
+    assert_eq!(histogram.total(), figures.triangles);
+    let first = histogram.counts.iter().position(|&count| count > 0).expect("a triangle");
+    assert!(
+        histogram.range_deg(first)[0] <= figures.min_angle_deg && figures.min_angle_deg < histogram.range_deg(first)[1]
+    );
+    let lengths = document.path_lengths();
+    assert_eq!(lengths.iter().sum::<u64>(), figures.triangles as u64);
+    assert_eq!(lengths[0], 0, "each path has its own triangle at least");
 }

@@ -8,8 +8,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use trimalla::refine::{Group, OptionRow, Value, Values};
 
-use crate::bytes::read_bytes;
 use crate::error::{Fault, IoError, Place, quote};
+use crate::files::Files;
 use trimalla::refine::NamedOptions;
 
 /// The key that stands for all steps.
@@ -23,8 +23,16 @@ const LARGEST: u64 = 1 << 20;
 /// # Errors
 /// [`IoError::Missing`], [`IoError::Unreadable`], and those of [`read`].
 pub fn read_file(path: impl AsRef<Path>) -> Result<NamedOptions, IoError> {
+    read_in(&Files::Disk, path)
+}
+
+/// Reads a recipe from a file on the disk or in memory.
+///
+/// # Errors
+/// Those of [`read_file`].
+pub fn read_in(files: &Files, path: impl AsRef<Path>) -> Result<NamedOptions, IoError> {
     let path = path.as_ref();
-    read(&read_bytes(path, LARGEST)?, &path.to_string_lossy())
+    read(&files.read_bytes(path, LARGEST)?, &path.to_string_lossy())
 }
 
 /// Reads a recipe; `name` is what errors call the file.

@@ -6,7 +6,7 @@ use std::collections::BinaryHeap;
 use trimalla::constrained::{ConstrainedTriangulation, Edit};
 use trimalla::geometry::Triangle;
 use trimalla::half_edge::{FaceId, UndoLog, VertexId};
-use trimalla::refine::{Centroid, LeppRule, Ruler, lepp};
+use trimalla::refine::{Centroid, LeppRule, NamedOptions, Preset, Ruler, Select, lepp};
 
 use super::{Act, CommandRow, Deed};
 use crate::arguments::Arguments;
@@ -14,6 +14,7 @@ use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::face_of;
 use crate::messages::Interface;
+use crate::runs::{RunInformation, count, overview_of};
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "LEPP",
@@ -44,13 +45,21 @@ struct Lepp {
 
 impl Act for Lepp {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+        let Some(mesh) = &work.state().mesh else { return Err(CommandError::nothing_triangulated()) };
+        let before = overview_of(mesh.triangulation());
         let most = work.state().options.refine_options().limits.max_vertices;
-        let [inserted, left] = work.edit_delaunay(|edit, interface| self.refine(edit, most, interface))?;
+        let (inserted, left, path_lengths) =
+            work.edit_delaunay(|edit, interface| self.refine(edit, most, interface))?;
         let why = if left > 0 { ", for which rounding or the vertex budget leaves no room" } else { "" };
         work.say(format!(
             "{inserted} vertices were inserted; {left} triangles are left below {} degrees{why}",
             self.angle
         ));
+        if let Some(mesh) = &work.state().mesh {
+            let after = overview_of(mesh.triangulation());
+            let options = self.options(most);
+            work.note_run(RunInformation { options, before, after, leftovers: left, path_lengths });
+        }
         Ok(())
     }
 }
@@ -59,14 +68,27 @@ impl Act for Lepp {
 type Waiting = Reverse<(u64, [VertexId; 3])>;
 
 impl Lepp {
-    /// Refines; how many vertices were inserted, and how many triangles are left below the bound.
+    /// What the command asks, as the options of a refinement.
+    fn options(&self, most: usize) -> NamedOptions {
+        let preset = if self.centroid.is_some() { Preset::LeppCentroid } else { Preset::LeppMidpoint };
+        let mut options = NamedOptions::of(preset);
+        options.recipe.select = Select::SmallestAngle;
+        options.recipe.until_destroyed = false;
+        options.recipe.lepp_rule = LeppRule::StopAtBoundary;
+        options.recipe.centroid = self.centroid.unwrap_or_default();
+        (options.min_angle_deg, options.max_vertices) = (Some(self.angle), Some(most));
+        options
+    }
+
+    /// Refines; how many vertices were inserted, how many triangles are left below the bound, and how many paths with
+    /// 0, 1, 2, … triangles were followed.
     fn refine(
         &self,
         cdt: &mut Edit<'_, UndoLog>,
         most: usize,
         interface: &dyn Interface,
-    ) -> Result<[usize; 2], CommandError> {
-        let (mut waiting, mut inserted, mut left) = (BinaryHeap::new(), 0, 0);
+    ) -> Result<(usize, usize, Vec<u64>), CommandError> {
+        let (mut waiting, mut inserted, mut left, mut lengths) = (BinaryHeap::new(), 0, 0, Vec::new());
         // The box of all vertices stays, as points are inserted inside it.
         let ruler = Ruler::for_box(cdt.bounding_box());
         waiting.extend(cdt.real_faces().filter_map(|f| self.waiting(cdt, f)));
@@ -75,9 +97,10 @@ impl Lepp {
             if interface.is_cancelled() {
                 return Err(CommandError::cancelled());
             }
-            let edge = lepp::terminal_edge(cdt, ruler, f, LeppRule::StopAtBoundary);
+            let path = lepp::lepp(cdt, ruler, f, LeppRule::StopAtBoundary);
+            count(&mut lengths, path.len());
             let room = cdt.points().len() < most;
-            match room.then(|| cdt.lepp_insert(ruler, edge, self.centroid)).flatten() {
+            match room.then(|| cdt.lepp_insert(ruler, path.terminal_edge, self.centroid)).flatten() {
                 Some(v) => {
                     inserted += 1;
                     // Flips leave changed triangles around the new vertex only.
@@ -88,7 +111,7 @@ impl Lepp {
                 None => left += 1,
             }
         }
-        Ok([inserted, left])
+        Ok((inserted, left, lengths))
     }
 
     /// A face as it waits, if its smallest angle is below the bound.

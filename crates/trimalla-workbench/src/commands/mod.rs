@@ -20,11 +20,13 @@ mod move_vertex;
 mod outer;
 mod plan;
 mod player;
+mod recipe;
 mod redo;
 mod refine;
 mod release;
 mod reset;
 mod save;
+mod save_recipe;
 mod select;
 mod set;
 mod show;
@@ -134,6 +136,7 @@ pub const COMMANDS: &[CommandRow] = &[
     release::ROW,
     select::ROW,
     set::ROW,
+    recipe::ROW,
     step::ROW,
     refine::ROW,
     treat::ROW,
@@ -145,6 +148,7 @@ pub const COMMANDS: &[CommandRow] = &[
     check::ROW,
     expect::ROW,
     save::ROW,
+    save_recipe::ROW,
     export::ROW,
     player::ROW,
     help::ROW,

@@ -7,6 +7,7 @@ use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
 use crate::messages::Interface;
+use crate::runs::RunInformation;
 
 /// A slice is so many times 256 steps or insertions: about a millisecond.
 const SLICE: usize = 4;
@@ -15,7 +16,8 @@ pub(super) const ROW: CommandRow = CommandRow {
     name: "Refine",
     arguments: "",
     summary: "refines to the end",
-    help: "By the options that 'Set' gives, from where 'Step' has got to.",
+    help: "By the options that 'Set' gives, from where 'Step' has got to. What was asked and what was done is told at \
+           the end.",
     parse: |_| Deed::slices(Refine::default()),
 };
 
@@ -57,6 +59,10 @@ fn begin(work: &mut Work<'_>) -> Result<Box<Refinement>, CommandError> {
 }
 
 fn end(refinement: Refinement, work: &mut Work<'_>) {
+    let asked = match &work.state().mesh {
+        Some(Mesh::Refining(refining)) => Some((refining.options.clone(), refining.before)),
+        _ => None,
+    };
     let (t, report) = refinement.finish();
     work.replace_mesh(Mesh::given(t));
     work.say(format!(
@@ -67,6 +73,11 @@ fn end(refinement: Refinement, work: &mut Work<'_>) {
         report.max_angle_deg,
         report.leftovers.len()
     ));
+    if let Some((options, before)) = asked {
+        let run = RunInformation::new(options, before, &report);
+        run.lines().iter().for_each(|line| work.say(format!("  {line}")));
+        work.note_run(run);
+    }
 }
 
 /// Ends a slice, or all of it where somebody cancels.

@@ -40,6 +40,9 @@ impl Job for Step {
         let is_done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
         let text = text_of(work, event);
         work.say(text);
+        if is_done {
+            work.note_end();
+        }
         self.made += 1;
         Ok(if is_done || self.made == self.times { Slice::Last } else { Slice::More })
     }
@@ -56,7 +59,8 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
     let mut refinement = refinement_of(state)?;
     refinement.keep_history(usize::MAX);
     let options = state.options.clone();
-    work.replace_mesh(Mesh::Refining(Box::new(Refining { refinement, options })));
+    let before = refinement.overview();
+    work.replace_mesh(Mesh::Refining(Box::new(Refining { before, refinement, options, is_noted: false })));
     Ok(())
 }
 
