@@ -42,6 +42,7 @@ mod edge_plan;
 mod error;
 mod figures;
 mod history;
+mod lessons;
 mod mesh;
 mod messages;
 mod names;

@@ -8,6 +8,7 @@ use trimalla_io::{Files, IoError};
 use crate::commands::COMMANDS;
 use crate::document::Document;
 use crate::error::CommandError;
+pub use crate::lessons::{LEARN, Lesson, Scene, scenes};
 use crate::messages::Interface;
 
 /// A command of a script that was refused.
