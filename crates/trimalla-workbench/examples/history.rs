@@ -55,7 +55,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (made, vertices) = (document.steps_made(), document.triangulation().map_or(0, |t| t.points().len()));
     println!("{made} steps, {vertices} vertices");
     let (undoable, _) = document.undoable();
-    println!("{undoable} commands can be undone, {} messages on dropped ones", dropped.0.len());
+    println!(
+        "{undoable} commands can be undone{}",
+        if dropped.0.is_empty() { "" } else { ", older ones were dropped" }
+    );
     println!("history: {} of {} bytes, {} a step", document.history_bytes(), Document::HISTORY_BYTES, {
         document.history_bytes() / undoable.max(1)
     });

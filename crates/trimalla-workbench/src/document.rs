@@ -177,7 +177,7 @@ impl Document {
         self.version += 1;
         self.runs.extend(traces.run.as_deref().cloned());
         let dropped = self.history.push(Done::new(line.trim().to_owned(), traces), &mut self.state);
-        tell_dropped(dropped, interface);
+        self.tell_dropped(dropped, interface);
     }
 
     fn undo(&mut self, times: usize, interface: &mut dyn Interface) -> Result<(), CommandError> {
@@ -216,10 +216,21 @@ impl Document {
             self.version += 1;
             self.runs.extend(traces.run.as_deref().cloned());
             let dropped = self.history.push_again(Done::new(undone.line, traces), &mut self.state);
-            tell_dropped(dropped, interface);
+            self.tell_dropped(dropped, interface);
         }
         interface.reset();
         Ok(())
+    }
+
+    /// Says that commands can no longer be taken back, when the first of them are dropped.
+    fn tell_dropped(&self, dropped: usize, interface: &mut dyn Interface) {
+        if dropped > 0 && dropped == self.history.forgotten() {
+            let mib = self.history.most_bytes() >> 20;
+            let text = format!(
+                "the history takes more than {mib} MiB: from now on the oldest commands can no longer be undone"
+            );
+            interface.message(MessageKind::Information, &text);
+        }
     }
 
     /// Runs a command that was run on this very state before: it does the same.
@@ -253,14 +264,6 @@ fn do_all(mut job: Box<dyn Job>, work: &mut Work<'_>) -> Result<(), CommandError
 fn tell_error<T>(done: &Result<T, CommandError>, interface: &mut dyn Interface) {
     if let Err(error) = done {
         interface.message(MessageKind::Error, error.message());
-    }
-}
-
-/// Says that commands can no longer be taken back.
-fn tell_dropped(dropped: usize, interface: &mut dyn Interface) {
-    if dropped > 0 {
-        let text = format!("the history takes too much memory: the oldest {dropped} commands can no longer be undone");
-        interface.message(MessageKind::Information, &text);
     }
 }
 

@@ -47,6 +47,10 @@ impl Done {
         self.traces.changes.iter().filter(is_step).count() as u64
     }
 
+    fn has_replaced_everything(&self) -> bool {
+        self.traces.changes.iter().any(|change| matches!(change, Change::Whole(_)))
+    }
+
     /// The state before it, if it replaced everything.
     fn before(&mut self) -> Option<&mut State> {
         self.traces.changes.iter_mut().find_map(|change| match change {
@@ -85,6 +89,8 @@ pub(crate) struct History {
     most_bytes: usize,
     /// How many commands were done before the oldest that can be taken back.
     forgotten: usize,
+    /// How many of those that can be taken back have replaced everything.
+    wholes: usize,
 }
 
 impl History {
@@ -92,7 +98,7 @@ impl History {
     pub(crate) const MOST_BYTES: usize = 256 << 20;
 
     pub(crate) fn new(most_bytes: usize) -> Self {
-        Self { done: VecDeque::new(), undone: Vec::new(), bytes: 0, most_bytes, forgotten: 0 }
+        Self { done: VecDeque::new(), undone: Vec::new(), bytes: 0, most_bytes, forgotten: 0, wholes: 0 }
     }
 
     /// Notes a command that was done and led to a state; commands that were taken back cannot be done again after it.
@@ -104,13 +110,13 @@ impl History {
 
     /// Notes a command that was done again and led to a state.
     pub(crate) fn push_again(&mut self, done: Done, state: &mut State) -> usize {
-        self.bytes += done.bytes();
+        self.count(&done, true);
         self.done.push_back(done);
         let mut dropped = 0;
         // The newest stays, whatever it takes.
         while self.bytes > self.most_bytes && self.done.len() > 1 {
             let Some(oldest) = self.done.pop_front() else { break };
-            self.bytes -= oldest.bytes();
+            self.count(&oldest, false);
             self.forget_steps(oldest.steps(), state);
             dropped += 1;
         }
@@ -122,7 +128,8 @@ impl History {
     /// which replaced everything has put away, or of the one at work.
     fn forget_steps(&mut self, steps: u64, state: &mut State) {
         if steps > 0 {
-            let put_away = self.done.iter_mut().find_map(Done::before);
+            let all = if self.wholes > 0 { self.done.len() } else { 0 };
+            let put_away = self.done.iter_mut().take(all).find_map(Done::before);
             put_away.unwrap_or(state).forget_oldest_steps(steps);
         }
     }
@@ -130,8 +137,20 @@ impl History {
     /// The newest command, to be taken back.
     pub(crate) fn pop(&mut self) -> Option<Done> {
         let done = self.done.pop_back()?;
-        self.bytes -= done.bytes();
+        self.count(&done, false);
         Some(done)
+    }
+
+    /// Counts a command that joins the records, or leaves them.
+    fn count(&mut self, done: &Done, joins: bool) {
+        let (bytes, whole) = (done.bytes(), usize::from(done.has_replaced_everything()));
+        if joins {
+            self.bytes += bytes;
+            self.wholes += whole;
+        } else {
+            self.bytes -= bytes;
+            self.wholes -= whole;
+        }
     }
 
     /// The newest command.
@@ -157,6 +176,11 @@ impl History {
     /// About how many bytes the records take.
     pub(crate) const fn bytes(&self) -> usize {
         self.bytes
+    }
+
+    /// What the records may take, in bytes.
+    pub(crate) const fn most_bytes(&self) -> usize {
+        self.most_bytes
     }
 
     /// How many commands can be taken back.

@@ -85,7 +85,8 @@ fn a_history_over_its_budget_forgets_the_oldest() {
     for i in 0..100 {
         document.run(&format!("Insert 0.5 {}", 0.001 * f64::from(i)), &mut counts).expect("a point");
     }
-    assert!(counts.messages.iter().any(|(_, text)| text.contains("can no longer be undone")));
+    let told = counts.messages.iter().filter(|(_, text)| text.contains("can no longer be undone")).count();
+    assert_eq!(told, 1, "it is said when it begins");
     let (undoable, _) = document.undoable();
     assert!((1..100).contains(&undoable), "{undoable}");
     let error = document.run(&format!("Undo {}", undoable + 1), &mut counts).expect_err("too many");
