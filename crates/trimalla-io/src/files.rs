@@ -1,8 +1,8 @@
 //! Where files are: on the disk, or in memory.
 //!
 //! A page in a browser has no disk, and a test needs none. [`Memory`] stands for one there: a table of names and
-//! contents. Names are compared as text, but for `.` in them; there are no folders, links, pipes or devices, and `-` is a
-//! name as any other.
+//! contents. Names are compared as text, but for `.` in them. There are no folders, links, pipes or devices, and `-` is
+//! a name as any other.
 
 use std::collections::BTreeMap;
 use std::fs;

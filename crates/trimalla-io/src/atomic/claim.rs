@@ -67,6 +67,7 @@ impl Claim {
     }
 
     /// The lock file itself.
+    #[cfg(unix)]
     pub(super) fn file(&self) -> &File {
         &self.file
     }
