@@ -3,21 +3,26 @@
 //! | module | holds |
 //! |---|---|
 //! | `app` | the window: which panel is where, and what its buttons run |
-//! | `worker` | commands at work on a thread of their own, which can be cancelled |
+//! | `worker` | commands at work on a thread of their own or slice by slice, which can be cancelled |
 //! | `scene` | what is drawn of the document, as plain arrays |
 //! | `viewer` | the drawing: triangles by the graphics card, all else above them |
 //! | `tools` | what clicks and drags into the drawing do |
 //! | `panels` | inspector, options, console |
 //! | `compare` | recipes side by side |
+//! | [`link`], [`exchange`], `web` | the studio in a browser: links that carry scripts, files in memory, the page |
 //!
 //! Whatever a click does appears in the console as the command it is.
 
 mod app;
 mod compare;
+pub mod exchange;
+pub mod link;
 mod panels;
 mod scene;
 mod tools;
 mod viewer;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 mod worker;
 
 pub use app::Studio;

@@ -1,10 +1,10 @@
-//! The studio in a window: `trimalla-studio [FILE or SCRIPT.tri]`.
+//! The studio in a window: `trimalla-studio [FILE or SCRIPT.tri]`; for `wasm32` the studio in a page.
 
-use std::process::ExitCode;
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    use std::process::ExitCode;
+    use trimalla_studio::Studio;
 
-use trimalla_studio::Studio;
-
-fn main() -> ExitCode {
     let file = std::env::args_os().nth(1);
     let size = eframe::egui::vec2(1280.0, 860.0);
     let viewport = eframe::egui::ViewportBuilder::default().with_inner_size(size).with_title("trimalla");
@@ -27,4 +27,9 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    trimalla_studio::web::start();
 }

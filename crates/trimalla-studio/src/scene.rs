@@ -85,16 +85,36 @@ impl Scene {
     pub(crate) fn of(document: &Document) -> Self {
         let drawing = document.drawing();
         let mut scene = match document.triangulation() {
-            Some(t) => Self::of_triangulation(document, t),
+            Some(t) => Self::of_triangulation(t, drawing.points.len(), |v| document.name(v)),
             None => Self::of_drawing(document),
         };
         scene.holes.clone_from(&drawing.holes);
         scene.figures = document.figures();
-        for face in &scene.faces {
-            scene.classes[((face.min_angle_deg / 60.0 * CLASSES as f32) as usize).min(CLASSES - 1)] += 1;
-        }
-        scene.bounds = bounds(scene.vertices.iter().map(|v| v.at));
+        scene.measure();
         scene
+    }
+
+    /// What is drawn of a triangulation that is refined: vertices have no names of the document yet.
+    pub(crate) fn growing(t: &ConstrainedTriangulation) -> Self {
+        let mut scene = Self::of_triangulation(t, t.input_points(), |v| v.0);
+        let least = scene.faces.iter().map(|face| face.min_angle_deg).fold(180.0, f32::min);
+        scene.figures = Figures {
+            vertices: scene.vertices.len(),
+            steiner: scene.vertices.iter().filter(|v| v.is_steiner).count(),
+            triangles: scene.faces.len(),
+            min_angle_deg: f64::from(least),
+            ..Figures::default()
+        };
+        scene.measure();
+        scene
+    }
+
+    /// Counts classes of angles, and finds the box around everything.
+    fn measure(&mut self) {
+        for face in &self.faces {
+            self.classes[((face.min_angle_deg / 60.0 * CLASSES as f32) as usize).min(CLASSES - 1)] += 1;
+        }
+        self.bounds = bounds(self.vertices.iter().map(|v| v.at));
     }
 
     fn of_drawing(document: &Document) -> Self {
@@ -115,9 +135,8 @@ impl Scene {
         }
     }
 
-    fn of_triangulation(document: &Document, t: &ConstrainedTriangulation) -> Self {
-        let input = document.drawing().points.len();
-        let vertex = |v: VertexId| Vertex { at: t.point(v), name: document.name(v), is_steiner: v.index() >= input };
+    fn of_triangulation(t: &ConstrainedTriangulation, input: usize, name: impl Fn(VertexId) -> u32) -> Self {
+        let vertex = |v: VertexId| Vertex { at: t.point(v), name: name(v), is_steiner: v.index() >= input };
         let face = |f: FaceId| {
             let [a, b, c] = t.face_points(f);
             let triangle = Triangle::new(a, b, c);

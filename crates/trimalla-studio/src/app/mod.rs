@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use eframe::egui::{self, CentralPanel, Key, Panel, Ui};
 use eframe::wgpu::TextureFormat;
+use trimalla_io::Files;
 use trimalla_workbench::{Document, MessageKind, script};
 
 use self::control::Control;
@@ -18,7 +19,7 @@ use crate::tools::{Asked, Tool, Tools};
 use crate::viewer::switches::{self, Switches};
 use crate::viewer::view::View;
 use crate::viewer::{Viewer, overlay};
-use crate::worker::Worker;
+use crate::worker::{Message, Worker};
 
 /// The studio.
 ///
@@ -80,12 +81,29 @@ impl Studio {
         }
     }
 
+    /// A studio for where there are neither threads nor a disk: commands are done slice by slice, on these files.
+    #[must_use]
+    pub fn in_slices(self, files: Files) -> Self {
+        Self { worker: Worker::in_slices(files), ..self }
+    }
+
+    /// Runs the commands of a script, and shows all of what they lead to.
+    pub fn run_script(&mut self, text: String) {
+        self.fits = true;
+        self.run(text, None);
+    }
+
+    /// Shows a message in the console.
+    pub fn say(&mut self, kind: MessageKind, text: String) {
+        self.console.add(vec![(kind, text)]);
+    }
+
     /// Opens a drawing or a mesh, or runs a script (`.tri`).
     pub fn open(&mut self, path: &str) {
         self.path = path.to_owned();
         self.fits = true;
         if path.ends_with(".tri") {
-            match script::read(path) {
+            match script::read_in(self.worker.files(), path) {
                 Ok(text) => self.run(text, None),
                 Err(error) => self.console.add(vec![(MessageKind::Error, error.to_string())]),
             }
@@ -111,8 +129,8 @@ impl Studio {
             let busy = "a command is at work: 'Cancel' stops it".to_owned();
             return self.console.add(vec![(MessageKind::Command, text), (MessageKind::Error, busy)]);
         }
-        self.worker.run(text, false, context.cloned());
-        self.poll();
+        self.worker.run(&text, false, context.cloned());
+        self.poll_shortly();
     }
 
     /// Does what a tool asks for.
@@ -135,14 +153,24 @@ impl Studio {
         while !self.worker.is_busy() {
             let Some((text, is_quiet)) = self.waiting.pop_front() else { return };
             let text = self.control.in_place_of_drag(text, is_quiet, self.worker.document());
-            self.worker.run(text, is_quiet, Some(context.clone()));
-            self.poll();
+            self.worker.run(&text, is_quiet, Some(context.clone()));
+            self.poll_shortly();
         }
     }
 
     /// Takes what commands at work have said, and what they have done.
     fn poll(&mut self) {
-        let (messages, is_back) = self.worker.poll();
+        let news = self.worker.poll();
+        self.take(news);
+    }
+
+    /// The same; waits for a short command.
+    fn poll_shortly(&mut self) {
+        let news = self.worker.poll_shortly();
+        self.take(news);
+    }
+
+    fn take(&mut self, (messages, is_back): (Vec<Message>, bool)) {
         self.console.add(messages);
         if let Some(document) = self.worker.document().filter(|_| is_back) {
             let names = document.selection().first().copied();
@@ -164,11 +192,26 @@ impl Studio {
         let mut command = inspector::show(ui, self.picked.as_ref()).or(planned);
         ui.separator();
         if let Some(document) = self.worker.document() {
-            information::show(ui, document, self.worker.scene(), &self.course);
+            information::show(ui, document, (self.worker.scene(), self.worker.growth()), &self.course);
             ui.separator();
             command = configuration::show(ui, document.options()).or(command);
+        } else {
+            self.show_progress(ui);
         }
         command
+    }
+
+    /// What there is to see of the command at work.
+    fn show_progress(&self, ui: &mut Ui) {
+        ui.heading("At work");
+        let growth = self.worker.growth();
+        if let Some(last) = growth.last() {
+            let figures = &last.scene.figures;
+            ui.label(format!("{:.1} s: {} triangles", last.seconds, figures.triangles));
+            ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
+            ui.label(format!("smallest angle {:.2}°", figures.min_angle_deg));
+            information::show_growth(ui, growth);
+        }
     }
 
     /// The drawing; what the tool in hand asks for.
@@ -240,7 +283,7 @@ impl Studio {
         let context = ui.ctx().clone();
         self.run_waiting(&context);
         if self.worker.is_busy() {
-            context.request_repaint_after(std::time::Duration::from_millis(30));
+            context.request_repaint_after(self.worker.pause());
         }
         let mut commands = self.take_keys(ui);
         for file in ui.input(|i| i.raw.dropped_files.clone()) {
@@ -252,7 +295,7 @@ impl Studio {
         });
         if self.page == Page::Compare {
             CentralPanel::default().show(ui, |ui| {
-                let said = self.compare.show(ui, self.worker.document(), &self.switches);
+                let said = self.compare.show(ui, &self.worker, &self.switches);
                 self.console.add(said);
             });
             commands.into_iter().for_each(|command| self.run(command, Some(&context)));

@@ -10,7 +10,7 @@ use trimalla_workbench::{Document, MessageKind};
 use self::slot::Slot;
 use crate::viewer::switches::Switches;
 use crate::viewer::view::View;
-use crate::worker::Message;
+use crate::worker::{Message, Worker};
 
 /// No more recipes than these stand side by side.
 const MOST: usize = 4;
@@ -41,10 +41,10 @@ impl Compare {
     }
 
     /// Shows the page; messages to the user.
-    pub(crate) fn show(&mut self, ui: &mut Ui, document: Option<&Document>, switches: &Switches) -> Vec<Message> {
+    pub(crate) fn show(&mut self, ui: &mut Ui, worker: &Worker, switches: &Switches) -> Vec<Message> {
         let mut said = Vec::new();
         Panel::top("compare").show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| said.extend(self.show_buttons(ui, document)));
+            ui.horizontal_wrapped(|ui| said.extend(self.show_buttons(ui, worker)));
         });
         Panel::bottom("results").resizable(true).default_size(220.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table::show(ui, &self.slots, switches));
@@ -57,12 +57,12 @@ impl Compare {
         said
     }
 
-    fn show_buttons(&mut self, ui: &mut Ui, document: Option<&Document>) -> Option<Message> {
+    fn show_buttons(&mut self, ui: &mut Ui, worker: &Worker) -> Option<Message> {
         let mut said = None;
         if ui.button("Run all").on_hover_text("refines a copy of the document by each recipe").clicked() {
-            match document.filter(|document| document.triangulation().is_some()) {
-                Some(document) => {
-                    self.slots.iter_mut().for_each(|slot| slot.run(document, ui.ctx()));
+            match worker.document().and_then(Document::triangulation) {
+                Some(_) => {
+                    self.slots.iter_mut().for_each(|slot| slot.run(worker, ui.ctx()));
                     self.fits = true;
                 }
                 None => said = Some((MessageKind::Error, "there is no triangulation to refine yet".to_owned())),
@@ -72,7 +72,7 @@ impl Compare {
         if is_busy {
             ui.spinner();
             if ui.button("Cancel all").clicked() {
-                self.slots.iter().for_each(Slot::cancel);
+                self.slots.iter_mut().for_each(Slot::cancel);
             }
         }
         ui.separator();

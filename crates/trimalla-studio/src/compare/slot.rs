@@ -1,12 +1,12 @@
 //! One recipe of those that are compared: its options, a document of its own, its viewer.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use eframe::egui::{self, ComboBox, DragValue, PointerButton, Ui};
 use eframe::wgpu::TextureFormat;
 use trimalla::refine::{Criteria, NamedOptions, Preset};
 use trimalla_workbench::{Document, Figures, MessageKind, Quiet};
+use web_time::Instant;
 
 use crate::panels::configuration;
 use crate::scene::Scene;
@@ -42,7 +42,7 @@ impl Slot {
         self.worker.is_busy()
     }
 
-    pub(super) fn cancel(&self) {
+    pub(super) fn cancel(&mut self) {
         self.worker.cancel();
     }
 
@@ -67,21 +67,25 @@ impl Slot {
         format!("{preset}, {}°", angle_deg(options))
     }
 
-    /// Refines a copy of a document.
-    pub(super) fn run(&mut self, document: &Document, context: &egui::Context) {
+    /// Refines a copy of a document, unless a command is at work on it.
+    pub(super) fn run(&mut self, document: &Worker, context: &egui::Context) {
+        let Some(worker) = document.copy() else { return };
+        self.worker = worker;
         let lines = match &self.recipe {
             Some(recipe) => recipe.script() + "Refine",
-            // A command that changes nothing, so that the copy is drawn.
-            None => "Stats".to_owned(),
+            // Nothing is changed, and the copy is drawn.
+            None => String::new(),
         };
-        self.worker = Worker::of(document.copy());
         self.began = Instant::now();
-        self.worker.run(lines, true, Some(context.clone()));
-        self.seconds = Some(self.began.elapsed().as_secs_f64());
+        self.worker.run(&lines, true, Some(context.clone()));
+        self.seconds = Some(0.0);
     }
 
     /// Takes what the run has said: its errors.
     pub(super) fn poll(&mut self) -> Vec<Message> {
+        if self.worker.is_busy() {
+            self.seconds = Some(self.began.elapsed().as_secs_f64());
+        }
         let (messages, _) = self.worker.poll();
         let name = self.name();
         messages
@@ -93,9 +97,6 @@ impl Slot {
 
     /// Shows its recipe and its drawing.
     pub(super) fn show(&mut self, ui: &mut Ui, view: &mut View, switches: &Switches, fits: bool) {
-        if self.worker.is_busy() {
-            self.seconds = Some(self.began.elapsed().as_secs_f64());
-        }
         ui.horizontal(|ui| self.show_recipe(ui));
         let name = format!("Drawing, {}", self.name());
         let scene = self.scene().clone();

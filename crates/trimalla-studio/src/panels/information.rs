@@ -8,6 +8,7 @@ use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine};
 use trimalla_workbench::{Document, Figures};
 
 use crate::scene::{CLASSES, Scene};
+use crate::worker::Grown;
 
 /// How high a plot is.
 const HEIGHT: f32 = 130.0;
@@ -33,7 +34,7 @@ impl Course {
 }
 
 /// Shows the panel.
-pub(crate) fn show(ui: &mut Ui, document: &Document, scene: &Scene, course: &Course) {
+pub(crate) fn show(ui: &mut Ui, document: &Document, (scene, growth): (&Scene, &[Grown]), course: &Course) {
     let figures = &scene.figures;
     ui.heading("Document");
     ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
@@ -44,6 +45,9 @@ pub(crate) fn show(ui: &mut Ui, document: &Document, scene: &Scene, course: &Cou
     ui.label(format!("angles {:.2}° to {:.2}°", figures.min_angle_deg, figures.max_angle_deg));
     ui.label(format!("area {}", figures.area));
     CollapsingHeader::new("Smallest angles").default_open(true).show(ui, |ui| show_angles(ui, scene));
+    if growth.len() > 1 {
+        CollapsingHeader::new("During the last run").default_open(true).show(ui, |ui| show_growth(ui, growth));
+    }
     if course.figures.len() > 1 {
         CollapsingHeader::new("From command to command").show(ui, |ui| show_course(ui, course, document.undoable().0));
     }
@@ -58,14 +62,28 @@ fn show_angles(ui: &mut Ui, scene: &Scene) {
     plot.x_axis_label("degrees").show(ui, |plot| plot.bar_chart(BarChart::new("triangles", bars)));
 }
 
+/// Triangles and smallest angle while a long command works.
+pub(crate) fn show_growth(ui: &mut Ui, growth: &[Grown]) {
+    let triangles = |grown: &Grown| [grown.seconds, grown.scene.figures.triangles as f64];
+    let angle = |grown: &Grown| [grown.seconds, grown.scene.figures.min_angle_deg];
+    show_curve(ui, "triangles", "seconds", growth.iter().map(triangles).collect(), None);
+    show_curve(ui, "smallest angle", "seconds", growth.iter().map(angle).collect(), None);
+}
+
 /// Triangles and smallest angle after each command; a line stands where the document is now.
 fn show_course(ui: &mut Ui, course: &Course, now: usize) {
     for (which, name) in [(0, "triangles"), (1, "smallest angle")] {
-        let points: Vec<[f64; 2]> = course.figures.iter().map(|(&at, values)| [at as f64, values[which]]).collect();
-        let plot = Plot::new(name).height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
-        plot.x_axis_label("command").y_axis_label(name).show(ui, |plot| {
-            plot.line(Line::new(name, PlotPoints::from(points)));
-            plot.vline(VLine::new("now", now as f64));
-        });
+        let points = course.figures.iter().map(|(&at, values)| [at as f64, values[which]]).collect();
+        show_curve(ui, name, "command", points, Some(now as f64));
     }
+}
+
+fn show_curve(ui: &mut Ui, name: &str, x_axis: &str, points: Vec<[f64; 2]>, mark: Option<f64>) {
+    let plot = Plot::new((name, x_axis)).height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
+    plot.x_axis_label(x_axis).y_axis_label(name).show(ui, |plot| {
+        plot.line(Line::new(name, PlotPoints::from(points)));
+        if let Some(mark) = mark {
+            plot.vline(VLine::new("now", mark));
+        }
+    });
 }
