@@ -47,6 +47,8 @@ cargo run --quiet --locked -p trimalla --example history_cost 20000 | tail -n 1
 cargo run --quiet --locked -p trimalla-compare --example own_strategy | tail -n 1
 step "studio"
 scripts/studio.sh
+step "studio in a browser"
+scripts/web.sh --check
 step "random inputs"
 # fuzz/ is a workspace of its own, with packages of its own.
 if cargo fetch --quiet --locked --manifest-path fuzz/Cargo.toml 2>/dev/null; then
