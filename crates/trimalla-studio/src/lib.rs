@@ -9,6 +9,7 @@
 //! | `tools` | what clicks and drags into the drawing do |
 //! | `panels` | inspector, options, console |
 //! | `compare` | recipes side by side |
+//! | `learn` | the welcome page, lessons that play |
 //! | [`link`], [`exchange`], `web` | the studio in a browser: links that carry scripts, files in memory, the page |
 //!
 //! Whatever a click does appears in the console as the command it is.
@@ -16,6 +17,7 @@
 mod app;
 mod compare;
 pub mod exchange;
+mod learn;
 pub mod link;
 mod panels;
 mod scene;

@@ -11,6 +11,7 @@ impl Studio {
         let mut commands = Vec::new();
         ui.horizontal_wrapped(|ui| {
             for (page, name, help) in [
+                (Page::Welcome, "Learn", "shapes to begin with, and lessons"),
                 (Page::Draw, "Draw", "the document"),
                 (Page::Compare, "Compare", "recipes side by side, each on a copy of the document"),
             ] {
@@ -39,9 +40,13 @@ impl Studio {
                 self.fits = true;
             }
         });
-        if self.page == Page::Compare {
-            self.switches.show(ui);
-            return commands;
+        match self.page {
+            Page::Welcome => return commands,
+            Page::Compare => {
+                self.switches.show(ui);
+                return commands;
+            }
+            Page::Draw => {}
         }
         ui.horizontal_wrapped(|ui| self.tools.show(ui));
         let document = self.worker.document();

@@ -12,6 +12,7 @@ use trimalla_workbench::{Document, MessageKind, script};
 
 use self::control::Control;
 use crate::compare::Compare;
+use crate::learn;
 use crate::panels::console::Console;
 use crate::panels::{configuration, information, inspector, plan, step};
 use crate::scene::Picked;
@@ -29,6 +30,8 @@ pub struct Studio {
     /// Commands that wait for the one at work; whether quietly.
     waiting: VecDeque<(String, bool)>,
     picked: Option<Picked>,
+    /// The commands at work, which may tell of something that is drawn.
+    told: String,
     console: Console,
     viewer: Viewer,
     view: View,
@@ -39,6 +42,7 @@ pub struct Studio {
     control: Control,
     course: information::Course,
     compare: Compare,
+    lesson: Option<learn::Playing>,
     page: Page,
     path: String,
 }
@@ -46,8 +50,10 @@ pub struct Studio {
 /// What the middle of the window shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Page {
-    /// The document.
+    /// Where to begin.
     #[default]
+    Welcome,
+    /// The document.
     Draw,
     /// Recipes side by side.
     Compare,
@@ -67,6 +73,7 @@ impl Studio {
             worker: Worker::new(),
             waiting: VecDeque::new(),
             picked: None,
+            told: String::new(),
             console: Console::default(),
             viewer: Viewer { number: 0, format },
             view: View::default(),
@@ -76,6 +83,7 @@ impl Studio {
             control: Control::default(),
             course: information::Course::default(),
             compare: Compare::new(format),
+            lesson: None,
             page: Page::default(),
             path: String::new(),
         }
@@ -89,7 +97,7 @@ impl Studio {
 
     /// Runs the commands of a script, and shows all of what they lead to.
     pub fn run_script(&mut self, text: String) {
-        self.fits = true;
+        (self.fits, self.page) = (true, Page::Draw);
         self.run(text, None);
     }
 
@@ -101,7 +109,7 @@ impl Studio {
     /// Opens a drawing or a mesh, or runs a script (`.tri`).
     pub fn open(&mut self, path: &str) {
         self.path = path.to_owned();
-        self.fits = true;
+        (self.fits, self.page) = (true, Page::Draw);
         if path.ends_with(".tri") {
             match script::read_in(self.worker.files(), path) {
                 Ok(text) => self.run(text, None),
@@ -120,6 +128,7 @@ impl Studio {
 
     /// Runs commands, one a line, as if they were typed.
     pub fn enter(&mut self, commands: &str) {
+        self.page = Page::Draw;
         self.run(commands.to_owned(), None);
     }
 
@@ -130,7 +139,23 @@ impl Studio {
             return self.console.add(vec![(MessageKind::Command, text), (MessageKind::Error, busy)]);
         }
         self.worker.run(&text, false, context.cloned());
+        self.told = text;
         self.poll_shortly();
+    }
+
+    /// Shows in the drawing what a command has told of: `Show I J K` picks the triangle, `Plan I J` plans the edge.
+    fn show_told(&mut self) {
+        let Some(document) = self.worker.document() else { return };
+        for line in std::mem::take(&mut self.told).lines() {
+            let mut words = line.split_whitespace();
+            let name = words.next().unwrap_or_default();
+            let names: Vec<u32> = words.map_while(|word| word.parse().ok()).collect();
+            match names[..] {
+                [i, j, k] if name.eq_ignore_ascii_case("Show") => self.picked = Picked::of(document, [i, j, k]),
+                [i, j] if name.eq_ignore_ascii_case("Plan") => self.tools.edge.plan(document, [i, j]),
+                _ => {}
+            }
+        }
     }
 
     /// Does what a tool asks for.
@@ -176,6 +201,7 @@ impl Studio {
             let names = document.selection().first().copied();
             self.picked = names.and_then(|names| Picked::of(document, names));
             self.course.note(document, &self.worker.scene().figures);
+            self.show_told();
         }
     }
 
@@ -277,6 +303,29 @@ impl Studio {
         commands
     }
 
+    /// Runs a command that was typed or clicked on the welcome page: then the document is shown.
+    fn enter_all(&mut self, command: String, context: &egui::Context) {
+        (self.page, self.fits) = (Page::Draw, true);
+        self.run(command, Some(context));
+    }
+
+    /// Does what was chosen on the welcome page.
+    fn welcome(&mut self, chosen: learn::Welcomed, context: &egui::Context) {
+        (self.page, self.fits) = (Page::Draw, true);
+        self.lesson = None;
+        match chosen {
+            learn::Welcomed::Run(commands) => self.run(commands, Some(context)),
+            learn::Welcomed::Draw => self.tools.take(Tool::Outline),
+            learn::Welcomed::Lesson(number) => {
+                self.lesson = learn::lessons().get(number).map(learn::Playing::new);
+                let first = self.lesson.as_mut().zip(self.worker.document());
+                if let Some(learn::Asked::Run(text)) = first.and_then(|(lesson, document)| lesson.forward(document)) {
+                    self.run(text, Some(context));
+                }
+            }
+        }
+    }
+
     /// Shows the window's contents.
     pub fn show(&mut self, ui: &mut Ui) {
         self.poll();
@@ -300,6 +349,27 @@ impl Studio {
             });
             commands.into_iter().for_each(|command| self.run(command, Some(&context)));
             return;
+        }
+        if self.page == Page::Welcome {
+            let mut chosen = None;
+            CentralPanel::default().show(ui, |ui| chosen = learn::show_welcome(ui));
+            commands.into_iter().for_each(|command| self.enter_all(command, &context));
+            if let Some(chosen) = chosen {
+                self.welcome(chosen, &context);
+            }
+            return;
+        }
+        if let Some(lesson) = &mut self.lesson {
+            let mut asked = None;
+            Panel::top("lesson").show(ui, |ui| asked = lesson.show(ui, self.worker.document()));
+            match asked {
+                Some(learn::Asked::Run(text)) => {
+                    self.fits = true;
+                    commands.push(text);
+                }
+                Some(learn::Asked::End) => self.lesson = None,
+                None => {}
+            }
         }
         Panel::right("side").resizable(true).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));

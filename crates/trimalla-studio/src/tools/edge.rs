@@ -49,6 +49,12 @@ impl EdgeTool {
         self.planned.as_mut().filter(|planned| planned.version == document.version())
     }
 
+    /// Plans an edge.
+    pub(crate) fn plan(&mut self, document: &Document, ends: [u32; 2]) {
+        let plan = document.edge_plan(ends[0], ends[1]).ok();
+        self.planned = plan.map(|plan| Planned { ends, plan, version: document.version(), shown: 0 });
+    }
+
     /// Drops what was begun.
     pub(crate) fn clear(&mut self) {
         *self = Self::default();
@@ -64,15 +70,8 @@ impl EdgeTool {
             return Vec::new();
         };
         match document.filter(|document| document.triangulation().is_some()) {
-            Some(document) => {
-                self.planned = document.edge_plan(from, name).ok().map(|plan| Planned {
-                    ends: [from, name],
-                    plan,
-                    version: document.version(),
-                    shown: 0,
-                });
-                vec![Asked::Run(format!("Plan {from} {name}"))]
-            }
+            // The window plans it when the command has been run.
+            Some(_) => vec![Asked::Run(format!("Plan {from} {name}"))],
             None => vec![Asked::Run(format!("Edge {from} {name}"))],
         }
     }

@@ -1,6 +1,7 @@
 //! The window, by label, click and key, without a display.
 
 mod compare;
+mod learn;
 mod panels;
 mod steps;
 mod tools;
@@ -11,10 +12,19 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use trimalla_studio::Studio;
 
-fn harness() -> Harness<'static, Studio> {
+/// A window as it opens.
+fn welcome() -> Harness<'static, Studio> {
     Harness::builder()
         .with_size(Vec2::new(1200.0, 800.0))
         .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::default())
+}
+
+/// A window that shows an empty document.
+fn harness() -> Harness<'static, Studio> {
+    let mut harness = welcome();
+    harness.get_by_role_and_label(Role::Button, "Draw").click();
+    harness.run_steps(2);
+    harness
 }
 
 /// Types a command into the console.
