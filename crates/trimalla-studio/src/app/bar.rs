@@ -63,17 +63,50 @@ impl Studio {
     fn show_files(&mut self, ui: &mut Ui) -> Option<String> {
         let mut command = None;
         let label = ui.label("File");
-        ui.add(TextEdit::singleline(&mut self.path).desired_width(220.0)).labelled_by(label.id);
-        for (name, word, help) in [
-            ("Open", "Load", "loads a drawing or a mesh"),
-            ("Export", "Export", "writes mesh or drawing in the format of the ending"),
-            ("Save", "Save", "writes the commands that led here, as a script"),
-        ] {
-            if ui.button(name).on_hover_text(help).clicked() {
-                self.fits |= word == "Load";
-                command = Some(format!("{word} {}", script::word(self.path.trim())));
-            }
+        let edit = TextEdit::singleline(&mut self.path).desired_width(200.0).hint_text("name.poly");
+        let field = ui.add(edit).labelled_by(label.id);
+        let is_entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        let is_opened = ui.button("Open").on_hover_text("loads a drawing or a mesh, or runs a script (.tri)").clicked();
+        if is_opened || is_entered {
+            let path = self.path.trim().to_owned();
+            self.open(&path);
         }
+        ui.menu_button("Write", |ui| {
+            let stem = self.stem();
+            for (name, word, ending, help) in WRITTEN {
+                let file = format!("{stem}{ending}");
+                if ui.button(format!("{name}: {file}")).on_hover_text(help).clicked() {
+                    command = Some(format!("{word} {}", script::word(&file)));
+                    ui.close();
+                }
+            }
+            ui.separator();
+            let named = ui.button("In the format of the name above").on_hover_text("by its ending");
+            if named.clicked() {
+                command = Some(format!("Export {}", script::word(self.path.trim())));
+                ui.close();
+            }
+        });
         command
     }
+
+    /// The name above without its ending, to which others are put.
+    fn stem(&self) -> String {
+        let path = std::path::Path::new(self.path.trim());
+        let stem = path.with_extension("");
+        let stem = stem.to_string_lossy();
+        if stem.is_empty() { "mesh".to_owned() } else { format!("{stem}.1") }
+    }
 }
+
+/// What can be written: its name, the command, the ending, the help.
+const WRITTEN: [(&str, &str, &str, &str); 8] = [
+    ("Picture", "Export", ".svg", "lines that scale"),
+    ("Picture", "Export", ".png", "pixels"),
+    ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
+    ("Mesh", "Export", ".ele", "with .node and .poly, as Triangle writes them"),
+    ("Mesh", "Export", ".vtu", "for ParaView"),
+    ("Mesh", "Export", ".mesh", "as MeshSuite writes it"),
+    ("Script", "Save", ".tri", "the commands that led here"),
+    ("Recipe", "SaveRecipe", ".toml", "the options on the right"),
+];

@@ -106,7 +106,7 @@ impl Studio {
         self.console.add(vec![(kind, text)]);
     }
 
-    /// Opens a drawing or a mesh, or runs a script (`.tri`).
+    /// Opens a drawing or a mesh, takes a recipe (`.toml`), or runs a script (`.tri`).
     pub fn open(&mut self, path: &str) {
         self.path = path.to_owned();
         (self.fits, self.page) = (true, Page::Draw);
@@ -115,6 +115,8 @@ impl Studio {
                 Ok(text) => self.run(text, None),
                 Err(error) => self.console.add(vec![(MessageKind::Error, error.to_string())]),
             }
+        } else if path.ends_with(".toml") {
+            self.run(format!("Recipe {}", script::word(path)), None);
         } else {
             self.run(format!("Load {}", script::word(path)), None);
         }
@@ -329,6 +331,7 @@ impl Studio {
     /// Shows the window's contents.
     pub fn show(&mut self, ui: &mut Ui) {
         self.poll();
+        strengthen(ui);
         let context = ui.ctx().clone();
         self.run_waiting(&context);
         if self.worker.is_busy() {
@@ -392,4 +395,11 @@ impl eframe::App for Studio {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.show(ui);
     }
+}
+
+/// Gives text more contrast than the toolkit does.
+fn strengthen(ui: &mut Ui) {
+    let visuals = ui.visuals_mut();
+    let colour = if visuals.dark_mode { egui::Color32::from_gray(205) } else { egui::Color32::from_gray(45) };
+    visuals.widgets.noninteractive.fg_stroke.color = colour;
 }

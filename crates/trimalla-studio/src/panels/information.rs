@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use eframe::egui::{CollapsingHeader, Ui};
 use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine};
-use trimalla_workbench::{Document, Figures};
+use trimalla_workbench::{Document, Figures, RunInformation};
 
 use crate::scene::{CLASSES, Scene};
 use crate::worker::Grown;
@@ -44,12 +44,28 @@ pub(crate) fn show(ui: &mut Ui, document: &Document, (scene, growth): (&Scene, &
     }
     ui.label(format!("angles {:.2}° to {:.2}°", figures.min_angle_deg, figures.max_angle_deg));
     ui.label(format!("area {}", figures.area));
+    for (number, run) in (1..).zip(document.runs()) {
+        let title = format!("Run {number}: {} to {} triangles", run.before.triangles, run.after.triangles);
+        CollapsingHeader::new(title).id_salt(("run", number)).show(ui, |ui| show_run(ui, run));
+    }
     CollapsingHeader::new("Smallest angles").default_open(true).show(ui, |ui| show_angles(ui, scene));
     if growth.len() > 1 {
         CollapsingHeader::new("During the last run").default_open(true).show(ui, |ui| show_growth(ui, growth));
     }
     if course.figures.len() > 1 {
         CollapsingHeader::new("From command to command").show(ui, |ui| show_course(ui, course, document.undoable().0));
+    }
+}
+
+/// What a run was asked, and what it did.
+fn show_run(ui: &mut Ui, run: &RunInformation) {
+    run.lines().iter().for_each(|line| drop(ui.label(line)));
+    if run.path_lengths.iter().sum::<u64>() > 0 {
+        ui.label("lengths of the longest-edge paths that were followed");
+        let bar = |(length, &count): (usize, &u64)| Bar::new(length as f64, count as f64);
+        let bars: Vec<Bar> = run.path_lengths.iter().enumerate().map(bar).collect();
+        let plot = Plot::new("path lengths").height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
+        plot.x_axis_label("triangles").show(ui, |plot| plot.bar_chart(BarChart::new("paths", bars)));
     }
 }
 
