@@ -97,16 +97,23 @@ impl Scene {
     /// What is drawn of a triangulation that is refined: vertices have no names of the document yet.
     pub(crate) fn growing(t: &ConstrainedTriangulation) -> Self {
         let mut scene = Self::of_triangulation(t, t.input_points(), |v| v.0);
-        let least = scene.faces.iter().map(|face| face.min_angle_deg).fold(180.0, f32::min);
-        scene.figures = Figures {
-            vertices: scene.vertices.len(),
-            steiner: scene.vertices.iter().filter(|v| v.is_steiner).count(),
-            triangles: scene.faces.len(),
-            min_angle_deg: f64::from(least),
-            ..Figures::default()
-        };
+        scene.figures = Self::figures_of(t).figures;
         scene.measure();
         scene
+    }
+
+    /// Nothing to draw, but how many triangles there are, and their smallest angle.
+    pub(crate) fn figures_of(t: &ConstrainedTriangulation) -> Self {
+        let sharpest = |least: f32, f: FaceId| least.min(min_angle_deg(&Triangle { corners: t.face_points(f) }));
+        let vertices = t.used_vertices().count();
+        let figures = Figures {
+            vertices,
+            steiner: t.steiner_vertices(),
+            triangles: t.real_faces().count(),
+            min_angle_deg: f64::from(t.real_faces().fold(180.0, sharpest)),
+            ..Figures::default()
+        };
+        Self { figures, ..Self::default() }
     }
 
     /// Counts classes of angles, and finds the box around everything.
@@ -145,7 +152,7 @@ impl Scene {
             let region = t.mesh().region(f);
             Face {
                 corners: t.face_vertices(f).map(|v| v.0),
-                min_angle_deg: triangle.min_angle().degrees() as f32,
+                min_angle_deg: min_angle_deg(&triangle),
                 facts: Facts::new([second, third, first], quality(&triangle), region),
             }
         };
@@ -160,6 +167,21 @@ impl Scene {
     /// The corners of a triangle.
     pub(crate) fn corners(&self, face: &Face) -> [Point; 3] {
         face.corners.map(|v| self.points[v as usize])
+    }
+}
+
+/// The smallest angle in degrees, which is opposite the shortest edge.
+fn min_angle_deg(triangle: &Triangle) -> f32 {
+    let lengths_sq = triangle.edge_lengths_sq();
+    let sum = lengths_sq.iter().sum::<f64>();
+    let least = lengths_sq.into_iter().fold(f64::INFINITY, f64::min);
+    // Both are products of the other two edges, with the sine and with the cosine of the angle.
+    let (sine, cosine) = (2.0 * triangle.area(), 0.5 * sum - least);
+    if sine > 0.0 && cosine.is_finite() && sine.is_finite() {
+        sine.atan2(cosine).to_degrees() as f32
+    } else {
+        // Squares overflow.
+        triangle.min_angle().degrees() as f32
     }
 }
 

@@ -11,6 +11,9 @@ use crate::scene::Scene;
 /// Moments are no closer than this.
 const PAUSE: Duration = Duration::from_millis(250);
 
+/// Of a triangulation with more triangles only figures are noted: the rest would keep the command from answering.
+const LIVE: usize = 200_000;
+
 /// Noting them takes no more than one part in so many of the time.
 const SHARE: u32 = 10;
 
@@ -23,9 +26,14 @@ pub(crate) struct Grown {
 }
 
 impl Grown {
+    /// Whether it can be drawn.
+    pub(super) fn is_live(&self) -> bool {
+        !self.scene.faces.is_empty()
+    }
+
     /// Keeps only the figures.
     pub(super) fn forget_faces(&mut self) {
-        if !self.scene.vertices.is_empty() {
+        if self.is_live() {
             self.scene = Arc::new(Scene { figures: self.scene.figures.clone(), ..Scene::default() });
         }
     }
@@ -49,7 +57,8 @@ impl Growth {
         if now < self.next {
             return None;
         }
-        let scene = Arc::new(Scene::growing(t));
+        let is_live = t.face_count() <= LIVE;
+        let scene = Arc::new(if is_live { Scene::growing(t) } else { Scene::figures_of(t) });
         let after = Instant::now();
         self.next = after + PAUSE.max(SHARE * (after - now));
         Some(Grown { seconds: (now - self.began).as_secs_f64(), scene })

@@ -98,7 +98,7 @@ impl Worker {
 
     /// What is drawn: while a long command is at work, its triangulation at the last moment that was noted.
     pub(crate) fn scene(&self) -> &Arc<Scene> {
-        match self.growth.last().filter(|_| self.is_busy()) {
+        match self.growth.iter().rev().find(|grown| grown.is_live()).filter(|_| self.is_busy()) {
             Some(grown) => &grown.scene,
             None => &self.scene,
         }
@@ -152,18 +152,16 @@ impl Worker {
             None => News::default(),
         };
         for grown in news.grown {
-            // Of all but the last one only the figures are kept.
-            if let Some(before) = self.growth.last_mut() {
-                before.forget_faces();
+            // Of all but the last one that can be drawn only the figures are kept.
+            if grown.is_live() {
+                self.growth.iter_mut().for_each(Grown::forget_faces);
             }
             self.growth.push(grown);
         }
         let is_back = news.done.is_some();
         if let Some((document, scene)) = news.done {
             self.at_work = None;
-            if let Some(last) = self.growth.last_mut() {
-                last.forget_faces();
-            }
+            self.growth.iter_mut().for_each(Grown::forget_faces);
             self.version = Some(document.version());
             (self.document, self.scene) = (Some(document), scene);
         }

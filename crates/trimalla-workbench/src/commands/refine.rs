@@ -1,6 +1,6 @@
 //! `Refine`.
 
-use trimalla::refine::{Observer, Progress, Refinement, StopReason};
+use trimalla::refine::{NamedOptions, Observer, Overview, Progress, Refinement, StopReason};
 
 use super::{CommandRow, Deed, Job, Slice, step};
 use crate::changes::Work;
@@ -8,6 +8,7 @@ use crate::error::CommandError;
 use crate::mesh::Mesh;
 use crate::messages::Interface;
 use crate::runs::RunInformation;
+use crate::state::State;
 
 /// A slice is so many times 256 steps or insertions: about a millisecond.
 const SLICE: usize = 4;
@@ -24,17 +25,33 @@ pub(super) const ROW: CommandRow = CommandRow {
 /// Refines a copy, and puts it in place of the triangulation in the end.
 #[derive(Default)]
 struct Refine {
-    /// The refinement, after the first slice.
-    at_work: Option<Box<Refinement>>,
+    /// After the first slice.
+    at_work: Option<Box<AtWork>>,
+}
+
+struct AtWork {
+    refinement: Refinement,
+    options: NamedOptions,
+    /// Size and smallest angle before, when they were measured.
+    before: Option<Overview>,
 }
 
 impl Job for Refine {
     fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
-        let Some(mut refinement) = self.at_work.take() else {
-            self.at_work = Some(begin(work)?);
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
+        let Some(mut at_work) = self.at_work.take() else {
+            self.at_work = Some(Box::new(begin(work.state())?));
             return Ok(Slice::More);
         };
+        if at_work.before.is_none() {
+            at_work.before = Some(at_work.refinement.overview());
+            self.at_work = Some(at_work);
+            return Ok(Slice::More);
+        }
         let mut watch = Watch::new(work.interface);
+        let refinement = &mut at_work.refinement;
         // Preparing calls before each of its slices, of which many may be needed.
         let is_over = refinement.prepare(&mut watch) && refinement.run(&mut watch) != StopReason::Cancelled;
         if work.interface.is_cancelled() {
@@ -42,39 +59,39 @@ impl Job for Refine {
         }
         if !is_over {
             work.interface.progress(refinement.triangulation());
-            self.at_work = Some(refinement);
+            self.at_work = Some(at_work);
             return Ok(Slice::More);
         }
-        end(*refinement, work);
+        at_work.end(work);
         Ok(Slice::Last)
     }
 }
 
-fn begin(work: &mut Work<'_>) -> Result<Box<Refinement>, CommandError> {
-    step::begin(work)?;
-    let Some(Mesh::Refining(refining)) = &work.state().mesh else {
-        return Err(CommandError::nothing_triangulated());
-    };
-    Ok(Box::new(refining.refinement.without_history()))
+/// The refinement that goes step by step, or a new one.
+fn begin(state: &State) -> Result<AtWork, CommandError> {
+    Ok(match &state.mesh {
+        Some(Mesh::Refining(refining)) => AtWork {
+            refinement: refining.refinement.without_history(),
+            options: refining.options.clone(),
+            before: Some(refining.before),
+        },
+        _ => AtWork { refinement: step::refinement_of(state)?, options: state.options.clone(), before: None },
+    })
 }
 
-fn end(refinement: Refinement, work: &mut Work<'_>) {
-    let asked = match &work.state().mesh {
-        Some(Mesh::Refining(refining)) => Some((refining.options.clone(), refining.before)),
-        _ => None,
-    };
-    let (t, report) = refinement.finish();
-    work.replace_mesh(Mesh::given(t));
-    work.say(format!(
-        "{} vertices, {} triangles, angles {:.2} to {:.2} degrees, {} below the bounds",
-        report.vertices,
-        report.triangles,
-        report.min_angle_deg,
-        report.max_angle_deg,
-        report.leftovers.len()
-    ));
-    if let Some((options, before)) = asked {
-        let run = RunInformation::new(options, before, &report);
+impl AtWork {
+    fn end(self, work: &mut Work<'_>) {
+        let (t, report) = self.refinement.finish();
+        work.replace_mesh(Mesh::given(t));
+        work.say(format!(
+            "{} vertices, {} triangles, angles {:.2} to {:.2} degrees, {} below the bounds",
+            report.vertices,
+            report.triangles,
+            report.min_angle_deg,
+            report.max_angle_deg,
+            report.leftovers.len()
+        ));
+        let run = RunInformation::new(self.options, self.before.unwrap_or_default(), &report);
         run.lines().iter().for_each(|line| work.say(format!("  {line}")));
         work.note_run(run);
     }
