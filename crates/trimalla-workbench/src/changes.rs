@@ -375,6 +375,11 @@ impl<'a> Work<'a> {
         self.traces.run = Some(Box::new(run));
     }
 
+    /// Whether the refinement at work has come to its end.
+    pub(crate) fn has_ended(&self) -> bool {
+        matches!(&self.state.mesh, Some(Mesh::Refining(refining)) if refining.is_noted)
+    }
+
     /// Notes what the refinement at work did, which has come to its end; once.
     pub(crate) fn note_end(&mut self) {
         let Some(Mesh::Refining(refining)) = &mut self.state.mesh else { return };

@@ -184,9 +184,10 @@ fn runs_are_told_and_undone_with_their_commands() {
     assert!(begun.after.vertices < run_of_refine.after.vertices && document.runs().is_empty());
     run(&mut document, &["Step 1000", "Step", "Step"]);
     assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));
-    run(&mut document, &["Undo 2", "Redo 2"]);
+    assert_eq!(document.history().last(), Some("Step 1000"), "steps after the end change nothing");
+    run(&mut document, &["Undo", "Redo"]);
     assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));
-    run(&mut document, &["Undo 3"]);
+    run(&mut document, &["Undo"]);
     assert!(document.runs().is_empty());
     run(&mut document, &["Redo"]);
     assert_eq!(document.runs(), std::slice::from_ref(&run_of_refine));

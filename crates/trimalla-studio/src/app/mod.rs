@@ -38,6 +38,8 @@ pub struct Studio {
     /// Whether the next frame shows everything.
     fits: bool,
     switches: Switches,
+    /// The smallest angle that the options ask for.
+    asked_deg: Option<f64>,
     tools: Tools,
     control: Control,
     course: information::Course,
@@ -79,6 +81,7 @@ impl Studio {
             view: View::default(),
             fits: true,
             switches: Switches::default(),
+            asked_deg: None,
             tools: Tools::default(),
             control: Control::default(),
             course: information::Course::default(),
@@ -203,6 +206,12 @@ impl Studio {
             let names = document.selection().first().copied();
             self.picked = names.and_then(|names| Picked::of(document, names));
             self.course.note(document, &self.worker.scene().figures);
+            // What is asked is what is bad, until one drags the threshold.
+            let asked = document.options().min_angle_deg;
+            if self.asked_deg != asked {
+                self.switches.threshold_deg = asked.unwrap_or(self.switches.threshold_deg);
+                self.asked_deg = asked;
+            }
             self.show_told();
         }
     }

@@ -1,5 +1,7 @@
 //! `Check`.
 
+use trimalla::half_edge::HalfEdgeId;
+
 use super::{Ask, CommandRow, Deed};
 use crate::document::Document;
 use crate::error::CommandError;
@@ -26,13 +28,17 @@ impl Ask for Check {
         if let Some(first) = faults.first() {
             return Err(CommandError::new(format!("{} faults, the first: {first}", faults.len())));
         }
-        let failing = t.check_delaunay();
+        let fails = |h: &HalfEdgeId| !t.is_marked(*h) && !t.is_boundary_edge(*h) && t.fails_circle_test(*h);
+        let failing: Vec<HalfEdgeId> = t.edges().filter(fails).collect();
         let mut say = |text: String| interface.message(MessageKind::Information, &text);
         match failing.len() {
             0 => say("sound, and constrained Delaunay".to_owned()),
             n => say(format!("sound; {n} edges fail the circle test")),
         }
-        failing.iter().take(NAMED).for_each(|fault| say(format!("  {fault}")));
+        for &h in failing.iter().take(NAMED) {
+            let [i, j] = [t.origin(h), t.dest(h)].map(|v| document.name(v));
+            say(format!("  edge {i} {j} fails the circle test"));
+        }
         Ok(())
     }
 }

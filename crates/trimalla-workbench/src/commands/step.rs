@@ -28,6 +28,10 @@ impl Job for Step {
     fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
         if self.made == 0 {
             begin(work)?;
+            if work.has_ended() {
+                work.say("nothing is left to do");
+                return Ok(Slice::Last);
+            }
         }
         if work.interface.is_cancelled() {
             return Err(CommandError::cancelled());
