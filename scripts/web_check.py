@@ -26,7 +26,7 @@ SCRIPT = ["Generate polygon 40 3", "Triangulate", "Set min-angle 30", "Refine"]
 DRAWING = "3 2 0 0\n0 0 0\n1 4 0\n2 0 3\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n"
 # Where buttons are in a page of that size.
 COPY_LINK = (136, 12)
-REFINE = (563, 37)
+REFINE = (434, 83)
 FLAGS = [
     "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",

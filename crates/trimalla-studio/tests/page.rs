@@ -29,7 +29,7 @@ fn settle(harness: &mut Harness<'_, Studio>) -> usize {
 
 #[test]
 fn a_script_leads_to_the_same_document_over_many_frames() {
-    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.00001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
+    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.000001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
     let mut harness = harness(&Memory::default());
     harness.state_mut().run_script(text.to_owned());
     assert!(harness.state().document().is_none(), "it takes longer than a frame");
