@@ -51,11 +51,13 @@ impl Figures {
             figures.area += triangle.area();
             let (smallest, largest, error) = cotangents(&triangle);
             // Angles take ten times as long, and few triangles come near the extremes. What overflows is measured.
-            if !(smallest + error < extremes[0]) {
+            let is_less = smallest + error < extremes[0];
+            if !is_less {
                 extremes[0] = extremes[0].max(smallest - error);
                 figures.min_angle_deg = figures.min_angle_deg.min(triangle.min_angle().degrees());
             }
-            if !(largest - error > extremes[1]) {
+            let is_more = largest - error > extremes[1];
+            if !is_more {
                 extremes[1] = extremes[1].min(largest + error);
                 figures.max_angle_deg = figures.max_angle_deg.max(triangle.max_angle().degrees());
             }

@@ -4,7 +4,7 @@ use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Triangle;
 use trimalla::quality::Histogram;
 use trimalla::refine::lepp::lepp;
-use trimalla::refine::{LeppRule, NamedOptions, Overview, Prepare, Report, Ruler};
+use trimalla::refine::{Criteria, LeppRule, NamedOptions, Overview, Prepare, Report, Ruler};
 
 use crate::document::Document;
 use crate::mesh::Refining;
@@ -57,7 +57,7 @@ impl RunInformation {
         let mut lines = vec![
             format!("pre-process: {}{when}", recipe.prepare.key()),
             format!("selection: {}{until}", recipe.select.key()),
-            format!("angle asked: {} degrees", criteria.min_angle.degrees()),
+            format!("angle asked: {} degrees", options.min_angle_deg.unwrap_or(Criteria::DEFAULT_MIN_ANGLE_DEG)),
         ];
         lines.extend(criteria.max_area.map(|area| format!("largest area asked: {area}")));
         lines.extend([
