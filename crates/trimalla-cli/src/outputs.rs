@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::NamedOptions;
 use trimalla_io::bars::BarChart;
-use trimalla_io::{self as io, IoError, SvgOptions, WriteOptions};
+use trimalla_io::{self as io, IoError, PictureOptions, WriteOptions};
 use trimalla_workbench::numbers::count;
 
 use crate::args::{OutputOptions, ReportOptions};
@@ -52,7 +52,7 @@ impl Outputs {
     pub(crate) fn with_results<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
         let base = WriteOptions::default()
             .with_first_index(input.first_index)
-            .with_svg(SvgOptions::default().with_title(input.title()));
+            .with_picture(PictureOptions::default().with_title(input.title()));
         for path in &options.output {
             let target = self.checked(Target::of_result(path, options.format, &base)?)?;
             self.targets.push(target);
@@ -144,8 +144,8 @@ impl Outputs {
         charts: &[BarChart],
     ) -> Result<Prepared, Failure> {
         self.prepare(before, |out, target| {
-            let svg = target.options.svg.clone().with_charts(charts.to_vec());
-            out.add_mesh(&target.path, mesh, &target.options.clone().with_svg(svg))
+            let picture = target.options.picture.clone().with_charts(charts.to_vec());
+            out.add_mesh(&target.path, mesh, &target.options.clone().with_picture(picture))
         })
     }
 

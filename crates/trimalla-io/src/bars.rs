@@ -1,4 +1,4 @@
-//! Bar charts: a title and labelled numbers, as text and [below a picture](crate::SvgOptions::with_charts).
+//! Bar charts: a title and labelled numbers, as text and [below a picture](crate::PictureOptions::with_charts).
 //!
 //! ```text
 //! insertions by kind

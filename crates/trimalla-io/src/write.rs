@@ -10,8 +10,8 @@ use crate::columns::Points;
 use crate::error::IoError;
 use crate::files::Memory;
 use crate::format::{Format, companion};
+use crate::picture::PictureOptions;
 use crate::recipe;
-use crate::svg::SvgOptions;
 use crate::{edge, ele, meshsuite, neigh, node, off, poly, soup, svg, vtu};
 use trimalla::refine::NamedOptions;
 
@@ -24,12 +24,12 @@ pub struct WriteOptions {
     /// The format where it is not the one that the ending of the path says.
     pub format: Option<Format>,
     /// What a picture shows.
-    pub svg: SvgOptions,
+    pub picture: PictureOptions,
 }
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self { first_index: 1, format: None, svg: SvgOptions::default() }
+        Self { first_index: 1, format: None, picture: PictureOptions::default() }
     }
 }
 
@@ -50,8 +50,8 @@ impl WriteOptions {
 
     /// Draws pictures with these options.
     #[must_use]
-    pub fn with_svg(mut self, svg: SvgOptions) -> Self {
-        self.svg = svg;
+    pub fn with_picture(mut self, picture: PictureOptions) -> Self {
+        self.picture = picture;
         self
     }
 
@@ -296,7 +296,7 @@ pub fn write_mesh_to(
         Format::Vtu => vtu::write(out, mesh),
         Format::Off => off::write(out, mesh),
         Format::Area => Err(io::ErrorKind::Unsupported.into()),
-        Format::Svg => svg::draw_mesh(out, mesh, &options.svg),
+        Format::Svg => svg::draw_mesh(out, mesh, &options.picture),
     }
 }
 
@@ -319,7 +319,7 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
     match format {
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
-        Format::Svg => svg::draw_pslg(out, pslg, &options.svg),
+        Format::Svg => svg::draw_pslg(out, pslg, &options.picture),
         Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
         Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu | Format::Off => {
             Err(io::ErrorKind::Unsupported.into())

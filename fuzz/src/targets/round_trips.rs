@@ -5,7 +5,7 @@ use trimalla::geometry::Point;
 use trimalla::refine::{Initial, PrepareWhen, Recipe, Recover, StopReason};
 use trimalla::{MeshOptions, refine_mesh};
 use trimalla_io::area::Areas;
-use trimalla_io::{Format, SvgOptions, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, recipe, soup, svg};
+use trimalla_io::{Format, PictureOptions, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, recipe, soup, svg};
 
 use super::refine::keeps_delaunay;
 use super::{Target, case_of, drawing_input};
@@ -92,7 +92,7 @@ fn drawing(pslg: &Pslg, first_index: u32) -> Verdict {
     let again = read("mesh", meshsuite::read(&bytes, "m"))?.into_pslg();
     must(again.segments == pslg.segments, "mesh: another drawing", String::new)?;
     same_bits("mesh", &pslg.points, &again.points)?;
-    written("svg", |out| svg::draw_pslg(out, pslg, &SvgOptions::default())).map(drop)
+    written("svg", |out| svg::draw_pslg(out, pslg, &PictureOptions::default())).map(drop)
 }
 
 /// A mesh through `.node`, `.ele` and `.poly`.

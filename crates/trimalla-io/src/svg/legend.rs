@@ -2,9 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::angle::{CLASS_DEG, CLASSES, Histogram};
-use super::frame::Frame;
-use super::{COLOURS, INK};
+use crate::picture::{CLASS_DEG, CLASSES, COLOURS, Colour, Frame, Histogram, INK};
 
 /// Width and least height of the panel.
 pub(super) const WIDTH: f64 = 250.0;
@@ -15,7 +13,7 @@ pub(super) const SCALE_ROWS: f64 = CLASSES as f64 + 1.7;
 
 const ROW: f64 = 22.0;
 const LONGEST_BAR: f64 = 110.0;
-const FADED: &str = "#66727f";
+const FADED: Colour = Colour(0x66727f);
 
 /// One line of text: a label and a value.
 #[derive(Debug)]
@@ -49,7 +47,7 @@ fn grouped(count: usize) -> String {
 
 /// Draws the scale: a box a class, and beside it a bar as long as the class is large.
 pub(super) fn draw_scale(out: &mut dyn Write, frame: &Frame, histogram: &Histogram) -> io::Result<()> {
-    let (left, top) = frame.legend_corner();
+    let (left, top) = frame.panel_corner();
     let most = histogram.counts.iter().copied().max().unwrap_or(0).max(1) as f64;
     writeln!(out, "<g font-size=\"13\" fill=\"{FADED}\">")?;
     writeln!(out, "<text x=\"{left:.2}\" y=\"{:.2}\" fill=\"{INK}\">smallest angle of a triangle</text>", top + 14.0)?;
@@ -82,7 +80,7 @@ fn scale_top(top: f64) -> f64 {
 
 /// Draws lines of text below `rows_above` rows of the panel.
 pub(super) fn draw_lines(out: &mut dyn Write, frame: &Frame, rows_above: f64, lines: &[Line]) -> io::Result<()> {
-    let (left, top) = frame.legend_corner();
+    let (left, top) = frame.panel_corner();
     writeln!(out, "<g font-size=\"14\" fill=\"{INK}\">")?;
     for (i, line) in lines.iter().enumerate() {
         let y = scale_top(top) + ROW * (rows_above + i as f64);

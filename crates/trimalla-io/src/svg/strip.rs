@@ -3,9 +3,9 @@
 
 use std::io::{self, Write};
 
-use super::INK;
-use super::frame::{Escaped, MARGIN};
+use super::text::Escaped;
 use crate::bars::BarChart;
+use crate::picture::{Colour, INK, MARGIN};
 
 /// A strip is no narrower than this, whatever the picture is.
 const LEAST_WIDTH: f64 = 900.0;
@@ -16,8 +16,8 @@ const GAP: [f64; 2] = [34.0, 20.0];
 const BAR: f64 = 84.0;
 /// Width of a letter, generously: text may not run into a bar, whatever font there is.
 const LETTER: f64 = 7.2;
-const FADED: &str = "#66727f";
-const COLOUR: &str = "#4292a7";
+const FADED: Colour = Colour(0x66727f);
+const COLOUR: Colour = Colour(0x4292a7);
 
 /// Charts and their places.
 #[derive(Debug)]

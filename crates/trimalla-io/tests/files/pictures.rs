@@ -4,11 +4,11 @@
 use crate::common::{POLY, grid, hard_mesh, hard_pslg, read_poly};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla_io::SvgOptions;
+use trimalla_io::PictureOptions;
 use trimalla_io::bars::{Bar, BarChart};
 use trimalla_io::svg::{draw_mesh, draw_pslg};
 
-fn picture(mesh: &IndexedMesh, options: &SvgOptions) -> String {
+fn picture(mesh: &IndexedMesh, options: &PictureOptions) -> String {
     let mut bytes = Vec::new();
     draw_mesh(&mut bytes, mesh, options).unwrap();
     let text = String::from_utf8(bytes).unwrap();
@@ -42,9 +42,10 @@ fn every_mesh_has_a_picture() {
     for mesh in
         [IndexedMesh::default(), point, flat, hard_mesh(), grid(3), scaled(1e300), scaled(f64::MAX), scaled(1e-320)]
     {
-        for options in
-            [SvgOptions::default(), SvgOptions::default().with_title("<&>").with_vertices(true).with_legend(false)]
-        {
+        for options in [
+            PictureOptions::default(),
+            PictureOptions::default().with_title("<&>").with_vertices(true).with_legend(false),
+        ] {
             picture(&mesh, &options);
         }
     }
@@ -54,14 +55,14 @@ fn every_mesh_has_a_picture() {
 fn every_drawing_has_a_picture() {
     for pslg in [Pslg::default(), hard_pslg(), read_poly(POLY.as_bytes(), "p").unwrap()] {
         let mut bytes = Vec::new();
-        draw_pslg(&mut bytes, &pslg, &SvgOptions::default().with_title("drawing")).unwrap();
+        draw_pslg(&mut bytes, &pslg, &PictureOptions::default().with_title("drawing")).unwrap();
         check(&String::from_utf8(bytes).unwrap());
     }
 }
 
 #[test]
 fn the_same_mesh_has_the_same_picture() {
-    let options = SvgOptions::default().with_title("grid");
+    let options = PictureOptions::default().with_title("grid");
     assert_eq!(picture(&grid(9), &options), picture(&grid(9), &options));
 }
 
@@ -69,13 +70,13 @@ fn the_same_mesh_has_the_same_picture() {
 fn size_does_not_show_in_colours() {
     let mut large = grid(5);
     large.points.iter_mut().for_each(|p| *p = Point::new(p.x * 2.0_f64.powi(900), p.y * 2.0_f64.powi(900)));
-    assert_eq!(picture(&grid(5), &SvgOptions::default()), picture(&large, &SvgOptions::default()));
+    assert_eq!(picture(&grid(5), &PictureOptions::default()), picture(&large, &PictureOptions::default()));
 }
 
 #[test]
 fn pictures_are_small() {
     let mesh = grid(100);
-    let text = picture(&mesh, &SvgOptions::default());
+    let text = picture(&mesh, &PictureOptions::default());
     let bytes_a_triangle = text.len() / mesh.triangles.len();
     assert!(bytes_a_triangle < 36, "{bytes_a_triangle}");
     assert!(text.matches("<path").count() < 40, "one path a class");
@@ -83,12 +84,12 @@ fn pictures_are_small() {
 
 #[test]
 fn charts_stand_below_the_picture_and_change_nothing_in_it() {
-    let plain = picture(&grid(4), &SvgOptions::default());
+    let plain = picture(&grid(4), &PictureOptions::default());
     let mut charts: Vec<BarChart> =
         (0..20).map(|i| BarChart::of_counts("a < b", [("first", 3 * i), ("second & last", 5)])).collect();
     let odd = [f64::NAN, f64::INFINITY, -1.0].map(|size| Bar { label: "?".to_owned(), size, value: "?".to_owned() });
     charts.push(BarChart { title: "odd".to_owned(), bars: odd.to_vec() });
-    let text = picture(&grid(4), &SvgOptions::default().with_charts(charts));
+    let text = picture(&grid(4), &PictureOptions::default().with_charts(charts));
     assert_eq!(text.matches("second &amp; last").count(), 20);
     // The frame and the sheet's size come first; then the picture is the same, and the charts follow.
     let inner = |text: &str| text.lines().skip(2).collect::<Vec<_>>().join("\n");

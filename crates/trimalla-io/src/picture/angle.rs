@@ -6,22 +6,22 @@ use trimalla::geometry::{Point, math};
 use super::frame::Frame;
 
 /// Classes of five degrees up to 60.
-pub(super) const CLASSES: usize = 12;
-pub(super) const CLASS_DEG: f64 = 5.0;
+pub(crate) const CLASSES: usize = 12;
+pub(crate) const CLASS_DEG: f64 = 5.0;
 
 /// The triangles by class.
 #[derive(Debug)]
-pub(super) struct Histogram {
-    pub(super) counts: [usize; CLASSES],
+pub(crate) struct Histogram {
+    pub(crate) counts: [usize; CLASSES],
     /// Class of each triangle.
-    pub(super) class_of: Vec<u8>,
+    pub(crate) class_of: Vec<u8>,
     /// The smallest angle of all triangles.
-    pub(super) smallest_deg: Option<f64>,
+    pub(crate) smallest_deg: Option<f64>,
 }
 
 impl Histogram {
     /// Sorts the triangles of a mesh, whose indices are in range, into classes.
-    pub(super) fn of(mesh: &IndexedMesh, frame: &Frame) -> Self {
+    pub(crate) fn of(mesh: &IndexedMesh, frame: &Frame) -> Self {
         let mut histogram =
             Self { counts: [0; CLASSES], class_of: Vec::with_capacity(mesh.triangles.len()), smallest_deg: None };
         for triangle in &mesh.triangles {
