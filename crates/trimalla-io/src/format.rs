@@ -26,13 +26,15 @@ pub enum Format {
     Vtu,
     /// A mesh for other programs of geometry.
     Off,
-    /// A picture.
+    /// A picture of lines and areas.
     Svg,
+    /// A picture of pixels.
+    Png,
 }
 
 impl Format {
     /// All formats, in the order in which lists show them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Node,
         Self::Ele,
         Self::Poly,
@@ -44,6 +46,7 @@ impl Format {
         Self::Vtu,
         Self::Off,
         Self::Svg,
+        Self::Png,
     ];
 
     /// The ending of file names, without the dot.
@@ -61,6 +64,7 @@ impl Format {
             Self::Vtu => "vtu",
             Self::Off => "off",
             Self::Svg => "svg",
+            Self::Png => "png",
         }
     }
 
@@ -79,6 +83,7 @@ impl Format {
             Self::Vtu => "a mesh for ParaView (VTK, XML as plain text); written",
             Self::Off => "triangles for other programs of geometry (Object File Format, plain text); written",
             Self::Svg => "a picture; written",
+            Self::Png => "a picture in pixels, without letters; written",
         }
     }
 

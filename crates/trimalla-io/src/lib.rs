@@ -34,6 +34,7 @@
 //! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
 //! | `.off` | Object File Format: vertices and triangles | [`off`] |
 //! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
+//! | `.png` | a picture in pixels | [`png`] |
 //! | `.toml` | a recipe of refinement | [`recipe`] |
 //!
 //! # What all text formats that are read share
@@ -89,6 +90,7 @@ pub mod node;
 mod numbers;
 pub mod off;
 mod picture;
+pub mod png;
 pub mod poly;
 mod read;
 pub mod recipe;

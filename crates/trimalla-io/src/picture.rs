@@ -1,4 +1,4 @@
-//! What pictures show, and where: [`svg`](crate::svg) paints it.
+//! What pictures show, and where: [`svg`](crate::svg) and [`png`](crate::png) paint it.
 //!
 //! Triangles are coloured by their smallest angle, from red (0°) through yellow (30°) to blue (60°), in twelve classes
 //! of five degrees. Classes are painted from good to bad, so that thin triangles are never hidden.
@@ -15,7 +15,7 @@ use trimalla::geometry::Point;
 use crate::bars::BarChart;
 use crate::columns::{Points, Segments, check_triangles};
 pub(crate) use angle::{CLASS_DEG, CLASSES, Histogram};
-pub(crate) use frame::{Frame, MARGIN, Place, Space};
+pub(crate) use frame::{Frame, MARGIN, Place, SIDE, Space};
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -196,6 +196,15 @@ impl<'a> Picture<'a> {
     pub(crate) fn triangles(&self, class: usize) -> impl Iterator<Item = [Place; 3]> {
         let of_class = self.triangles.iter().zip(&self.histogram.class_of);
         of_class.filter(move |(_, c)| usize::from(**c) == class).map(|(corners, _)| corners.map(|v| self.vertex(v)))
+    }
+
+    /// The edges of all triangles, each once.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = [Place; 2]> {
+        let sides = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let mut edges: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges.into_iter().map(|edge| edge.map(|v| self.vertex(v)))
     }
 
     pub(crate) fn segments(&self) -> impl ExactSizeIterator<Item = [Place; 2]> {

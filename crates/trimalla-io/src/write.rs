@@ -12,7 +12,7 @@ use crate::files::Memory;
 use crate::format::{Format, companion};
 use crate::picture::PictureOptions;
 use crate::recipe;
-use crate::{edge, ele, meshsuite, neigh, node, off, poly, soup, svg, vtu};
+use crate::{edge, ele, meshsuite, neigh, node, off, png, poly, soup, svg, vtu};
 use trimalla::refine::NamedOptions;
 
 /// How files are written.
@@ -167,14 +167,14 @@ impl Outputs {
     }
 
     /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file,
-    /// `.node` (the vertices alone), `.mesh` or `.svg`.
+    /// `.node` (the vertices alone), `.mesh`, `.svg` or `.png`.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
     pub fn add_pslg(&mut self, path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -> Result<(), IoError> {
         let path = path.as_ref();
         let format = options.format_for(path, PSLG_ENDINGS)?;
-        if !matches!(format, Format::Poly | Format::Node | Format::MeshSuite | Format::Svg) {
+        if !matches!(format, Format::Poly | Format::Node | Format::MeshSuite | Format::Svg | Format::Png) {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
         self.target.add(path, |out| write_pslg_to(out, format, pslg, options))
@@ -261,8 +261,8 @@ impl Outputs {
 }
 
 /// The endings by which [`write_mesh`] knows formats, in words.
-pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu, .off or .svg";
-const PSLG_ENDINGS: &str = ".poly, .node, .mesh or .svg";
+pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu, .off, .svg or .png";
+const PSLG_ENDINGS: &str = ".poly, .node, .mesh, .svg or .png";
 
 /// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].
 ///
@@ -297,6 +297,7 @@ pub fn write_mesh_to(
         Format::Off => off::write(out, mesh),
         Format::Area => Err(io::ErrorKind::Unsupported.into()),
         Format::Svg => svg::draw_mesh(out, mesh, &options.picture),
+        Format::Png => png::draw_mesh(out, mesh, &options.picture),
     }
 }
 
@@ -310,7 +311,7 @@ pub fn write_pslg(path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -
     outputs.commit()
 }
 
-/// Writes a drawing to a stream as `.poly`, `.node`, `.mesh` or `.svg`.
+/// Writes a drawing to a stream as `.poly`, `.node`, `.mesh`, `.svg` or `.png`.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes
@@ -320,6 +321,7 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
         Format::Svg => svg::draw_pslg(out, pslg, &options.picture),
+        Format::Png => png::draw_pslg(out, pslg),
         Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
         Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu | Format::Off => {
             Err(io::ErrorKind::Unsupported.into())

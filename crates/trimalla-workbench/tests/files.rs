@@ -98,12 +98,12 @@ fn in_memory(folder: &str) -> (Document, Memory) {
 fn scripts_read_and_write_files_in_memory() {
     let (mut document, memory) = in_memory("data/shapes");
     let before = memory.names();
-    let text = "Load data/shapes/key.poly\nTriangulate\nSet min-angle 20\nRefine\nExport key.1.ele\nExport key.svg\n\
+    let text = "Load data/shapes/key.poly\nTriangulate\nSet min-angle 20\nRefine\nExport key.1.ele\nExport key.svg\nExport key.png\n\
                 Save key.tri\nLoad key.1.ele\nExpect triangulated yes\n";
     assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
     let new: Vec<String> =
         memory.names().iter().filter(|name| !before.contains(name)).map(|n| n.display().to_string()).collect();
-    assert_eq!(new, ["key.1.ele", "key.1.node", "key.1.poly", "key.svg", "key.tri"]);
+    assert_eq!(new, ["key.1.ele", "key.1.node", "key.1.poly", "key.png", "key.svg", "key.tri"]);
     let saved = script::read_in(document.files(), "key.tri").expect("a script");
     assert_eq!(saved, "Load data/shapes/key.poly\nTriangulate\nSet min-angle 20\nRefine\n");
     let (mut again, _) = in_memory("data/shapes");

@@ -7,7 +7,7 @@ use trimalla::quality::{Statistics, against_input};
 use trimalla::refine::RefineOptions;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_io::{
-    IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, soup, svg,
+    IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, meshsuite, neigh, node, png, poly, soup, svg,
 };
 
 use super::Target;
@@ -131,6 +131,7 @@ fn of_mesh(mesh: IndexedMesh, tally: &mut Tally) -> Verdict {
     let drawing = Pslg { points: mesh.points.clone(), segments: mesh.segments.clone(), ..Pslg::default() };
     drop(against_input(&mesh, &drawing));
     let _ = svg::draw_mesh(&mut Vec::new(), &mesh, &PictureOptions::default());
+    let _ = png::draw_mesh(&mut Vec::new(), &mesh, &PictureOptions::default());
     let _ = trimalla_io::write_mesh_to(&mut Vec::new(), trimalla_io::Format::Vtu, &mesh, &WriteOptions::default());
     let options = RefineOptions::default().with_max_vertices(mesh.points.len() + 20);
     match trimalla::refine_mesh(&mesh, None, &options) {

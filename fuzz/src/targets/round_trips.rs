@@ -5,7 +5,9 @@ use trimalla::geometry::Point;
 use trimalla::refine::{Initial, PrepareWhen, Recipe, Recover, StopReason};
 use trimalla::{MeshOptions, refine_mesh};
 use trimalla_io::area::Areas;
-use trimalla_io::{Format, PictureOptions, WriteOptions, area, edge, ele, meshsuite, neigh, node, poly, recipe, soup, svg};
+use trimalla_io::{
+    Format, PictureOptions, WriteOptions, area, edge, ele, meshsuite, neigh, node, png, poly, recipe, soup, svg,
+};
 
 use super::refine::keeps_delaunay;
 use super::{Target, case_of, drawing_input};
@@ -92,7 +94,8 @@ fn drawing(pslg: &Pslg, first_index: u32) -> Verdict {
     let again = read("mesh", meshsuite::read(&bytes, "m"))?.into_pslg();
     must(again.segments == pslg.segments, "mesh: another drawing", String::new)?;
     same_bits("mesh", &pslg.points, &again.points)?;
-    written("svg", |out| svg::draw_pslg(out, pslg, &PictureOptions::default())).map(drop)
+    written("svg", |out| svg::draw_pslg(out, pslg, &PictureOptions::default()))?;
+    written("png", |out| png::draw_pslg(out, pslg)).map(drop)
 }
 
 /// A mesh through `.node`, `.ele` and `.poly`.
@@ -154,7 +157,8 @@ fn others(mesh: &IndexedMesh, first_index: u32, d: &mut Draws<'_>) -> Verdict {
         _ => {
             to_format(Format::Vtu)?;
             to_format(Format::Off)?;
-            to_format(Format::Svg).map(drop)
+            to_format(Format::Svg)?;
+            to_format(Format::Png).map(drop)
         }
     }
 }

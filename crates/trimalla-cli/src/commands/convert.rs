@@ -15,6 +15,7 @@ const HELP: &str = "\
 Examples:
   trimalla convert key.poly key.svg           a picture of a drawing
   trimalla convert key.1.ele key.1.svg        a picture of a mesh
+  trimalla convert key.1.ele key.1.png        the same in pixels, without letters
   trimalla convert key.1.ele key.1.neigh      which triangles share an edge
   trimalla convert key.1.ele - --format edge  its edges, on standard output
 

@@ -22,6 +22,7 @@ Examples:
   trimalla mesh - -o - --format poly <key.poly            in a pipe
   trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
   trimalla mesh key.poly --player run.html                every step, to play in a browser
+  trimalla mesh key.poly -o key.png                       the picture in pixels, without letters
   trimalla mesh key.poly --select first --save-recipe mine.toml
   trimalla mesh key.poly --algorithm lepp-centroid --pick 3,7         two triangles treated, no others
   trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again

@@ -56,11 +56,19 @@ fn conversions() {
         "convert m.ele n.ele",
         "convert square.poly p.poly",
         "convert square p.svg",
+        "convert m.ele m.png",
+        "convert square p.png",
+        "mesh square.poly -q -o s.png",
+        "triangulate square.poly -q -o t.png",
     ] {
         let run = scratch.run(line).expect(0);
         assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("", ""), "{line}");
     }
     assert_eq!(scratch.read("n.ele").lines().nth(1), Some("1 1 2 3"));
+    let files = scratch.files();
+    for png in ["m.png", "p.png", "s.png", "t.png"] {
+        assert!(files[png].starts_with(b"\x89PNG\r\n\x1a\n") && files[png].ends_with(b"IEND\xaeB`\x82"), "{png}");
+    }
     for off in ["m.off", "s.off"] {
         assert!(scratch.read(off).starts_with("OFF\n"), "{off}");
     }
@@ -168,15 +176,16 @@ fn a_reader_that_goes_away_is_no_failure() {
 #[test]
 fn old_outputs_survive_every_failure() {
     let scratch = Scratch::with_square("survive");
-    scratch.run("mesh square.poly -o out.ele -o out.svg").expect(0);
+    scratch.run("mesh square.poly -o out.ele -o out.svg -o out.png").expect(0);
     scratch.write("bad.poly", "4 2 0 0\n1 0 0\n");
     let before = scratch.files();
-    scratch.run("mesh bad.poly -o out.ele -o out.svg").expect(3);
-    scratch.run("mesh square.poly -o out.ele -o out.svg --min-angle 90").expect(2);
-    scratch.run("mesh square.poly -o out.ele -o out.svg -o nowhere/x.svg").expect(4);
+    scratch.run("mesh bad.poly -o out.ele -o out.svg -o out.png").expect(3);
+    scratch.run("mesh square.poly -o out.ele -o out.svg -o out.png --min-angle 90").expect(2);
+    scratch.run("mesh square.poly -o out.ele -o out.svg -o out.png -o nowhere/x.svg").expect(4);
+    scratch.run("mesh square.poly --max-area 0.1 -o out.png -o nowhere/x.png").expect(4);
     scratch.run("mesh nowhere.poly -o out.ele").expect(3);
     assert_eq!(scratch.files(), before);
     // And with success they are replaced, without leftovers.
-    scratch.run("mesh square.poly -o out.ele -o out.svg").expect(0);
+    scratch.run("mesh square.poly -o out.ele -o out.svg -o out.png").expect(0);
     assert_eq!(scratch.files(), before);
 }

@@ -7,6 +7,7 @@ mod memory;
 mod one_file;
 mod paths;
 mod pictures;
+mod pixels;
 mod round_trip;
 mod shared_data;
 mod traps;

@@ -14,8 +14,8 @@ pub(super) const ROW: CommandRow = CommandRow {
     name: "Export",
     arguments: "FILE",
     summary: "writes the mesh, or before 'Triangulate' the drawing, in the format of the ending",
-    help: "A mesh as .ele (with .node and .poly), .poly, .node, .edge, .neigh, .mesh, .soup, .vtu, .off or .svg; a drawing \
-           as .poly, .node, .mesh or .svg. Files are written whole or not at all.",
+    help: "A mesh as .ele (with .node and .poly), .poly, .node, .edge, .neigh, .mesh, .soup, .vtu, .off, .svg or .png; \
+           a drawing as .poly, .node, .mesh, .svg or .png. Files are written whole or not at all.",
     parse: |arguments| Deed::ask(Export { path: arguments.path()? }),
 };
 
