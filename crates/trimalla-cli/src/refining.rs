@@ -40,8 +40,8 @@ pub(crate) struct RefiningOptions {
 
     /// Report more: angles, aspect ratios, path lengths, insertions by kind, time by step
     ///
-    /// As bar charts for people, as "details" in JSON, and below the mesh in SVG (not in PNG). Taking the time makes the work about
-    /// a tenth slower.
+    /// As bar charts for people, as "details" in JSON, and below the mesh in SVG (not in PNG). Taking the time makes
+    /// the work about a tenth slower.
     #[arg(long, help_heading = "Output")]
     details: bool,
 }

@@ -1,13 +1,13 @@
 //! `.png`: pictures of meshes and drawings in pixels.
 //!
 //! They show what [`svg`](crate::svg) draws, in the same places and colours, but no letters: no heading, no legend, no
-//! charts. Triangles are painted twice, with hard borders and then with smooth ones over them, so that no paper shines
-//! through where the smooth borders of two triangles meet. Then every edge is painted once. Where edges would cover the
-//! sheet ten times, as those of many needles around one vertex do, none is painted, and no smooth border: they would hide
+//! charts. Triangles are painted twice, with hard sides and then with smooth ones over them, so that no paper shines
+//! through where the smooth sides of two triangles meet. Then every edge is painted once. Where edges would cover the
+//! sheet ten times, as those of many needles around one vertex do, none is painted, and no smooth side: they would hide
 //! the triangles, and take minutes.
 //!
-//! The longer side has 1600 pixels. That is as wide as a column of text at 300 dots an inch, fits on common screens, and
-//! takes 10 MB of memory. Points that all have one place give a sheet that is all margin, 73 pixels wide.
+//! The longer side has 1600 pixels. That is as wide as a column of text at 300 dots an inch, fits on common screens,
+//! and takes 10 MB of memory. Points that all have one place give a sheet that is all margin, 73 pixels wide.
 //!
 //! Places are computed in double precision and lie on the sheet whatever the coordinates are. Pixels are computed
 //! without the special instructions of a processor, some of which only approximate, so that they do not depend on it.
@@ -22,7 +22,7 @@ use crate::picture::{
     COLOURS, Colour, EDGE_OPACITY, HOLE, INK, MARGIN, MARK_REACH, MARK_WIDTH, PAPER, Picture, PictureOptions, Place,
     REGION, SIDE, Space,
 };
-use canvas::{Border, Canvas, Pen, Spot};
+use canvas::{Canvas, Pen, Sides, Spot};
 
 /// Pixels on the longer side of the sheet.
 const LONGER_SIDE: f64 = 1600.0;
@@ -56,11 +56,11 @@ fn draw(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
     let mut canvas = Canvas::new(pixels(width), pixels(height), PAPER)?;
     let edges: Vec<[Spot; 2]> = picture.edges().map(|ends| ends.map(spot)).collect();
     let is_crowded = length(&edges) > MOST_LAYERS_OF_EDGES * SCALE * SCALE * width * height;
-    let borders = if is_crowded { &[Border::Hard][..] } else { &[Border::Hard, Border::Smooth] };
-    for &border in borders {
+    let sides = if is_crowded { &[Sides::Hard][..] } else { &[Sides::Hard, Sides::Smooth] };
+    for &sides in sides {
         for class in picture.classes() {
             let triangles = picture.triangles(class).map(|corners| corners.map(spot));
-            canvas.fill_triangles(COLOURS[class], border, triangles);
+            canvas.fill_triangles(COLOURS[class], sides, triangles);
         }
     }
     if !is_crowded {

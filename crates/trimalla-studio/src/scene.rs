@@ -1,5 +1,5 @@
-//! What is drawn of a document, as plain arrays. It is made where commands are at work, so that the window need not wait
-//! for it.
+//! What is drawn of a document, as plain arrays. It is made where commands are at work, so that the window need not
+//! wait for it.
 
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::{Point, Triangle};

@@ -16,9 +16,9 @@ const SMALLEST_CIRCLE: f32 = 2.0;
 /// A place in pixels: to the right and down.
 pub(super) type Spot = [f32; 2];
 
-/// How the borders of triangles are painted.
+/// How the sides of triangles are painted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Border {
+pub(super) enum Sides {
     /// A pixel gets the colour if the triangle has its middle.
     Hard,
     /// A pixel gets as much of the colour as the triangle has of it.
@@ -55,13 +55,8 @@ impl Canvas {
     }
 
     /// Fills triangles.
-    pub(super) fn fill_triangles(
-        &mut self,
-        colour: Colour,
-        border: Border,
-        triangles: impl Iterator<Item = [Spot; 3]>,
-    ) {
-        let paint = Paint { anti_alias: border == Border::Smooth, ..paint(colour, 1.0) };
+    pub(super) fn fill_triangles(&mut self, colour: Colour, sides: Sides, triangles: impl Iterator<Item = [Spot; 3]>) {
+        let paint = Paint { anti_alias: sides == Sides::Smooth, ..paint(colour, 1.0) };
         let add = |path: &mut PathBuilder, [a, b, c]: [Spot; 3]| {
             path.move_to(a[0], a[1]);
             path.line_to(b[0], b[1]);

@@ -101,7 +101,7 @@ fn drawings_show_segments_vertices_and_seeds() {
 }
 
 #[test]
-fn no_paper_shines_through_where_borders_meet() {
+fn no_paper_shines_through_where_sides_meet() {
     // Flat rows of two heights, so of two classes.
     let [columns, rows] = [48, 720];
     let at = |i: u32, j: u32| j * (columns + 1) + i;
@@ -119,7 +119,7 @@ fn no_paper_shines_through_where_borders_meet() {
         let pixel = picture.pixel(k, k).unwrap();
         light([pixel.red(), pixel.green(), pixel.blue()])
     });
-    // 358 with the edges, which are white; 386 where triangles are painted with smooth borders alone.
+    // 358 with the edges, which are white; 386 where triangles are painted with smooth sides alone.
     let mean = lights.sum::<u32>() / 1520;
     assert!((340..370).contains(&mean), "{mean}");
 }
