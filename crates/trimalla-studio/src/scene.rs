@@ -211,6 +211,8 @@ pub(crate) struct Picked {
     pub(crate) passes_circle_test: bool,
     /// The triangles of its longest-edge propagation path, itself first.
     pub(crate) path: Vec<[Point; 3]>,
+    /// So many of them are shown: one walks the path.
+    pub(crate) shown: usize,
     pub(crate) path_names: Vec<[u32; 3]>,
     pub(crate) terminal_edge: [Point; 2],
     pub(crate) terminal_names: [u32; 2],
@@ -233,6 +235,7 @@ impl Picked {
             neighbours: across.into_iter().filter(|&f| t.is_real(f)).map(named).collect(),
             passes_circle_test: !fails,
             path: path.faces.iter().map(|&f| t.face_points(f)).collect(),
+            shown: path.faces.len(),
             path_names: path.faces.iter().map(|&f| named(f)).collect(),
             terminal_edge: t.edge_points(path.terminal_edge),
             terminal_names: ends.map(|v| document.name(v)),

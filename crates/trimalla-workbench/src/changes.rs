@@ -26,6 +26,8 @@ pub(crate) enum Change {
     Whole(Box<State>),
     /// A point joined the drawing.
     Point,
+    /// A point of the drawing was here.
+    Moved(VertexId, Point),
     /// A segment joined the drawing.
     Segment,
     /// The outer contour was given.
@@ -54,6 +56,7 @@ impl Change {
         match self {
             Self::Whole(before) => *state = *before,
             Self::Point => drop(state.input.drawing.points.pop()),
+            Self::Moved(v, before) => state.input.drawing.points[v.index()] = before,
             Self::Segment => drop(state.input.drawing.segments.pop()),
             Self::Outer => state.input.outer = None,
             Self::Inner => drop(state.input.inner.pop()),
@@ -224,6 +227,13 @@ impl<'a> Work<'a> {
         self.state.input.drawing.points.push(p);
         self.traces.changes.push(Change::Point);
         self.name(name, v);
+    }
+
+    /// Moves a point of the drawing.
+    pub(crate) fn move_point(&mut self, v: VertexId, to: Point) {
+        let before = std::mem::replace(&mut self.state.input.drawing.points[v.index()], to);
+        self.traces.changes.push(Change::Moved(v, before));
+        self.interface.update();
     }
 
     /// Adds a segment to the drawing.

@@ -34,6 +34,8 @@ pub struct Document {
     files: Files,
     /// What the runs among them did.
     runs: Vec<RunInformation>,
+    /// The place of each of their commands in the log.
+    run_places: Vec<usize>,
     /// Files that were read, which no command replaces.
     spared: BTreeSet<PathBuf>,
     /// How often the document has changed.
@@ -72,6 +74,7 @@ impl Document {
             history: History::new(most_bytes),
             log: Vec::new(),
             runs: Vec::new(),
+            run_places: Vec::new(),
             files: Files::Disk,
             spared: BTreeSet::new(),
             version: 0,
@@ -175,16 +178,28 @@ impl Document {
         self.spared.extend(traces.read.iter().cloned());
         self.log.push(line.trim().to_owned());
         self.version += 1;
-        self.runs.extend(traces.run.as_deref().cloned());
+        self.note_run(&traces);
         let dropped = self.history.push(Done::new(line.trim().to_owned(), traces), &mut self.state);
         self.tell_dropped(dropped, interface);
+    }
+
+    /// Keeps what the run of the last command did, if it ended one.
+    fn note_run(&mut self, traces: &Traces) {
+        if let Some(run) = traces.run.as_deref() {
+            self.runs.push(run.clone());
+            self.run_places.push(self.log.len() - 1);
+        }
     }
 
     fn undo(&mut self, times: usize, interface: &mut dyn Interface) -> Result<(), CommandError> {
         if self.history.len() < times {
             let why =
                 if self.history.forgotten() > 0 { ", older ones were dropped for the memory they took" } else { "" };
-            return Err(CommandError::new(format!("only {} commands can be undone{why}", self.history.len())));
+            let text = match self.history.len() {
+                0 => format!("nothing can be undone{why}"),
+                n => format!("only {n} commands can be undone{why}"),
+            };
+            return Err(CommandError::new(text));
         }
         for _ in 0..times {
             let Some(done) = self.history.pop() else { break };
@@ -192,6 +207,7 @@ impl Document {
             self.version += 1;
             if done.run().is_some() {
                 self.runs.pop();
+                self.run_places.pop();
             }
             let undone = done.undo(&mut self.state);
             interface.message(MessageKind::Information, &format!("undone: {}", undone.line));
@@ -203,7 +219,11 @@ impl Document {
 
     fn redo(&mut self, times: usize, interface: &mut dyn Interface) -> Result<(), CommandError> {
         if self.history.undone() < times {
-            return Err(CommandError::new(format!("only {} commands can be done again", self.history.undone())));
+            let text = match self.history.undone() {
+                0 => "nothing can be done again".to_owned(),
+                n => format!("only {n} commands can be done again"),
+            };
+            return Err(CommandError::new(text));
         }
         for _ in 0..times {
             let Some(undone) = self.history.pop_undone() else { break };
@@ -214,7 +234,7 @@ impl Document {
             };
             self.log.push(undone.line.clone());
             self.version += 1;
-            self.runs.extend(traces.run.as_deref().cloned());
+            self.note_run(&traces);
             let dropped = self.history.push_again(Done::new(undone.line, traces), &mut self.state);
             self.tell_dropped(dropped, interface);
         }
@@ -387,6 +407,17 @@ impl Document {
     #[must_use]
     pub fn runs(&self) -> &[RunInformation] {
         &self.runs
+    }
+
+    /// Those of [`runs`](Self::runs) that worked on the drawing which is there now.
+    #[must_use]
+    pub fn runs_here(&self) -> &[RunInformation] {
+        let begins = |line: &String| {
+            let name = line.split_whitespace().next().unwrap_or_default();
+            ["Clear", "Reset", "Load", "Example"].iter().any(|begin| name.eq_ignore_ascii_case(begin))
+        };
+        let first = self.log.iter().rposition(begins).unwrap_or(0);
+        &self.runs[self.run_places.partition_point(|&place| place < first)..]
     }
 
     /// What the last step did, if the last command was a `Step`.

@@ -1,7 +1,7 @@
 //! The rows of buttons on top.
 
 use eframe::egui::{self, TextEdit, Ui};
-use trimalla_workbench::script;
+use trimalla_workbench::{Document, script};
 
 use super::{Page, Studio};
 
@@ -31,7 +31,14 @@ impl Studio {
                 ("Check", "checks every invariant of the triangulation"),
                 ("Clear", "begins an empty document"),
             ] {
-                if ui.button(name).on_hover_text(help).clicked() {
+                // While a command is at work, a message says so.
+                let (done, undone) = self.worker.document().map_or((1, 1), Document::undoable);
+                let is_possible = match name {
+                    "Undo" => done > 0,
+                    "Redo" => undone > 0,
+                    _ => true,
+                };
+                if ui.add_enabled(is_possible, egui::Button::new(name)).on_hover_text(help).clicked() {
                     commands.push(name.to_owned());
                 }
             }
@@ -71,7 +78,7 @@ impl Studio {
             let path = self.path.trim().to_owned();
             self.open(&path);
         }
-        ui.menu_button("Write", |ui| {
+        ui.menu_button("Write …", |ui| {
             let stem = self.stem();
             for (name, word, ending, help) in WRITTEN {
                 let file = format!("{stem}{ending}");
@@ -93,9 +100,16 @@ impl Studio {
     /// The name above without its ending, to which others are put.
     fn stem(&self) -> String {
         let path = std::path::Path::new(self.path.trim());
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         let stem = path.with_extension("");
         let stem = stem.to_string_lossy();
-        if stem.is_empty() { "mesh".to_owned() } else { format!("{stem}.1") }
+        // What is read is not replaced.
+        let is_input = ["poly", "node", "ele", "mesh", "soup", "txt"].contains(&&*ending);
+        match (stem.is_empty(), is_input) {
+            (true, _) => "mesh".to_owned(),
+            (false, true) => format!("{stem}.1"),
+            (false, false) => stem.into_owned(),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Slider, Ui};
+use eframe::egui::{Button, Slider, Ui, vec2};
 use trimalla::refine::{Event, StepOutcome};
 use trimalla_workbench::Document;
 
@@ -15,6 +15,8 @@ pub(super) struct Control {
     plays: Option<Playing>,
     /// Where a drag's last quiet command stands in the history.
     drag_at: Option<usize>,
+    /// How many commands stood there before the drag.
+    drag_base: Option<usize>,
 }
 
 /// A play that goes on.
@@ -33,7 +35,7 @@ pub(super) struct Played {
 
 impl Default for Control {
     fn default() -> Self {
-        Self { speed: 4.0, plays: None, drag_at: None }
+        Self { speed: 4.0, plays: None, drag_at: None, drag_base: None }
     }
 }
 
@@ -48,15 +50,20 @@ impl Control {
         self.drag_at.is_some()
     }
 
-    /// The commands that follow a drag: its last quiet command is taken back first.
-    pub(super) fn in_place_of_drag(&mut self, text: String, is_quiet: bool, document: Option<&Document>) -> String {
-        let Some(document) = document else { return text };
-        let done = document.undoable().0;
-        let takes_back = self.drag_at.take() == Some(done) && done > 0;
-        if is_quiet {
-            self.drag_at = Some(if takes_back { done } else { done + 1 });
+    /// Whether the last quiet command of a drag is to be taken back, before what follows it.
+    pub(super) fn takes_drag_back(&mut self, is_quiet: bool, document: Option<&Document>) -> bool {
+        let done = document.map_or(0, |document| document.undoable().0);
+        if !is_quiet {
+            self.drag_base = None;
         }
-        if takes_back { format!("Undo\n{text}") } else { text }
+        self.drag_at.take().is_some_and(|at| at == done && done > 0)
+    }
+
+    /// Notes that a quiet command of a drag was run: whether it stands in the history now.
+    pub(super) fn note_drag(&mut self, document: Option<&Document>) {
+        let done = document.map_or(0, |document| document.undoable().0);
+        let base = *self.drag_base.get_or_insert(done.saturating_sub(1));
+        self.drag_at = Some(done).filter(|&done| done > base);
     }
 
     /// Shows the row.
@@ -64,14 +71,21 @@ impl Control {
         let mut played = Played::default();
         let mut ask = |command: String| played.command = Some(command);
         ui.horizontal_wrapped(|ui| {
-            if ui.button("Back").on_hover_text("takes the last command back (left arrow)").clicked() {
+            let (done, _) = document.map_or((1, 0), Document::undoable);
+            let back = ui.add_enabled(done > 0, Button::new("Back"));
+            if back.on_hover_text("takes the last command back (left arrow)").clicked() {
                 ask("Undo".to_owned());
             }
-            if ui.button("Step").on_hover_text("makes one step of refinement (right arrow)").clicked() {
+            if ui
+                .button("Step")
+                .on_hover_text("makes one step of refinement (right arrow, where nothing was taken back)")
+                .clicked()
+            {
                 ask("Step".to_owned());
             }
             let name = if self.plays.is_some() { "Pause" } else { "Play" };
-            if ui.button(name).on_hover_text("makes step after step").clicked() {
+            let play = ui.add(Button::new(name).min_size(vec2(48.0, 0.0)));
+            if play.on_hover_text("makes step after step").clicked() {
                 self.plays = match self.plays {
                     Some(_) => None,
                     None => Some(Playing { next: ui.input(|i| i.time), undoable: None }),
@@ -121,6 +135,7 @@ impl Control {
             // The last step was refused, or nothing is left to do.
             if playing.undoable == Some(done) || playing.undoable.is_some() && has_ended(document) {
                 self.plays = None;
+                ui.ctx().request_repaint();
                 return;
             }
             *playing = Playing { next: now + 1.0 / self.speed, undoable: Some(done) };

@@ -37,6 +37,8 @@ pub struct Studio {
     view: View,
     /// Whether the next frame shows everything.
     fits: bool,
+    /// Whether everything is to be shown when the command at work is done.
+    fits_when_done: bool,
     switches: Switches,
     /// The smallest angle that the options ask for.
     asked_deg: Option<f64>,
@@ -80,6 +82,7 @@ impl Studio {
             viewer: Viewer { number: 0, format },
             view: View::default(),
             fits: true,
+            fits_when_done: false,
             switches: Switches::default(),
             asked_deg: None,
             tools: Tools::default(),
@@ -113,6 +116,7 @@ impl Studio {
     pub fn open(&mut self, path: &str) {
         self.path = path.to_owned();
         (self.fits, self.page) = (true, Page::Draw);
+        self.tools.take(Tool::Pick);
         if path.ends_with(".tri") {
             match script::read_in(self.worker.files(), path) {
                 Ok(text) => self.run(text, None),
@@ -174,6 +178,9 @@ impl Studio {
             }
             Asked::Run(text) if self.waiting.is_empty() && !self.control.has_drag() => self.run(text, Some(context)),
             Asked::Run(text) => self.waiting.push_back((text, false)),
+            Asked::Pick(names) => {
+                self.picked = self.worker.document().and_then(|document| Picked::of(document, names));
+            }
         }
         self.run_waiting(context);
     }
@@ -182,9 +189,17 @@ impl Studio {
     fn run_waiting(&mut self, context: &egui::Context) {
         while !self.worker.is_busy() {
             let Some((text, is_quiet)) = self.waiting.pop_front() else { return };
-            let text = self.control.in_place_of_drag(text, is_quiet, self.worker.document());
-            self.worker.run(&text, is_quiet, Some(context.clone()));
-            self.poll_shortly();
+            if self.control.takes_drag_back(is_quiet, self.worker.document()) {
+                self.waiting.push_front((text, is_quiet));
+                self.worker.run("Undo", true, Some(context.clone()));
+                self.poll_dragging();
+            } else if is_quiet {
+                self.worker.run(&text, true, Some(context.clone()));
+                self.poll_dragging();
+                self.control.note_drag(self.worker.document());
+            } else {
+                self.run(text, Some(context));
+            }
         }
     }
 
@@ -200,11 +215,18 @@ impl Studio {
         self.take(news);
     }
 
+    /// The same in a drag, whose last command says what is wrong.
+    fn poll_dragging(&mut self) {
+        let (_, is_back) = self.worker.poll_shortly();
+        self.take((Vec::new(), is_back));
+    }
+
     fn take(&mut self, (messages, is_back): (Vec<Message>, bool)) {
         self.console.add(messages);
         if let Some(document) = self.worker.document().filter(|_| is_back) {
             let names = document.selection().first().copied();
             self.picked = names.and_then(|names| Picked::of(document, names));
+            self.fits |= std::mem::take(&mut self.fits_when_done);
             self.course.note(document, &self.worker.scene().figures);
             // What is asked is what is bad, until one drags the threshold.
             let asked = document.options().min_angle_deg;
@@ -226,10 +248,11 @@ impl Studio {
             step::show(ui, document);
             ui.separator();
         }
-        let mut command = inspector::show(ui, self.picked.as_ref()).or(planned);
+        let mut command = inspector::show(ui, self.picked.as_mut()).or(planned);
         ui.separator();
         if let Some(document) = self.worker.document() {
-            information::show(ui, document, (self.worker.scene(), self.worker.growth()), &self.course);
+            let drawn = (&**self.worker.scene(), self.worker.growth());
+            information::show(ui, document, drawn, &self.course, self.switches.threshold_deg);
             ui.separator();
             command = configuration::show(ui, document.options()).or(command);
         } else {
@@ -268,6 +291,11 @@ impl Studio {
             overlay::draw_picked(&shown.painter, picked, &self.switches);
         }
         let asked = self.tools.work(&shown, &mut view, (document, &scene));
+        if scene.vertices.is_empty() && !self.worker.is_busy() {
+            let text =
+                "Nothing is drawn yet. Take 'Outline' and click corners, the first one again to close; or open a file.";
+            shown.painter.hint(text);
+        }
         self.view = view;
         asked
     }
@@ -297,7 +325,8 @@ impl Studio {
             self.fits = true;
         }
         if pressed(Key::ArrowRight) {
-            commands.push("Step".to_owned());
+            let has_future = self.worker.document().is_some_and(|document| document.undoable().1 > 0);
+            commands.push(if has_future { "Redo" } else { "Step" }.to_owned());
         }
         if pressed(Key::ArrowLeft) {
             commands.push("Undo".to_owned());
@@ -324,9 +353,13 @@ impl Studio {
     fn welcome(&mut self, chosen: learn::Welcomed, context: &egui::Context) {
         (self.page, self.fits) = (Page::Draw, true);
         self.lesson = None;
+        self.tools.take(Tool::Pick);
         match chosen {
             learn::Welcomed::Run(commands) => self.run(commands, Some(context)),
-            learn::Welcomed::Draw => self.tools.take(Tool::Outline),
+            learn::Welcomed::Draw => {
+                self.tools.take(Tool::Outline);
+                self.run("Clear".to_owned(), Some(context));
+            }
             learn::Welcomed::Lesson(number) => {
                 self.lesson = learn::lessons().get(number).map(learn::Playing::new);
                 let first = self.lesson.as_mut().zip(self.worker.document());
@@ -351,7 +384,8 @@ impl Studio {
             self.open(&file.path().to_string_lossy());
         }
         Panel::top("bar").show(ui, |ui| commands.extend(self.show_bar(ui)));
-        Panel::bottom("console").resizable(true).default_size(170.0).show(ui, |ui| {
+        let most = (0.5 * ui.available_height()).max(60.0);
+        Panel::bottom("console").resizable(true).default_size(170.0).max_size(most).show(ui, |ui| {
             commands.extend(self.console.show(ui));
         });
         if self.page == Page::Compare {
@@ -376,14 +410,18 @@ impl Studio {
             Panel::top("lesson").show(ui, |ui| asked = lesson.show(ui, self.worker.document()));
             match asked {
                 Some(learn::Asked::Run(text)) => {
-                    self.fits = true;
+                    self.fits_when_done = true;
                     commands.push(text);
                 }
-                Some(learn::Asked::End) => self.lesson = None,
+                Some(learn::Asked::End(before)) => {
+                    self.lesson = None;
+                    self.fits_when_done = true;
+                    commands.extend(before);
+                }
                 None => {}
             }
         }
-        Panel::right("side").resizable(true).default_size(300.0).show(ui, |ui| {
+        Panel::right("side").resizable(true).default_size(310.0).max_size(500.0).show(ui, |ui| {
             egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));
         });
         let mut asked = Vec::new();

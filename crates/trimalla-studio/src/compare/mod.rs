@@ -15,6 +15,9 @@ use crate::worker::{Message, Worker};
 /// No more recipes than these stand side by side.
 const MOST: usize = 4;
 
+/// A viewer is no lower than this.
+const LEAST: f32 = 120.0;
+
 /// The page.
 pub(crate) struct Compare {
     slots: Vec<Slot>,
@@ -46,7 +49,8 @@ impl Compare {
         Panel::top("compare").show(ui, |ui| {
             ui.horizontal_wrapped(|ui| said.extend(self.show_buttons(ui, worker)));
         });
-        Panel::bottom("results").resizable(true).default_size(220.0).show(ui, |ui| {
+        let most = (0.6 * ui.available_height()).max(40.0);
+        Panel::bottom("results").resizable(true).default_size(220.0).max_size(most).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table::show(ui, &self.slots, switches));
         });
         self.slots.iter_mut().for_each(|slot| said.extend(slot.poll()));
@@ -97,17 +101,21 @@ impl Compare {
         self.fits = fits && self.slots.iter().all(|slot| slot.scene().bounds.is_none());
         let columns = if self.slots.len() == 4 { 2 } else { self.slots.len() };
         let rows = self.slots.len().div_ceil(columns.max(1));
-        let height = ui.available_height() / rows as f32 - ui.spacing().item_spacing.y;
+        let room = ui.available_height() / rows as f32 - ui.spacing().item_spacing.y;
+        // In a small window one scrolls.
+        let height = room.max(LEAST);
         let view = &mut self.view;
-        for row in self.slots.chunks_mut(columns.max(1)) {
-            ui.allocate_ui(egui::vec2(ui.available_width(), height), |ui| {
-                ui.columns(columns, |cells| {
-                    for (ui, slot) in cells.iter_mut().zip(row) {
-                        ui.set_height(height);
-                        slot.show(ui, view, switches, fits);
-                    }
+        egui::ScrollArea::vertical().scroll_source(egui::scroll_area::ScrollSource::SCROLL_BAR).show(ui, |ui| {
+            for row in self.slots.chunks_mut(columns.max(1)) {
+                ui.allocate_ui(egui::vec2(ui.available_width(), height), |ui| {
+                    ui.columns(columns, |cells| {
+                        for (ui, slot) in cells.iter_mut().zip(row) {
+                            ui.set_height(height);
+                            slot.show(ui, view, switches, fits);
+                        }
+                    });
                 });
-            });
-        }
+            }
+        });
     }
 }

@@ -6,7 +6,6 @@ use eframe::egui::{self, ComboBox, DragValue, PointerButton, Ui};
 use eframe::wgpu::TextureFormat;
 use trimalla::refine::{Criteria, NamedOptions, Preset};
 use trimalla_workbench::{Document, Figures, MessageKind, Quiet};
-use web_time::Instant;
 
 use crate::panels::configuration;
 use crate::scene::Scene;
@@ -21,9 +20,8 @@ pub(super) struct Slot {
     /// An empty document, whose options are the recipe; `None` for the document as it is.
     recipe: Option<Document>,
     worker: Worker,
-    began: Instant,
-    /// How long the run took.
-    seconds: Option<f64>,
+    /// The name of the recipe with which it ran.
+    ran: Option<String>,
 }
 
 impl Slot {
@@ -35,7 +33,7 @@ impl Slot {
             let _ = recipe.run(&format!("Set preset {preset}"), &mut Quiet);
             recipe
         });
-        Self { viewer: Viewer { number, format }, recipe, worker: Worker::new(), began: Instant::now(), seconds: None }
+        Self { viewer: Viewer { number, format }, recipe, worker: Worker::new(), ran: None }
     }
 
     pub(super) fn is_busy(&self) -> bool {
@@ -55,8 +53,18 @@ impl Slot {
         (!self.scene().faces.is_empty()).then(|| &self.scene().figures)
     }
 
+    /// How long the run took, or takes until now; `None` where nothing was to be done.
     pub(super) fn seconds(&self) -> Option<f64> {
-        self.seconds
+        self.recipe.as_ref().and_then(|_| self.worker.seconds())
+    }
+
+    /// The recipe with which it ran, and whether that is still the one above the drawing.
+    pub(super) fn title(&self) -> String {
+        match &self.ran {
+            Some(ran) if *ran != self.name() => format!("{ran} (changed since)"),
+            Some(ran) => ran.clone(),
+            None => format!("{} (not run yet)", self.name()),
+        }
     }
 
     /// The recipe in words.
@@ -76,16 +84,12 @@ impl Slot {
             // Nothing is changed, and the copy is drawn.
             None => String::new(),
         };
-        self.began = Instant::now();
+        self.ran = Some(self.name());
         self.worker.run(&lines, true, Some(context.clone()));
-        self.seconds = Some(0.0);
     }
 
     /// Takes what the run has said: its errors.
     pub(super) fn poll(&mut self) -> Vec<Message> {
-        if self.worker.is_busy() {
-            self.seconds = Some(self.began.elapsed().as_secs_f64());
-        }
         let (messages, _) = self.worker.poll();
         let name = self.name();
         messages

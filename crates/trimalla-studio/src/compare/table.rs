@@ -22,7 +22,7 @@ fn show_figures(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
         }
         ui.end_row();
         for slot in slots {
-            ui.label(slot.name());
+            ui.label(slot.title());
             if let Some(figures) = slot.figures() {
                 let faces = &slot.scene().faces;
                 let bad = faces.iter().filter(|face| f64::from(face.min_angle_deg) < switches.threshold_deg).count();
@@ -33,7 +33,7 @@ fn show_figures(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
                     ui.label(format!("{angle:.2}°"));
                 }
                 ui.label(bad.to_string());
-                ui.label(slot.seconds().map_or_else(String::new, |seconds| format!("{seconds:.2}")));
+                ui.label(slot.seconds().map_or_else(|| "–".to_owned(), |seconds| format!("{seconds:.3}")));
             }
             ui.end_row();
         }
@@ -43,18 +43,21 @@ fn show_figures(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
 /// The share of triangles by their smallest angle.
 fn show_angles(ui: &mut Ui, slots: &[Slot]) {
     let plot = Plot::new("angles").legend(Legend::default()).x_axis_label("smallest angle, degrees");
-    plot.y_axis_label("% of triangles").include_y(0.0).allow_scroll(false).show(ui, |plot| {
-        for slot in slots {
-            let scene = slot.scene();
-            let faces = &scene.faces;
-            let share = |(class, &count): (usize, &usize)| {
-                let degrees = 60.0 * (class as f64 + 0.5) / CLASSES as f64;
-                [degrees, 100.0 * count as f64 / faces.len().max(1) as f64]
-            };
-            let points: Vec<[f64; 2]> = scene.classes.iter().enumerate().map(share).collect();
-            if !faces.is_empty() {
-                plot.line(Line::new(slot.name(), PlotPoints::from(points)));
+    plot.y_axis_label("% of triangles").include_y(0.0).include_x(0.0).include_x(60.0).allow_scroll(false).show(
+        ui,
+        |plot| {
+            for slot in slots {
+                let scene = slot.scene();
+                let faces = &scene.faces;
+                let share = |(class, &count): (usize, &usize)| {
+                    let degrees = 60.0 * (class as f64 + 0.5) / CLASSES as f64;
+                    [degrees, 100.0 * count as f64 / faces.len().max(1) as f64]
+                };
+                let points: Vec<[f64; 2]> = scene.classes.iter().enumerate().map(share).collect();
+                if !faces.is_empty() {
+                    plot.line(Line::new(slot.title(), PlotPoints::from(points)));
+                }
             }
-        }
-    });
+        },
+    );
 }

@@ -27,8 +27,8 @@ pub(crate) struct Playing {
 pub(crate) enum Asked {
     /// These commands.
     Run(String),
-    /// The lesson is over.
-    End,
+    /// The lesson is over; the command that brings back what was there before.
+    End(Option<String>),
 }
 
 impl Playing {
@@ -64,8 +64,10 @@ impl Playing {
                 self.next = ui.input(|i| i.time);
             }
             ui.add(Slider::new(&mut self.pause, 0.5..=15.0).text("seconds a scene"));
-            if ui.button("End lesson").on_hover_text("the document stays as it is").clicked() {
-                asked = Some(Asked::End);
+            if ui.button("End lesson").on_hover_text("brings back what was there before").clicked() {
+                let begun = self.before.first().copied();
+                let done = document.zip(begun).map(|(document, begun)| document.undoable().0.saturating_sub(begun));
+                asked = Some(Asked::End(done.filter(|&done| done > 0).map(|done| format!("Undo {done}"))));
             }
         });
         let caption = self.shown.checked_sub(1).and_then(|last| self.scenes.get(last)).map(|scene| &*scene.caption);

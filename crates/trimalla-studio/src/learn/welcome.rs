@@ -65,9 +65,10 @@ pub(crate) fn show(ui: &mut Ui) -> Option<Welcomed> {
         ui.heading("Then");
         for text in [
             "Click a triangle: its angles, its circle and its longest-edge path show.",
-            "'Back', the arrows and the slider go through everything that was done.",
+            "'Back', the arrows and the slider go through everything that was done, back and forth.",
+            "'Next triangle' in the panel on the right walks the path of a picked triangle.",
             "'Compare' refines a copy by several recipes, side by side.",
-            "Everything a click does appears in the console as a command; 'Save' writes them as a script.",
+            "Everything a click does appears in the console as a command; 'Write' keeps them as a script.",
         ] {
             ui.label(format!("•  {text}"));
         }

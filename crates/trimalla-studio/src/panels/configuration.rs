@@ -45,7 +45,8 @@ fn show_row(ui: &mut Ui, row: &'static OptionRow, options: &NamedOptions) -> Opt
                 let shown =
                     move |number: f64, _| if is_none && number == 0.0 { "none".to_owned() } else { number.to_string() };
                 let drag = ui.add(DragValue::new(&mut number).speed(0.1).custom_formatter(shown)).labelled_by(label.id);
-                if drag.drag_stopped() || drag.lost_focus() && Some(Value::Number(number)) != present {
+                let is_changed = Some(Value::Number(number)) != present && !(is_none && number == 0.0);
+                if (drag.drag_stopped() || drag.lost_focus()) && is_changed {
                     command = set(number.to_string());
                 }
             }

@@ -1,6 +1,6 @@
 //! The console: what was said, and a line for commands.
 
-use eframe::egui::{Color32, Key, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{Align, Color32, Key, RichText, ScrollArea, TextEdit, Ui};
 use trimalla_workbench::MessageKind;
 use trimalla_workbench::script::completions;
 
@@ -13,6 +13,8 @@ const KEPT: usize = 5000;
 #[derive(Debug, Default)]
 pub(crate) struct Console {
     lines: Vec<Message>,
+    /// Whether some of them were not shown yet.
+    is_new: bool,
     input: String,
     /// Commands that were typed, the newest last.
     typed: Vec<String>,
@@ -23,6 +25,7 @@ pub(crate) struct Console {
 impl Console {
     /// Adds messages.
     pub(crate) fn add(&mut self, messages: Vec<Message>) {
+        self.is_new |= !messages.is_empty();
         self.lines.extend(messages);
         let surplus = self.lines.len().saturating_sub(KEPT);
         self.lines.drain(..surplus);
@@ -35,6 +38,9 @@ impl Console {
         ScrollArea::vertical().stick_to_bottom(true).auto_shrink(false).show(ui, |ui| {
             for (kind, text) in &self.lines {
                 ui.label(RichText::new(text).monospace().color(colour(*kind, is_dark)));
+            }
+            if std::mem::take(&mut self.is_new) {
+                ui.scroll_to_cursor(Some(Align::BOTTOM));
             }
         });
         entered

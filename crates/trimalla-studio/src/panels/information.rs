@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use eframe::egui::{CollapsingHeader, Ui};
-use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine};
+use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
 use trimalla_workbench::{Document, Figures, RunInformation};
 
 use crate::scene::{CLASSES, Scene};
@@ -34,7 +34,13 @@ impl Course {
 }
 
 /// Shows the panel.
-pub(crate) fn show(ui: &mut Ui, document: &Document, (scene, growth): (&Scene, &[Grown]), course: &Course) {
+pub(crate) fn show(
+    ui: &mut Ui,
+    document: &Document,
+    (scene, growth): (&Scene, &[Grown]),
+    course: &Course,
+    threshold_deg: f64,
+) {
     let figures = &scene.figures;
     ui.heading("Document");
     ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
@@ -43,12 +49,12 @@ pub(crate) fn show(ui: &mut Ui, document: &Document, (scene, growth): (&Scene, &
         return;
     }
     ui.label(format!("angles {:.2}° to {:.2}°", figures.min_angle_deg, figures.max_angle_deg));
-    ui.label(format!("area {}", figures.area));
-    for (number, run) in (1..).zip(document.runs()) {
+    ui.label(format!("area {:.6}", figures.area)).on_hover_text(figures.area.to_string());
+    for (number, run) in (1..).zip(document.runs_here()) {
         let title = format!("Run {number}: {} to {} triangles", run.before.triangles, run.after.triangles);
         CollapsingHeader::new(title).id_salt(("run", number)).show(ui, |ui| show_run(ui, run));
     }
-    CollapsingHeader::new("Smallest angles").default_open(true).show(ui, |ui| show_angles(ui, scene));
+    CollapsingHeader::new("Smallest angles").default_open(true).show(ui, |ui| show_angles(ui, scene, threshold_deg));
     if growth.len() > 1 {
         CollapsingHeader::new("During the last run").default_open(true).show(ui, |ui| show_growth(ui, growth));
     }
@@ -70,12 +76,16 @@ fn show_run(ui: &mut Ui, run: &RunInformation) {
 }
 
 /// How many triangles have which smallest angle.
-fn show_angles(ui: &mut Ui, scene: &Scene) {
+fn show_angles(ui: &mut Ui, scene: &Scene, threshold_deg: f64) {
     let width = 60.0 / CLASSES as f64;
     let bar = |(class, &count): (usize, &usize)| Bar::new(width * (class as f64 + 0.5), count as f64).width(width);
     let bars: Vec<Bar> = scene.classes.iter().enumerate().map(bar).collect();
     let plot = Plot::new("smallest angles").height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
-    plot.x_axis_label("degrees").show(ui, |plot| plot.bar_chart(BarChart::new("triangles", bars)));
+    let plot = plot.include_x(0.0).include_x(60.0).x_grid_spacer(uniform_grid_spacer(|_| [60.0, 20.0, 10.0]));
+    plot.x_axis_label("degrees; bad ones left of the line").show(ui, |plot| {
+        plot.bar_chart(BarChart::new("triangles", bars));
+        plot.vline(VLine::new("bad below", threshold_deg));
+    });
 }
 
 /// Triangles and smallest angle while a long command works.

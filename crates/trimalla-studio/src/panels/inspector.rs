@@ -1,12 +1,12 @@
 //! The inspector: the picked triangle, and what can be done with it.
 
-use eframe::egui::Ui;
+use eframe::egui::{Slider, Ui};
 use trimalla::quality::aspect_ratio;
 
 use crate::scene::Picked;
 
 /// Shows the picked triangle; the command of a button that was clicked.
-pub(crate) fn show(ui: &mut Ui, picked: Option<&Picked>) -> Option<String> {
+pub(crate) fn show(ui: &mut Ui, picked: Option<&mut Picked>) -> Option<String> {
     ui.heading("Triangle");
     let Some(picked) = picked else {
         ui.label("Click a triangle to see its angles, its circle and its longest-edge path.");
@@ -27,6 +27,20 @@ pub(crate) fn show(ui: &mut Ui, picked: Option<&Picked>) -> Option<String> {
     ui.label(format!("path of {} triangles", picked.path.len())).on_hover_text(list(&picked.path_names));
     let [p, q] = picked.terminal_names;
     ui.label(format!("terminal edge {p}-{q}"));
+    if picked.path.len() > 1 {
+        let all = picked.path.len();
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().slider_width = 60.0;
+            if ui.button("Previous triangle").on_hover_text("one step back along the path").clicked() {
+                picked.shown = picked.shown.saturating_sub(1).max(1);
+            }
+            if ui.button("Next triangle").on_hover_text("walks the path across longest edges").clicked() {
+                // After the last one the walk begins again.
+                picked.shown = if picked.shown == all { 1 } else { picked.shown + 1 };
+            }
+            ui.add(Slider::new(&mut picked.shown, 1..=all)).on_hover_text("how much of the path is shown");
+        });
+    }
     let mut command = None;
     ui.horizontal_wrapped(|ui| {
         for (name, help, line) in [

@@ -13,6 +13,7 @@ pub(crate) fn show(ui: &mut Ui, tool: &mut EdgeTool, document: &Document) -> Opt
     if planned.plan.is_there {
         ui.label("This edge is there already; inserted, it is constrained.");
     }
+    let is_inserted = ui.button("Insert edge").on_hover_text("removes what it crosses, and fills both sides").clicked();
     ui.strong("First phase: what it crosses");
     let crossed: Vec<String> = planned.plan.crossed.iter().map(|[p, q]| format!("{}-{}", p.name, q.name)).collect();
     ui.label(format!("{} edges: {}", crossed.len(), crossed.join(" ")));
@@ -21,14 +22,15 @@ pub(crate) fn show(ui: &mut Ui, tool: &mut EdgeTool, document: &Document) -> Opt
     let calls = planned.calls();
     if calls > 0 {
         ui.strong("Second phase: both sides are filled");
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().slider_width = 60.0;
             if ui.button("Previous call").clicked() {
                 planned.shown = planned.shown.saturating_sub(1);
             }
             if ui.button("Next call").on_hover_text("the next call of the recursion").clicked() {
                 planned.shown = (planned.shown + 1).min(calls);
             }
-            ui.add(Slider::new(&mut planned.shown, 0..=calls).text("calls"));
+            ui.add(Slider::new(&mut planned.shown, 0..=calls)).on_hover_text("how many calls are shown");
         });
         if let Some(last) = planned.shown.checked_sub(1) {
             let (side, own) = planned.call(last);
@@ -45,7 +47,6 @@ pub(crate) fn show(ui: &mut Ui, tool: &mut EdgeTool, document: &Document) -> Opt
             }
         }
     }
-    let is_inserted = ui.button("Insert edge").on_hover_text("removes what it crosses, and fills both sides").clicked();
     is_inserted.then(|| {
         tool.clear();
         format!("Edge {i} {j}")

@@ -106,7 +106,7 @@ fn place(document: &Document, name: u32) -> Option<Point> {
 fn draw_plan(painter: &PlanePainter, plan: &EdgePlan) {
     let palette = &painter.palette;
     for crossed in plan.crossed.iter().chain(&plan.constrained) {
-        painter.line(crossed.map(|end| end.at), 3.0, palette.refused);
+        painter.dashed(crossed.map(|end| end.at), 3.5, palette.vertex);
     }
     painter.line([plan.from.at, plan.to.at], 3.0, palette.terminal);
     for (side, colour) in [(&plan.left, palette.left), (&plan.right, palette.right)] {

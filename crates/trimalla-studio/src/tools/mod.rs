@@ -55,6 +55,8 @@ pub(crate) enum Asked {
     Quietly(String),
     /// A word to the user.
     Say(String),
+    /// A triangle is shown as picked, and no command is run: that would drop what was taken back.
+    Pick([u32; 3]),
 }
 
 /// The tools, with what has been begun.
@@ -126,11 +128,14 @@ impl Tools {
             Tool::Pick => {
                 let [i, j, k] = match hit.face {
                     Some(names) => names,
-                    None if document.is_some_and(|d| !d.selection().is_empty()) => {
+                    None if document.is_some_and(|d| !d.selection().is_empty() && d.undoable().1 == 0) => {
                         return run(Some("Select".to_owned()));
                     }
                     None => return Vec::new(),
                 };
+                if document.is_some_and(|document| document.undoable().1 > 0) {
+                    return vec![Asked::Pick([i, j, k])];
+                }
                 run(Some(format!("Select {i} {j} {k}")))
             }
             Tool::Insert => run(Some(format!("Insert {} {}", hit.at.x, hit.at.y))),

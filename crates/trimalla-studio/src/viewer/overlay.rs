@@ -63,7 +63,7 @@ fn draw_vertices(painter: &PlanePainter, scene: &Scene, switches: &Switches) {
 /// Draws the picked triangle with its path, its terminal edge and its circle.
 pub(crate) fn draw_picked(painter: &PlanePainter, picked: &Picked, switches: &Switches) {
     let palette = &painter.palette;
-    let faces = if switches.path { &picked.path[..] } else { &picked.path[..1] };
+    let faces = if switches.path { &picked.path[..picked.shown.min(picked.path.len())] } else { &picked.path[..1] };
     for (number, &corners) in faces.iter().enumerate() {
         painter.fill(corners, palette.picked, if number == 0 { 170 } else { 90 });
         if switches.path {
@@ -71,7 +71,7 @@ pub(crate) fn draw_picked(painter: &PlanePainter, picked: &Picked, switches: &Sw
             painter.text(middle, Align2::CENTER_CENTER, format!("t{number}"), 12.0, palette.vertex);
         }
     }
-    if switches.path {
+    if switches.path && picked.shown >= picked.path.len() {
         painter.line(picked.terminal_edge, 3.0, palette.terminal);
     }
     if switches.circle {
@@ -100,7 +100,9 @@ pub(crate) fn draw_step(painter: &PlanePainter, event: &Event, t: &ConstrainedTr
         }
     }
     for (number, face) in event.lepp.iter().enumerate() {
-        if let Some(corners) = corners(face) {
+        // A triangle that is gone has no place in the new mesh.
+        let is_gone = event.destroyed.contains(face);
+        if let Some(corners) = corners(face).filter(|_| !is_gone) {
             let middle = trimalla::geometry::Triangle { corners }.centroid();
             painter.text(middle, Align2::CENTER_CENTER, format!("t{number}"), 12.0, palette.vertex);
         }

@@ -49,6 +49,12 @@ impl PlanePainter {
         (self.rect.area() / count.max(1) as f32).sqrt()
     }
 
+    /// A line of text in the middle.
+    pub(crate) fn hint(&self, text: &str) {
+        let font = FontId::proportional(15.0);
+        self.painter.text(self.rect.center(), Align2::CENTER_CENTER, text, font, self.palette.vertex);
+    }
+
     /// What is drawn on the screen at once.
     pub(crate) fn add(&self, shape: impl Into<Shape>) {
         self.painter.add(shape);

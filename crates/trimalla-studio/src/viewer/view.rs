@@ -10,17 +10,22 @@ pub(crate) struct View {
     pub(crate) scale: f64,
     /// Whether y grows downwards.
     pub(crate) is_y_down: bool,
+    /// The scale at which everything is seen.
+    fitting: f64,
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { center: Point::new(0.0, 0.0), scale: 100.0, is_y_down: false }
+        Self { center: Point::new(0.0, 0.0), scale: 100.0, is_y_down: false, fitting: 100.0 }
     }
 }
 
 impl View {
     /// The least and the greatest scale: beyond them nothing could be told apart.
     const SCALES: [f64; 2] = [1e-300, 1e300];
+
+    /// How far one zooms out and in, from where everything is seen: beyond the digits of coordinates nothing is there.
+    const ZOOMS: [f64; 2] = [1e-3, 1e14];
 
     /// Shows a box in a part of the screen.
     pub(crate) fn fit(&mut self, [low, high]: [Point; 2], rect: Rect) {
@@ -29,7 +34,7 @@ impl View {
         let fits = |extent: f64, room: f64| if extent > 0.0 { 0.9 * room / extent } else { f64::INFINITY };
         let scale = fits(high.x - low.x, width).min(fits(high.y - low.y, height));
         let scale = if scale.is_finite() { scale } else { 100.0 };
-        self.center = center;
+        (self.center, self.fitting) = (center, scale);
         self.set_scale(scale);
     }
 
@@ -71,7 +76,8 @@ impl View {
     /// Zooms by a factor; the point at a place of the screen stays there.
     pub(crate) fn zoom(&mut self, factor: f64, at: Pos2, rect: Rect) {
         let fixed = self.to_plane(at, rect);
-        let scale = (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
+        let [least, most] = Self::ZOOMS.map(|zoom| (zoom * self.fitting).clamp(Self::SCALES[0], Self::SCALES[1]));
+        let scale = (self.scale * factor).clamp(least, most);
         if !fixed.is_finite() || !scale.is_finite() {
             return;
         }

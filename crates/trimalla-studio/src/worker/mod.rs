@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use trimalla_io::Files;
 use trimalla_workbench::{Document, MessageKind};
+use web_time::Instant;
 
 pub(crate) use self::growth::Grown;
 use self::slices::Slices;
@@ -38,6 +39,9 @@ pub(crate) struct Worker {
     /// Whether commands are done slice by slice, and not on a thread.
     has_slices: bool,
     files: Files,
+    began: Instant,
+    /// How long the last commands took, if they are done.
+    took: Option<Duration>,
 }
 
 enum AtWork {
@@ -51,7 +55,7 @@ struct News {
     messages: Vec<Message>,
     grown: Vec<Grown>,
     /// The document when they are done, with what is drawn of it.
-    done: Option<(Box<Document>, Arc<Scene>)>,
+    done: Option<(Box<Document>, Arc<Scene>, Duration)>,
 }
 
 impl Worker {
@@ -65,6 +69,8 @@ impl Worker {
             growth: Vec::new(),
             has_slices: false,
             files: Files::Disk,
+            began: Instant::now(),
+            took: None,
         }
     }
 
@@ -109,6 +115,12 @@ impl Worker {
         &self.growth
     }
 
+    /// How long the last commands took, or take until now; `None` before the first.
+    pub(crate) fn seconds(&self) -> Option<f64> {
+        let until_now = self.is_busy().then(|| self.began.elapsed());
+        self.took.or(until_now).map(|time| time.as_secs_f64())
+    }
+
     /// Whether a command is at work.
     pub(crate) fn is_busy(&self) -> bool {
         self.at_work.is_some()
@@ -118,6 +130,7 @@ impl Worker {
     pub(crate) fn run(&mut self, text: &str, is_quiet: bool, context: Option<eframe::egui::Context>) {
         let Some(document) = self.document.take() else { return };
         self.growth.clear();
+        (self.began, self.took) = (Instant::now(), None);
         let drawn = (self.version, self.scene.clone());
         self.at_work = Some(if self.has_slices {
             AtWork::Slices(Slices::new(*document, text, is_quiet, drawn))
@@ -159,7 +172,8 @@ impl Worker {
             self.growth.push(grown);
         }
         let is_back = news.done.is_some();
-        if let Some((document, scene)) = news.done {
+        if let Some((document, scene, took)) = news.done {
+            self.took = Some(took);
             self.at_work = None;
             self.growth.iter_mut().for_each(Grown::forget_faces);
             self.version = Some(document.version());

@@ -19,6 +19,7 @@ pub(super) struct Slices {
     /// The lines that come after it.
     lines: VecDeque<String>,
     said: Said,
+    began: Instant,
     /// What was drawn before.
     drawn: (Option<u64>, Arc<Scene>),
 }
@@ -56,7 +57,7 @@ impl Slices {
         let first = lines.pop_front().unwrap_or_default();
         let (messages, grown) = (Vec::new(), Vec::new());
         let said = Said { messages, is_quiet, grown, growth: Growth::new(), is_cancelled: false };
-        Self { running: Some(document.begin(&first)), lines, said, drawn }
+        Self { running: Some(document.begin(&first)), lines, said, began: Instant::now(), drawn }
     }
 
     /// Asks the command at work to stop; those after it are not begun.
@@ -68,7 +69,7 @@ impl Slices {
     pub(super) fn news(&mut self, most: Duration) -> News {
         let done = self.advance(most).map(|document| {
             let scene = scene_of(&document, &self.drawn);
-            (Box::new(document), scene)
+            (Box::new(document), scene, self.began.elapsed())
         });
         let Said { messages, grown, .. } = &mut self.said;
         News { messages: std::mem::take(messages), grown: std::mem::take(grown), done }

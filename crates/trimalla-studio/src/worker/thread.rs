@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla_workbench::{Document, Interface, MessageKind, script};
+use web_time::Instant;
 
 use super::growth::{Grown, Growth};
 use super::{Message, News, scene_of};
@@ -16,7 +17,7 @@ use crate::scene::Scene;
 pub(super) struct Thread {
     messages: Receiver<Message>,
     grown: Receiver<Grown>,
-    done: Receiver<(Box<Document>, Arc<Scene>)>,
+    done: Receiver<(Box<Document>, Arc<Scene>, Duration)>,
     cancel: Arc<AtomicBool>,
 }
 
@@ -66,9 +67,11 @@ impl Thread {
         let mut interface =
             Passing { messages: sender, is_quiet, grown: grows, growth: Growth::new(), cancel: cancel.clone() };
         std::thread::spawn(move || {
+            let began = Instant::now();
             script::run(&mut document, &text, false, &mut interface);
+            let took = began.elapsed();
             let scene = scene_of(&document, &drawn);
-            let _ = finished.send((document, scene));
+            let _ = finished.send((document, scene, took));
             if let Some(context) = context {
                 context.request_repaint();
             }
@@ -91,7 +94,7 @@ impl Thread {
             // A command never panics; if one did, an empty document would be better than a dead window.
             Err(RecvTimeoutError::Disconnected) => {
                 news.messages.push((MessageKind::Error, "the command has failed, and the document is lost".to_owned()));
-                Some((Box::default(), Arc::default()))
+                Some((Box::default(), Arc::default(), Duration::ZERO))
             }
         };
         news

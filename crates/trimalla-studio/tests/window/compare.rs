@@ -32,3 +32,19 @@ fn recipes_run_side_by_side_and_leave_the_document() {
     harness.get_by_label(&before.triangles.to_string());
     assert_eq!(figures(&harness), before, "the document is as it was");
 }
+
+#[test]
+fn a_small_window_shows_four_recipes() {
+    for size in [Vec2::new(700.0, 500.0), Vec2::new(320.0, 200.0)] {
+        let mut harness = harness();
+        enter(&mut harness, "Example star\nTriangulate");
+        enter(&mut harness, "Triangulate");
+        press(&mut harness, "Compare");
+        press(&mut harness, "Add recipe");
+        harness.set_size(size);
+        harness.run_steps(4);
+        press(&mut harness, "Run all");
+        harness.run_steps(10);
+        harness.get_by_label("Drawing, original");
+    }
+}

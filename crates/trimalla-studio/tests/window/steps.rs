@@ -40,6 +40,36 @@ fn arrows_step_and_go_back() {
 }
 
 #[test]
+fn a_path_is_walked_triangle_by_triangle() {
+    let mut harness = harness();
+    for line in ["Generate random 60 8", "Triangulate", "Select 46 24 28"] {
+        enter(&mut harness, line);
+    }
+    harness.run_steps(5);
+    harness.get_by_label("path of 3 triangles");
+    for _ in 0..4 {
+        press(&mut harness, "Next triangle");
+    }
+    press(&mut harness, "Previous triangle");
+    assert_eq!(document(&harness).undoable().0, 3, "to look changes nothing");
+}
+
+#[test]
+fn looking_at_a_triangle_keeps_what_was_taken_back() {
+    let mut harness = harness();
+    polygon(&mut harness);
+    press(&mut harness, "Step");
+    press(&mut harness, "Step");
+    press(&mut harness, "Back");
+    let (done, undone) = document(&harness).undoable();
+    let at = middle(&harness);
+    click_at(&mut harness, at);
+    harness.key_press(Key::ArrowRight);
+    settle(&mut harness);
+    assert_eq!((undone, document(&harness).undoable()), (1, (done + 1, 0)), "the right arrow goes forward");
+}
+
+#[test]
 fn playing_ends_with_the_refinement() {
     let mut harness = harness();
     polygon(&mut harness);
@@ -68,6 +98,8 @@ fn a_triangle_is_treated_until_it_is_destroyed() {
     };
     let [i, j, k] = names;
     enter(&mut harness, &format!("Select {i} {j} {k}"));
+    harness.run_steps(5);
     press(&mut harness, "Until destroyed");
-    assert!(document(&harness).face(names).is_none());
+    let script = document(&harness).script();
+    assert!(document(&harness).face(names).is_none(), "{script}");
 }

@@ -41,6 +41,10 @@ impl Job for Step {
         }
         work.step()?;
         let Some(event) = work.event() else { return Ok(Slice::Last) };
+        if event.outcome == StepOutcome::Prepared {
+            // A slice of what comes before the loop: no step that anybody asked for.
+            return Ok(Slice::More);
+        }
         let is_done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
         let text = text_of(work, event);
         work.say(text);

@@ -31,6 +31,9 @@ impl Act for Triangulate {
         if work.state().mesh.is_some() {
             return Err(CommandError::new("there is a triangulation already; 'Reset' goes back to the vertices"));
         }
+        if work.state().input.drawing.points.is_empty() {
+            return Err(CommandError::new("there is nothing to triangulate: insert vertices first"));
+        }
         let mesh = work.state().input.triangulate(self.algorithm)?;
         let count = mesh.triangulation().real_faces().count();
         work.replace_mesh(mesh);
