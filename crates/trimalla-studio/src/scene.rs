@@ -2,7 +2,7 @@
 //! wait for it.
 
 use trimalla::constrained::ConstrainedTriangulation;
-use trimalla::geometry::{Point, Triangle};
+use trimalla::geometry::{Point, Triangle, math};
 use trimalla::half_edge::{FaceId, VertexId};
 use trimalla::refine::LeppRule;
 use trimalla_workbench::{Document, Figures};
@@ -178,7 +178,7 @@ fn min_angle_deg(triangle: &Triangle) -> f32 {
     // Both are products of the other two edges, with the sine and with the cosine of the angle.
     let (sine, cosine) = (2.0 * triangle.area(), 0.5 * sum - least);
     if sine > 0.0 && cosine.is_finite() && sine.is_finite() {
-        sine.atan2(cosine).to_degrees() as f32
+        math::atan2(sine, cosine).to_degrees() as f32
     } else {
         // Squares overflow.
         triangle.min_angle().degrees() as f32

@@ -46,7 +46,7 @@ pub(crate) struct Worker {
 
 enum AtWork {
     Thread(Thread),
-    Slices(Slices),
+    Slices(Box<Slices>),
 }
 
 /// What has come of the commands at work since the last call.
@@ -133,7 +133,7 @@ impl Worker {
         (self.began, self.took) = (Instant::now(), None);
         let drawn = (self.version, self.scene.clone());
         self.at_work = Some(if self.has_slices {
-            AtWork::Slices(Slices::new(*document, text, is_quiet, drawn))
+            AtWork::Slices(Box::new(Slices::new(*document, text, is_quiet, drawn)))
         } else {
             AtWork::Thread(Thread::new(document, text.to_owned(), is_quiet, drawn, context))
         });
