@@ -2,6 +2,7 @@
 
 use trimalla::refine::{NamedOptions, Observer, Overview, Progress, Refinement, StopReason};
 
+use super::step::Copied;
 use super::{CommandRow, Deed, Job, Slice, step};
 use crate::changes::Work;
 use crate::error::CommandError;
@@ -25,7 +26,9 @@ pub(super) const ROW: CommandRow = CommandRow {
 /// Refines a copy, and puts it in place of the triangulation in the end.
 #[derive(Default)]
 struct Refine {
-    /// After the first slice.
+    /// After the first slice, where no refinement goes step by step.
+    copied: Option<Copied>,
+    /// After the second one.
     at_work: Option<Box<AtWork>>,
 }
 
@@ -42,7 +45,7 @@ impl Job for Refine {
             return Err(CommandError::cancelled());
         }
         let Some(mut at_work) = self.at_work.take() else {
-            self.at_work = Some(Box::new(begin(work.state())?));
+            self.begin(work.state())?;
             return Ok(Slice::More);
         };
         if at_work.before.is_none() {
@@ -67,16 +70,28 @@ impl Job for Refine {
     }
 }
 
-/// The refinement that goes step by step, or a new one.
-fn begin(state: &State) -> Result<AtWork, CommandError> {
-    Ok(match &state.mesh {
-        Some(Mesh::Refining(refining)) => AtWork {
-            refinement: refining.refinement.without_history(),
-            options: refining.options.clone(),
-            before: Some(refining.before),
-        },
-        _ => AtWork { refinement: step::refinement_of(state)?, options: state.options.clone(), before: None },
-    })
+impl Refine {
+    /// Goes on with the refinement that goes step by step, or begins a new one, in two slices.
+    fn begin(&mut self, state: &State) -> Result<(), CommandError> {
+        let options = state.options.clone();
+        let at_work = match (&state.mesh, self.copied.take()) {
+            (Some(Mesh::Refining(refining)), _) => AtWork {
+                refinement: refining.refinement.without_history(),
+                options: refining.options.clone(),
+                before: Some(refining.before),
+            },
+            (_, None) => {
+                self.copied = Some(Copied::of(state)?);
+                return Ok(());
+            }
+            (_, Some(copied)) => {
+                let refinement = step::with_picks(state, copied.refinement(options.refine_options())?)?;
+                AtWork { refinement, options, before: None }
+            }
+        };
+        self.at_work = Some(Box::new(at_work));
+        Ok(())
+    }
 }
 
 impl AtWork {

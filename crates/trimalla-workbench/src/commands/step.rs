@@ -1,6 +1,6 @@
 //! `Step`.
 
-use trimalla::constrained::ConstrainedDelaunay;
+use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
 use trimalla::refine::{Event, RefineOptions, Refinement, StepOutcome};
 
 use super::{CommandRow, Deed, Job, Slice};
@@ -74,8 +74,12 @@ pub(super) fn begin(work: &mut Work<'_>) -> Result<(), CommandError> {
 
 /// A refinement by the options, in which the triangles that are selected are picked.
 pub(super) fn refinement_of(state: &State) -> Result<Refinement, CommandError> {
+    with_picks(state, refinement(state, state.options.refine_options())?)
+}
+
+/// Picks the triangles that are selected.
+pub(super) fn with_picks(state: &State, mut refinement: Refinement) -> Result<Refinement, CommandError> {
     let picked: Vec<_> = state.selection.iter().map(|&corners| state.face(corners)).collect::<Result<_, _>>()?;
-    let mut refinement = refinement(state, state.options.refine_options())?;
     for face in picked {
         refinement.pick(face);
     }
@@ -84,14 +88,31 @@ pub(super) fn refinement_of(state: &State) -> Result<Refinement, CommandError> {
 
 /// A refinement of a copy of the triangulation.
 pub(super) fn refinement(state: &State, options: RefineOptions) -> Result<Refinement, CommandError> {
-    let failed = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
-    match &state.mesh {
-        None => Err(CommandError::nothing_triangulated()),
-        Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => {
-            let cdt = ConstrainedDelaunay::from(at_rest.t.clone());
-            Refinement::new(cdt, options).map_err(|e| failed(&e))
+    Copied::of(state)?.refinement(options)
+}
+
+/// A copy of the triangulation. To copy it, and to begin a refinement of it, take a tenth of a second each for a million
+/// triangles: between the two somebody may cancel.
+pub(super) enum Copied {
+    Delaunay(Box<ConstrainedDelaunay>),
+    Given(Box<ConstrainedTriangulation>),
+}
+
+impl Copied {
+    pub(super) fn of(state: &State) -> Result<Self, CommandError> {
+        match &state.mesh {
+            None => Err(CommandError::nothing_triangulated()),
+            Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => Ok(Self::Delaunay(Box::new(at_rest.t.clone().into()))),
+            Some(mesh) => Ok(Self::Given(Box::new(mesh.triangulation().clone()))),
         }
-        Some(mesh) => Refinement::new(mesh.triangulation().clone(), options).map_err(|e| failed(&e)),
+    }
+
+    pub(super) fn refinement(self, options: RefineOptions) -> Result<Refinement, CommandError> {
+        let refinement = match self {
+            Self::Delaunay(cdt) => Refinement::new(*cdt, options),
+            Self::Given(t) => Refinement::new(*t, options),
+        };
+        refinement.map_err(|error| CommandError::new(error.to_string()))
     }
 }
 
