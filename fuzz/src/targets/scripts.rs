@@ -1,5 +1,6 @@
 //! Scripts of commands: valid, damaged, without sense.
 
+use trimalla_io::{Files, Memory};
 use trimalla_workbench::{COMMANDS, Document, Quiet, script};
 
 use super::Target;
@@ -63,12 +64,12 @@ fn commands(d: &mut Draws<'_>) -> String {
     text
 }
 
-/// Whether a line is left out: it would read or write files, or make more than a trial can take.
+/// Whether a line is left out: it would make more than a trial can take, or write what a later run reads.
 fn is_left_out(line: &str) -> bool {
     let mut words = line.split_whitespace();
     let name = words.next().unwrap_or_default().to_ascii_lowercase();
     match name.as_str() {
-        "load" | "save" | "export" | "player" => true,
+        "load" | "export" | "player" => true,
         "generate" => words.any(|word| word.len() > 3),
         "set" => line.contains("max-vertices"),
         _ => false,
@@ -79,7 +80,9 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     let Input::File(FileCase { bytes, .. }) = input else { return Ok(()) };
     let text = String::from_utf8_lossy(bytes);
     let lines: String = text.lines().filter(|line| !is_left_out(line)).map(|line| format!("{line}\n")).collect();
-    let mut document = Document::with_history(8 << 20);
+    // Recipes and scripts are written and read in memory.
+    let files = Files::Memory(Memory::default());
+    let mut document = Document::with_history(8 << 20).with_files(files.clone());
     for line in lines.lines() {
         // 'Undo' and 'Clear' take the bound away.
         if document.options().max_vertices != Some(200) {
@@ -91,7 +94,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
         }
     }
     tally.meshes += u64::from(document.triangulation().is_some());
-    let mut again = Document::new();
+    let mut again = Document::new().with_files(files);
     let refused = script::run(&mut again, &document.script(), false, &mut Quiet);
     must(refused.is_empty(), "a record is refused", || format!("{refused:?}"))?;
     must(again == document, "a record leads elsewhere", || document.script())?;
