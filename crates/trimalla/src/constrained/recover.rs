@@ -82,7 +82,7 @@ impl Recovery {
         Self { waiting, next: Vec::new(), stage: Stage::Halving { has_grown: false }, lost: Vec::new(), beside: None }
     }
 
-    /// The recovery of segments that were let go as whole edges.
+    /// The recovery of released segments as whole edges.
     pub(crate) fn as_whole_edges(released: Vec<Released>) -> Self {
         Self { next: released, ..Self::of(Vec::new()) }
     }

@@ -220,9 +220,9 @@ choices! {
 choices! {
     /// Step 5: what becomes of segments inside the domain while points are inserted.
     Recover, WholeEdge, {
-        None = "none", "segments inside are let go, and what is missing in the end is reported", "MeshSuite";
-        BySplitting = "by-splitting", "segments inside are let go, and in the end split until they are chains of edges", "MeshSuite";
-        Complete = "complete", "segments inside are let go, and in the end put in as whole edges", "MeshSuite";
+        None = "none", "segments inside are released, and what is missing in the end is reported", "MeshSuite";
+        BySplitting = "by-splitting", "segments inside are released, and in the end split until they are chains of edges", "MeshSuite";
+        Complete = "complete", "segments inside are released, and in the end put in as whole edges", "MeshSuite";
         WholeEdge = "whole-edge", "segments are edges that nothing removes", "Vigo97";
     }
 }
