@@ -426,7 +426,7 @@ impl Studio {
         });
         let mut asked = Vec::new();
         CentralPanel::default().show(ui, |ui| {
-            switches::show_view(ui, &mut self.view);
+            switches::show_view(ui, &mut self.view, self.tools.hovered());
             asked = self.show_viewer(ui);
         });
         for command in commands {

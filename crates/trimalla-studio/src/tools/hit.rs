@@ -1,7 +1,9 @@
 //! What lies under the pointer.
 
+use std::fmt;
+
 use eframe::egui::{Pos2, Rect};
-use trimalla::geometry::{Point, Segment};
+use trimalla::geometry::{Point, Segment, math};
 use trimalla::locate::Locus;
 use trimalla_workbench::Document;
 
@@ -23,6 +25,26 @@ pub(crate) struct Hit {
     pub(crate) edge: Option<[u32; 2]>,
     /// The triangle there.
     pub(crate) face: Option<[u32; 3]>,
+    /// How many digits behind the point a place of the screen has.
+    digits: usize,
+}
+
+/// The place, with the digits that the view has, and what is there.
+impl fmt::Display for Hit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = self.digits;
+        write!(f, "pointer at {:.digits$}, {:.digits$}", self.at.x, self.at.y)?;
+        if let Some([i, j, k]) = self.face {
+            write!(f, "; triangle {i} {j} {k}")?;
+        }
+        if let Some([i, j]) = self.edge {
+            write!(f, ", edge {i} {j}")?;
+        }
+        if let Some(name) = self.vertex {
+            write!(f, ", vertex {name}")?;
+        }
+        Ok(())
+    }
 }
 
 impl Hit {
@@ -33,8 +55,14 @@ impl Hit {
         let near = scene.vertices.iter().filter(|v| (v.at.x - at.x).abs() < reach && (v.at.y - at.y).abs() < reach);
         let distance_sq = |p: Point| Point::distance_sq(at, p);
         let vertex = near.min_by(|a, b| distance_sq(a.at).total_cmp(&distance_sq(b.at)));
-        let mut hit =
-            Self { at, vertex: vertex.map(|v| v.name), vertex_at: vertex.map(|v| v.at), edge: None, face: None };
+        let mut hit = Self {
+            at,
+            vertex: vertex.map(|v| v.name),
+            vertex_at: vertex.map(|v| v.at),
+            edge: None,
+            digits: math::log10(view.scale).clamp(0.0, 15.0).ceil() as usize + 1,
+            face: None,
+        };
         if let Some((document, t)) = document.and_then(|d| Some((d, d.triangulation()?))).filter(|_| at.is_finite()) {
             let face = match t.locate(at) {
                 Locus::Face(f) => Some(f),

@@ -66,6 +66,8 @@ pub(crate) struct Tools {
     contour: contour::Contour,
     pub(crate) edge: EdgeTool,
     drag: drag::Drag,
+    /// What lies under the pointer, in words.
+    hovered: Option<String>,
 }
 
 impl Tools {
@@ -84,6 +86,11 @@ impl Tools {
         if self.is_begun() && ui.button("Drop").on_hover_text("drops what was begun (Escape)").clicked() {
             self.take(self.tool);
         }
+    }
+
+    /// What lies under the pointer, in words.
+    pub(crate) fn hovered(&self) -> Option<&str> {
+        self.hovered.as_deref()
     }
 
     /// Whether something was begun.
@@ -108,6 +115,7 @@ impl Tools {
         let pressed = response.drag_started().then(|| response.ctx.input(|i| i.pointer.press_origin())).flatten();
         let place = pressed.or_else(|| response.interact_pointer_pos()).or_else(|| response.hover_pos());
         let hit = place.map(|at| Hit::at((at, response.rect), *view, document, scene)).filter(|hit| hit.at.is_finite());
+        self.hovered = hit.as_ref().map(Hit::to_string);
         let mut asked = Vec::new();
         if self.tool == Tool::Move {
             asked.extend(self.drag.work(response, hit.as_ref()));

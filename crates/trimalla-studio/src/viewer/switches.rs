@@ -133,8 +133,8 @@ impl Palette {
     }
 }
 
-/// Shows scale and centre of the view as numbers.
-pub(crate) fn show_view(ui: &mut Ui, view: &mut super::view::View) {
+/// Shows scale and centre of the view as numbers, and what lies under the pointer.
+pub(crate) fn show_view(ui: &mut Ui, view: &mut super::view::View, hovered: Option<&str>) {
     ui.horizontal(|ui| {
         for (name, value) in [("Center x", &mut view.center.x), ("y", &mut view.center.y)] {
             let label = ui.label(name);
@@ -147,5 +147,8 @@ pub(crate) fn show_view(ui: &mut Ui, view: &mut super::view::View) {
         ui.add(DragValue::new(&mut shown).speed(scale / 100.0).max_decimals(17)).labelled_by(label.id);
         view.set_scale(shown);
         ui.checkbox(&mut view.is_y_down, "y down");
+        if let Some(hovered) = hovered {
+            ui.label(hovered);
+        }
     });
 }

@@ -91,8 +91,8 @@ pub(super) fn refinement(state: &State, options: RefineOptions) -> Result<Refine
     Copied::of(state)?.refinement(options)
 }
 
-/// A copy of the triangulation. To copy it, and to begin a refinement of it, take a tenth of a second each for a million
-/// triangles: between the two somebody may cancel.
+/// A copy of the triangulation. To copy it, and to begin a refinement of it, take a tenth of a second each for a
+/// million triangles: between the two somebody may cancel.
 pub(super) enum Copied {
     Delaunay(Box<ConstrainedDelaunay>),
     Given(Box<ConstrainedTriangulation>),
@@ -102,7 +102,9 @@ impl Copied {
     pub(super) fn of(state: &State) -> Result<Self, CommandError> {
         match &state.mesh {
             None => Err(CommandError::nothing_triangulated()),
-            Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => Ok(Self::Delaunay(Box::new(at_rest.t.clone().into()))),
+            Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => {
+                Ok(Self::Delaunay(Box::new(at_rest.t.clone().into())))
+            }
             Some(mesh) => Ok(Self::Given(Box::new(mesh.triangulation().clone()))),
         }
     }
