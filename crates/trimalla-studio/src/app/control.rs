@@ -13,10 +13,8 @@ pub(super) struct Control {
     speed: f64,
     /// Since when it plays, in seconds of the window's clock; and how many commands could be undone then.
     plays: Option<Playing>,
-    /// Where a drag's last quiet command stands in the history.
-    drag_at: Option<usize>,
-    /// How many commands stood there before the drag.
-    drag_base: Option<usize>,
+    /// The version of the document before the last quiet command of a drag.
+    before_drag: Option<u64>,
 }
 
 /// A play that goes on.
@@ -35,7 +33,7 @@ pub(super) struct Played {
 
 impl Default for Control {
     fn default() -> Self {
-        Self { speed: 4.0, plays: None, drag_at: None, drag_base: None }
+        Self { speed: 4.0, plays: None, before_drag: None }
     }
 }
 
@@ -45,25 +43,20 @@ impl Control {
         self.plays = None;
     }
 
-    /// Whether a drag's quiet command stands in the history.
+    /// Whether a drag goes on.
     pub(super) fn has_drag(&self) -> bool {
-        self.drag_at.is_some()
+        self.before_drag.is_some()
     }
 
-    /// Whether the last quiet command of a drag is to be taken back, before what follows it.
-    pub(super) fn takes_drag_back(&mut self, is_quiet: bool, document: Option<&Document>) -> bool {
-        let done = document.map_or(0, |document| document.undoable().0);
-        if !is_quiet {
-            self.drag_base = None;
-        }
-        self.drag_at.take().is_some_and(|at| at == done && done > 0)
+    /// Notes that the quiet command of a drag is run next.
+    pub(super) fn begin_drag(&mut self, document: Option<&Document>) {
+        self.before_drag = document.map(Document::version);
     }
 
-    /// Notes that a quiet command of a drag was run: whether it stands in the history now.
-    pub(super) fn note_drag(&mut self, document: Option<&Document>) {
-        let done = document.map_or(0, |document| document.undoable().0);
-        let base = *self.drag_base.get_or_insert(done.saturating_sub(1));
-        self.drag_at = Some(done).filter(|&done| done > base);
+    /// Whether the quiet command of a drag, which is done now, has changed the document: it is to be taken back before
+    /// what follows it. A command that was refused stands nowhere.
+    pub(super) fn takes_drag_back(&mut self, document: Option<&Document>) -> bool {
+        self.before_drag.take().zip(document).is_some_and(|(before, document)| document.version() == before + 1)
     }
 
     /// Shows the row.

@@ -189,14 +189,14 @@ impl Studio {
     fn run_waiting(&mut self, context: &egui::Context) {
         while !self.worker.is_busy() {
             let Some((text, is_quiet)) = self.waiting.pop_front() else { return };
-            if self.control.takes_drag_back(is_quiet, self.worker.document()) {
+            if self.control.takes_drag_back(self.worker.document()) {
                 self.waiting.push_front((text, is_quiet));
                 self.worker.run("Undo", true, Some(context.clone()));
                 self.poll_dragging();
             } else if is_quiet {
+                self.control.begin_drag(self.worker.document());
                 self.worker.run(&text, true, Some(context.clone()));
                 self.poll_dragging();
-                self.control.note_drag(self.worker.document());
             } else {
                 self.run(text, Some(context));
             }

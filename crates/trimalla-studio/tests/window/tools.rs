@@ -68,6 +68,26 @@ fn an_edge_is_flipped_and_a_vertex_dragged() {
     assert!((at.x - 1.0).abs() < 0.05, "{at}");
 }
 
+#[test]
+fn a_corner_that_cannot_be_dragged_leaves_everything() {
+    let mut harness = harness();
+    square(&mut harness);
+    let (from, to) = (place(&harness, SQUARE, [0.0, 0.0]), place(&harness, SQUARE, [1.0, 1.0]));
+    press(&mut harness, "Move");
+    drag(&mut harness, from, to);
+    assert!(document(&harness).script().contains("\nMove 0 "), "a point of the drawing moves");
+    press(&mut harness, "Undo");
+    for line in ["Outer 4 0 1 2 3", "Triangulate"] {
+        enter(&mut harness, line);
+    }
+    let before = document(&harness).script();
+    press(&mut harness, "Move");
+    drag(&mut harness, from, to);
+    assert_eq!(document(&harness).script(), before);
+    assert_eq!(figures(&harness).triangles, 2);
+    harness.get_by_label_contains("on the boundary");
+}
+
 /// Drags from one place to another one.
 fn drag(harness: &mut Harness<'_, Studio>, from: Pos2, to: Pos2) {
     let button = |pos, pressed| Event::PointerButton {
