@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use eframe::egui::{Button, Slider, Ui, vec2};
-use trimalla::refine::{Event, StepOutcome};
 use trimalla_workbench::Document;
 
 /// The row.
@@ -124,9 +123,10 @@ impl Control {
     fn play(&mut self, ui: &Ui, document: &Document, played: &mut Played) {
         let Some(playing) = &mut self.plays else { return };
         let (now, done) = (ui.input(|i| i.time), document.undoable().0);
+        let has_ended = document.last_step().is_some_and(|event| event.outcome.is_last());
         if now >= playing.next {
             // The last step was refused, or nothing is left to do.
-            if playing.undoable == Some(done) || playing.undoable.is_some() && has_ended(document) {
+            if playing.undoable == Some(done) || playing.undoable.is_some() && has_ended {
                 self.plays = None;
                 ui.ctx().request_repaint();
                 return;
@@ -136,11 +136,4 @@ impl Control {
         }
         ui.ctx().request_repaint_after(Duration::from_secs_f64((playing.next - now).max(0.0)));
     }
-}
-
-/// Whether the last step says that no other one follows.
-fn has_ended(document: &Document) -> bool {
-    let ends =
-        |event: &Event| matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
-    document.last_step().is_some_and(ends)
 }

@@ -45,7 +45,7 @@ impl Job for Step {
             // A slice of what comes before the loop: no step that anybody asked for.
             return Ok(Slice::More);
         }
-        let is_done = matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled);
+        let is_done = event.outcome.is_last();
         let text = text_of(work, event);
         work.say(text);
         if is_done {

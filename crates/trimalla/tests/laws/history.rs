@@ -6,7 +6,7 @@ use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build};
 use trimalla::drawing::Pslg;
-use trimalla::refine::{NoObserver, Preset, Recover, RefineOptions, Refinement, Select, StepOutcome};
+use trimalla::refine::{NoObserver, Preset, Recover, RefineOptions, Refinement, Select};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::readers::read_poly;
 
@@ -43,10 +43,7 @@ fn runs_are_taken_back_step_by_step() {
         for (number, options) in recipes().into_iter().enumerate() {
             let mut stepwise = begun(name, options);
             let mut states = vec![state(&stepwise)];
-            while !matches!(
-                stepwise.step().outcome,
-                StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled
-            ) {
+            while !stepwise.step().outcome.is_last() {
                 states.push(state(&stepwise));
             }
             let end = state(&stepwise);

@@ -32,10 +32,6 @@ fn each_step_of_our_own_passes_its_suite() {
     conformance::laws(&Subject::default().with_steps(|_, steps| *steps = own_steps())).expect("all five");
 }
 
-fn has_ended(outcome: StepOutcome) -> bool {
-    matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled)
-}
-
 fn begun(options: RefineOptions, steps: Steps) -> Refinement {
     begun_on(&fenced(), options, steps)
 }
@@ -59,7 +55,7 @@ fn complete_recovery_brings_back_what_insertions_lost() {
             let event = refinement.step();
             let mesh = refinement.triangulation().to_indexed(&fenced());
             was_missing |= !against_input(&mesh, &fenced()).faults.is_empty();
-            if has_ended(event.outcome) {
+            if event.outcome.is_last() {
                 break;
             }
         }
@@ -88,7 +84,7 @@ fn two_points_go_in_together() {
         let before = refinement.triangulation().steiner_vertices();
         let event = refinement.step();
         pairs += usize::from(refinement.triangulation().steiner_vertices() == before + 2);
-        if has_ended(event.outcome) {
+        if event.outcome.is_last() {
             break;
         }
     }

@@ -13,7 +13,6 @@ use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
 use crate::refine::engine::Refinement;
 use crate::refine::watch::event::Event;
-use crate::refine::watch::event::StepOutcome;
 use crate::triangulation::Fault;
 
 /// Puts a strategy through the laws of refinement.
@@ -62,7 +61,7 @@ pub(super) fn run(
         ensure(faults.is_empty(), || at(format!("{} faults, the first: {:?}", faults.len(), faults[0])))?;
         ensure(cdt.points().starts_with(&pslg.points), || at("a vertex of the drawing has moved".to_owned()))?;
         more(refinement, &event).map_err(|Breach(breach)| Breach(at(breach)))?;
-        if matches!(event.outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) {
+        if event.outcome.is_last() {
             let vertices = cdt.input_points() + cdt.steiner_vertices();
             ensure(vertices <= MOST_VERTICES, || at(format!("{vertices} vertices, above the budget")))?;
             return Ok(number);

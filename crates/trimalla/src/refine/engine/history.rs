@@ -253,7 +253,7 @@ impl Refinement {
         loop {
             self.begin_step_history();
             let outcome = self.recorded(Self::advance);
-            if matches!(outcome, StepOutcome::Finished | StepOutcome::Exhausted | StepOutcome::Stalled) || holds(self) {
+            if outcome.is_last() || holds(self) {
                 return outcome;
             }
         }

@@ -33,6 +33,12 @@ pub enum StepOutcome {
 }
 
 impl StepOutcome {
+    /// Whether no step follows: nothing is left to do, or a limit is met.
+    #[must_use]
+    pub const fn is_last(self) -> bool {
+        matches!(self, Self::Finished | Self::Exhausted | Self::Stalled)
+    }
+
     /// The outcome in a word, as the program prints it.
     #[must_use]
     pub const fn key(self) -> &'static str {
