@@ -1,15 +1,13 @@
 //! The indices by which the user names vertices.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use trimalla::half_edge::VertexId;
 
 /// Which vertex each index names. A vertex may have several names, where one was given twice.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Names {
-    /// Ascending. Names come and go at the end, but for those of vertices that are deleted: then the rest is moved,
-    /// which takes a millisecond for a million.
-    by_name: Vec<(u32, VertexId)>,
+    by_name: BTreeMap<u32, VertexId>,
     /// The lowest name of each vertex.
     of_vertex: Vec<Option<u32>>,
     /// The names that are not the lowest of their vertex.
@@ -29,7 +27,7 @@ impl Names {
 
     /// The vertex of that name.
     pub(crate) fn vertex(&self, name: u32) -> Option<VertexId> {
-        self.place(name).ok().map(|place| self.by_name[place].1)
+        self.by_name.get(&name).copied()
     }
 
     /// The name of a vertex.
@@ -39,14 +37,13 @@ impl Names {
 
     /// The lowest name above all that are used.
     pub(crate) fn next(&self) -> u32 {
-        self.by_name.last().map_or(0, |(name, _)| name + 1)
+        self.by_name.last_key_value().map_or(0, |(&name, _)| name + 1)
     }
 
     /// Names a vertex.
     pub(crate) fn add(&mut self, name: u32, v: VertexId) {
         self.remove(name);
-        let place = self.place(name).unwrap_or_else(|place| place);
-        self.by_name.insert(place, (name, v));
+        self.by_name.insert(name, v);
         if v.index() >= self.of_vertex.len() {
             self.of_vertex.resize(v.index() + 1, None);
         }
@@ -63,7 +60,7 @@ impl Names {
 
     /// Takes a name away; the vertex that had it.
     pub(crate) fn remove(&mut self, name: u32) -> Option<VertexId> {
-        let (_, v) = self.by_name.remove(self.place(name).ok()?);
+        let v = self.by_name.remove(&name)?;
         if self.of_vertex[v.index()] != Some(name) {
             self.others.remove(&(v, name));
         } else {
@@ -92,16 +89,8 @@ impl Names {
         self.of_vertex.len()
     }
 
-    /// The place of a name, or that where it would be.
-    fn place(&self, name: u32) -> Result<usize, usize> {
-        match self.by_name.last() {
-            Some(&(last, _)) if name > last => Err(self.by_name.len()),
-            _ => self.by_name.binary_search_by_key(&name, |&(name, _)| name),
-        }
-    }
-
     /// All names with their vertices, ascending.
     pub(crate) fn all(&self) -> impl Iterator<Item = (u32, VertexId)> + '_ {
-        self.by_name.iter().copied()
+        self.by_name.iter().map(|(&name, &v)| (name, v))
     }
 }
