@@ -2,8 +2,9 @@
 //! wait for it.
 
 use trimalla::constrained::ConstrainedTriangulation;
-use trimalla::geometry::{Point, Triangle, math};
+use trimalla::geometry::{BoundingBox, Point, Triangle, math};
 use trimalla::half_edge::{FaceId, VertexId};
+use trimalla::quality::Histogram;
 use trimalla::refine::LeppRule;
 use trimalla_workbench::{Document, Figures};
 
@@ -60,7 +61,10 @@ impl Facts {
 }
 
 /// Classes of angles, each of two degrees.
-pub(crate) const CLASSES: usize = 30;
+const CLASSES: usize = 30;
+
+/// In a larger triangulation longest-edge paths are not counted: that would double the time until it is drawn.
+const WITH_PATHS: usize = 200_000;
 
 /// Points, triangles and segments of a document.
 #[derive(Clone, Debug, Default)]
@@ -75,9 +79,11 @@ pub(crate) struct Scene {
     pub(crate) holes: Vec<Point>,
     pub(crate) figures: Figures,
     /// How many triangles have which smallest angle, from 0 to 60 degrees.
-    pub(crate) classes: [usize; CLASSES],
-    /// The box around everything: the lower left and the upper right corner.
-    pub(crate) bounds: Option<[Point; 2]>,
+    pub(crate) angles: Histogram,
+    /// How many triangles have a longest-edge path of which length; empty where these are not counted.
+    pub(crate) path_lengths: Vec<u64>,
+    /// The box around everything.
+    pub(crate) bounds: Option<BoundingBox>,
 }
 
 impl Scene {
@@ -90,6 +96,9 @@ impl Scene {
         };
         scene.holes.clone_from(&drawing.holes);
         scene.figures = document.figures();
+        if scene.faces.len() <= WITH_PATHS {
+            scene.path_lengths = document.path_lengths();
+        }
         scene.measure();
         scene
     }
@@ -97,31 +106,16 @@ impl Scene {
     /// What is drawn of a triangulation that is refined: vertices have no names of the document yet.
     pub(crate) fn growing(t: &ConstrainedTriangulation) -> Self {
         let mut scene = Self::of_triangulation(t, t.input_points(), |v| v.0);
-        scene.figures = Self::figures_of(t).figures;
+        scene.figures = figures_of(t);
         scene.measure();
         scene
     }
 
-    /// Nothing to draw, but how many triangles there are, and their smallest angle.
-    pub(crate) fn figures_of(t: &ConstrainedTriangulation) -> Self {
-        let sharpest = |least: f32, f: FaceId| least.min(min_angle_deg(&Triangle { corners: t.face_points(f) }));
-        let vertices = t.used_vertices().count();
-        let figures = Figures {
-            vertices,
-            steiner: t.steiner_vertices(),
-            triangles: t.real_faces().count(),
-            min_angle_deg: f64::from(t.real_faces().fold(180.0, sharpest)),
-            ..Figures::default()
-        };
-        Self { figures, ..Self::default() }
-    }
-
     /// Counts classes of angles, and finds the box around everything.
     fn measure(&mut self) {
-        for face in &self.faces {
-            self.classes[((face.min_angle_deg / 60.0 * CLASSES as f32) as usize).min(CLASSES - 1)] += 1;
-        }
-        self.bounds = bounds(self.vertices.iter().map(|v| v.at));
+        self.angles = Histogram::new(CLASSES, 60.0);
+        self.faces.iter().for_each(|face| self.angles.add(f64::from(face.min_angle_deg)));
+        self.bounds = BoundingBox::of(self.vertices.iter().map(|v| v.at));
     }
 
     fn of_drawing(document: &Document) -> Self {
@@ -170,7 +164,8 @@ impl Scene {
     }
 }
 
-/// The smallest angle in degrees, which is opposite the shortest edge.
+/// The smallest angle in degrees, which is opposite the shortest edge: [`Triangle::min_angle`] in single precision, by
+/// one arctangent for its three, as there may be a million triangles.
 fn min_angle_deg(triangle: &Triangle) -> f32 {
     let lengths_sq = triangle.edge_lengths_sq();
     let sum = lengths_sq.iter().sum::<f64>();
@@ -185,7 +180,8 @@ fn min_angle_deg(triangle: &Triangle) -> f32 {
     }
 }
 
-/// Twice the inradius by the circumradius.
+/// Twice the inradius by the circumradius: the inverse of [`aspect_ratio`](trimalla::quality::aspect_ratio), without
+/// its sines.
 fn quality(triangle: &Triangle) -> f32 {
     let [a, b, c] = triangle.edge_lengths_sq().map(f64::sqrt);
     let product = a * b * c;
@@ -193,11 +189,16 @@ fn quality(triangle: &Triangle) -> f32 {
     if ratio.is_finite() { ratio as f32 } else { 0.0 }
 }
 
-fn bounds(mut all: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
-    let first = all.next()?;
-    Some(all.fold([first, first], |[low, high], p| {
-        [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
-    }))
+/// How many vertices and triangles there are, and the smallest angle.
+pub(crate) fn figures_of(t: &ConstrainedTriangulation) -> Figures {
+    let sharpest = |least: f32, f: FaceId| least.min(min_angle_deg(&Triangle { corners: t.face_points(f) }));
+    Figures {
+        vertices: t.used_vertices().count(),
+        steiner: t.steiner_vertices(),
+        triangles: t.real_faces().count(),
+        min_angle_deg: f64::from(t.real_faces().fold(180.0, sharpest)),
+        ..Figures::default()
+    }
 }
 
 /// A picked triangle, and what is shown of it.

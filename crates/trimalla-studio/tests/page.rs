@@ -75,3 +75,23 @@ fn files_are_opened_from_memory_and_exported_to_it() {
     harness.run_steps(2);
     harness.get_by_label_contains("nowhere.tri: no such file");
 }
+
+#[test]
+fn the_menu_writes_what_led_here() {
+    let memory = Memory::default();
+    let mut harness = harness(&memory);
+    harness.state_mut().run_script("Example star\nTriangulate\nRefine\n".to_owned());
+    settle(&mut harness);
+    for (entry, file) in
+        [("Script: mesh.tri", "mesh.tri"), ("Picture: mesh.png", "mesh.png"), ("Player: mesh.html", "mesh.html")]
+    {
+        harness.get_by_role_and_label(Role::Button, "Write …").click();
+        harness.run_steps(3);
+        harness.get_by_role_and_label(Role::Button, entry).click();
+        harness.run_steps(3);
+        settle(&mut harness);
+        assert!(memory.get(file).is_some_and(|content| !content.is_empty()), "{file}");
+    }
+    let script = memory.get("mesh.tri").expect("the script");
+    assert_eq!(&*script, b"Example star\nTriangulate\nRefine\n");
+}

@@ -266,7 +266,7 @@ impl Studio {
         ui.heading("At work");
         let growth = self.worker.growth();
         if let Some(last) = growth.last() {
-            let figures = &last.scene.figures;
+            let figures = &last.figures;
             ui.label(format!("{:.1} s: {} triangles", last.seconds, figures.triangles));
             ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
             ui.label(format!("smallest angle {:.2}°", figures.min_angle_deg));
@@ -343,12 +343,6 @@ impl Studio {
         commands
     }
 
-    /// Runs a command that was typed or clicked on the welcome page: then the document is shown.
-    fn enter_all(&mut self, command: String, context: &egui::Context) {
-        (self.page, self.fits) = (Page::Draw, true);
-        self.run(command, Some(context));
-    }
-
     /// Does what was chosen on the welcome page.
     fn welcome(&mut self, chosen: learn::Welcomed, context: &egui::Context) {
         (self.page, self.fits) = (Page::Draw, true);
@@ -361,7 +355,7 @@ impl Studio {
                 self.run("Clear".to_owned(), Some(context));
             }
             learn::Welcomed::Lesson(number) => {
-                self.lesson = learn::lessons().get(number).map(learn::Playing::new);
+                self.lesson = script::LEARN.get(number).map(learn::Playing::new);
                 let first = self.lesson.as_mut().zip(self.worker.document());
                 if let Some(learn::Asked::Run(text)) = first.and_then(|(lesson, document)| lesson.forward(document)) {
                     self.run(text, Some(context));
@@ -388,39 +382,36 @@ impl Studio {
         Panel::bottom("console").resizable(true).default_size(170.0).max_size(most).show(ui, |ui| {
             commands.extend(self.console.show(ui));
         });
-        if self.page == Page::Compare {
-            CentralPanel::default().show(ui, |ui| {
-                let said = self.compare.show(ui, &self.worker, &self.switches);
-                self.console.add(said);
-            });
-            commands.into_iter().for_each(|command| self.run(command, Some(&context)));
-            return;
+        match self.page {
+            Page::Welcome => self.show_welcome(ui, commands),
+            Page::Draw => self.show_document(ui, commands),
+            Page::Compare => self.show_compare(ui, commands),
         }
-        if self.page == Page::Welcome {
-            let mut chosen = None;
-            CentralPanel::default().show(ui, |ui| chosen = learn::show_welcome(ui));
-            commands.into_iter().for_each(|command| self.enter_all(command, &context));
-            if let Some(chosen) = chosen {
-                self.welcome(chosen, &context);
-            }
-            return;
+    }
+
+    fn show_welcome(&mut self, ui: &mut Ui, commands: Vec<String>) {
+        let context = ui.ctx().clone();
+        let mut chosen = None;
+        CentralPanel::default().show(ui, |ui| chosen = learn::show_welcome(ui));
+        for command in commands {
+            // What was typed here shows in the document.
+            (self.page, self.fits) = (Page::Draw, true);
+            self.run(command, Some(&context));
         }
-        if let Some(lesson) = &mut self.lesson {
-            let mut asked = None;
-            Panel::top("lesson").show(ui, |ui| asked = lesson.show(ui, self.worker.document()));
-            match asked {
-                Some(learn::Asked::Run(text)) => {
-                    self.fits_when_done = true;
-                    commands.push(text);
-                }
-                Some(learn::Asked::End(before)) => {
-                    self.lesson = None;
-                    self.fits_when_done = true;
-                    commands.extend(before);
-                }
-                None => {}
-            }
+        if let Some(chosen) = chosen {
+            self.welcome(chosen, &context);
         }
+    }
+
+    fn show_compare(&mut self, ui: &mut Ui, commands: Vec<String>) {
+        let mut said = Vec::new();
+        CentralPanel::default().show(ui, |ui| said = self.compare.show(ui, &self.worker, &self.switches));
+        self.console.add(said);
+        commands.into_iter().for_each(|command| self.run(command, Some(ui.ctx())));
+    }
+
+    fn show_document(&mut self, ui: &mut Ui, mut commands: Vec<String>) {
+        commands.extend(self.show_lesson(ui));
         Panel::right("side").resizable(true).default_size(310.0).max_size(500.0).show(ui, |ui| {
             egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));
         });
@@ -429,11 +420,22 @@ impl Studio {
             switches::show_view(ui, &mut self.view, self.tools.hovered());
             asked = self.show_viewer(ui);
         });
-        for command in commands {
-            self.run(command, Some(&context));
-        }
-        for asked in asked {
-            self.act(asked, &context);
+        commands.into_iter().for_each(|command| self.run(command, Some(ui.ctx())));
+        asked.into_iter().for_each(|asked| self.act(asked, ui.ctx()));
+    }
+
+    /// The lesson that plays; the commands of its next scene.
+    fn show_lesson(&mut self, ui: &mut Ui) -> Option<String> {
+        let lesson = self.lesson.as_mut()?;
+        let mut asked = None;
+        Panel::top("lesson").show(ui, |ui| asked = lesson.show(ui, self.worker.document()));
+        self.fits_when_done |= asked.is_some();
+        match asked? {
+            learn::Asked::Run(text) => Some(text),
+            learn::Asked::End(before) => {
+                self.lesson = None;
+                before
+            }
         }
     }
 }

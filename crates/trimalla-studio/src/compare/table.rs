@@ -4,7 +4,6 @@ use eframe::egui::{Grid, Ui};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
 use super::slot::Slot;
-use crate::scene::CLASSES;
 use crate::viewer::switches::Switches;
 
 pub(super) fn show(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
@@ -47,14 +46,13 @@ fn show_angles(ui: &mut Ui, slots: &[Slot]) {
         ui,
         |plot| {
             for slot in slots {
-                let scene = slot.scene();
-                let faces = &scene.faces;
-                let share = |(class, &count): (usize, &usize)| {
-                    let degrees = 60.0 * (class as f64 + 0.5) / CLASSES as f64;
-                    [degrees, 100.0 * count as f64 / faces.len().max(1) as f64]
+                let angles = &slot.scene().angles;
+                let share = |(bin, &count): (usize, &usize)| {
+                    let [low, high] = angles.range_deg(bin);
+                    [f64::midpoint(low, high), 100.0 * count as f64 / angles.total() as f64]
                 };
-                let points: Vec<[f64; 2]> = scene.classes.iter().enumerate().map(share).collect();
-                if !faces.is_empty() {
+                if angles.total() > 0 {
+                    let points: Vec<[f64; 2]> = angles.counts.iter().enumerate().map(share).collect();
                     plot.line(Line::new(slot.title(), PlotPoints::from(points)));
                 }
             }

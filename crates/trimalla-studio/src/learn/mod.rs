@@ -4,7 +4,7 @@ mod welcome;
 
 use eframe::egui::{self, Slider, Ui};
 use trimalla_workbench::Document;
-use trimalla_workbench::script::{LEARN, Lesson, Scene, scenes};
+use trimalla_workbench::script::{Lesson, Scene, scenes};
 
 pub(crate) use self::welcome::{Welcomed, show as show_welcome};
 
@@ -114,9 +114,4 @@ impl Playing {
         ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64((self.next - now).max(0.0)));
         asked
     }
-}
-
-/// All lessons.
-pub(crate) fn lessons() -> &'static [Lesson] {
-    LEARN
 }

@@ -2,9 +2,7 @@
 
 use eframe::egui::{RichText, ScrollArea, Ui};
 use trimalla_workbench::EXAMPLES;
-use trimalla_workbench::script::scenes;
-
-use super::lessons;
+use trimalla_workbench::script::{LEARN, scenes};
 
 /// What was chosen on the welcome page.
 pub(crate) enum Welcomed {
@@ -53,7 +51,7 @@ pub(crate) fn show(ui: &mut Ui) -> Option<Welcomed> {
         });
         ui.add_space(12.0);
         ui.heading("See an algorithm work");
-        for (number, lesson) in lessons().iter().enumerate() {
+        for (number, lesson) in LEARN.iter().enumerate() {
             ui.horizontal_wrapped(|ui| {
                 if ui.button(RichText::new(lesson.title).strong()).clicked() {
                     chosen = Some(Welcomed::Lesson(number));

@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 
 use eframe::egui::{CollapsingHeader, Ui};
 use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
+use trimalla::quality::Histogram;
 use trimalla_workbench::{Document, Figures, RunInformation};
 
-use crate::scene::{CLASSES, Scene};
+use crate::scene::Scene;
 use crate::worker::Grown;
 
 /// How high a plot is.
@@ -54,7 +55,13 @@ pub(crate) fn show(
         let title = format!("Run {number}: {} to {} triangles", run.before.triangles, run.after.triangles);
         CollapsingHeader::new(title).id_salt(("run", number)).show(ui, |ui| show_run(ui, run));
     }
-    CollapsingHeader::new("Smallest angles").default_open(true).show(ui, |ui| show_angles(ui, scene, threshold_deg));
+    CollapsingHeader::new("Smallest angles")
+        .default_open(true)
+        .show(ui, |ui| show_angles(ui, &scene.angles, threshold_deg));
+    if !scene.path_lengths.is_empty() {
+        let header = CollapsingHeader::new("Lengths of longest-edge paths");
+        header.show(ui, |ui| show_lengths(ui, "paths", &scene.path_lengths));
+    }
     if growth.len() > 1 {
         CollapsingHeader::new("During the last run").default_open(true).show(ui, |ui| show_growth(ui, growth));
     }
@@ -68,30 +75,41 @@ fn show_run(ui: &mut Ui, run: &RunInformation) {
     run.lines().iter().for_each(|line| drop(ui.label(line)));
     if run.path_lengths.iter().sum::<u64>() > 0 {
         ui.label("lengths of the longest-edge paths that were followed");
-        let bar = |(length, &count): (usize, &u64)| Bar::new(length as f64, count as f64);
-        let bars: Vec<Bar> = run.path_lengths.iter().enumerate().map(bar).collect();
-        let plot = Plot::new("path lengths").height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
-        plot.x_axis_label("triangles").show(ui, |plot| plot.bar_chart(BarChart::new("paths", bars)));
+        show_lengths(ui, "paths followed", &run.path_lengths);
     }
 }
 
 /// How many triangles have which smallest angle.
-fn show_angles(ui: &mut Ui, scene: &Scene, threshold_deg: f64) {
-    let width = 60.0 / CLASSES as f64;
-    let bar = |(class, &count): (usize, &usize)| Bar::new(width * (class as f64 + 0.5), count as f64).width(width);
-    let bars: Vec<Bar> = scene.classes.iter().enumerate().map(bar).collect();
-    let plot = Plot::new("smallest angles").height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
-    let plot = plot.include_x(0.0).include_x(60.0).x_grid_spacer(uniform_grid_spacer(|_| [60.0, 20.0, 10.0]));
+fn show_angles(ui: &mut Ui, angles: &Histogram, threshold_deg: f64) {
+    let bar = |(bin, &count): (usize, &usize)| {
+        let [low, high] = angles.range_deg(bin);
+        Bar::new(f64::midpoint(low, high), count as f64).width(angles.width_deg)
+    };
+    let bars: Vec<Bar> = angles.counts.iter().enumerate().map(bar).collect();
+    let plot = plot("smallest angles").include_x(0.0).include_x(60.0);
+    let plot = plot.x_grid_spacer(uniform_grid_spacer(|_| [60.0, 20.0, 10.0]));
     plot.x_axis_label("degrees; bad ones left of the line").show(ui, |plot| {
         plot.bar_chart(BarChart::new("triangles", bars));
         plot.vline(VLine::new("bad below", threshold_deg));
     });
 }
 
+/// How many longest-edge paths have which length.
+fn show_lengths(ui: &mut Ui, name: &str, lengths: &[u64]) {
+    let bar = |(length, &count): (usize, &u64)| Bar::new(length as f64, count as f64);
+    let bars: Vec<Bar> = lengths.iter().enumerate().map(bar).collect();
+    plot(name).x_axis_label("triangles").show(ui, |plot| plot.bar_chart(BarChart::new("paths", bars)));
+}
+
+/// A plot that stands still.
+fn plot(name: impl std::hash::Hash + std::fmt::Debug) -> Plot<'static> {
+    Plot::new(name).height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false)
+}
+
 /// Triangles and smallest angle while a long command works.
 pub(crate) fn show_growth(ui: &mut Ui, growth: &[Grown]) {
-    let triangles = |grown: &Grown| [grown.seconds, grown.scene.figures.triangles as f64];
-    let angle = |grown: &Grown| [grown.seconds, grown.scene.figures.min_angle_deg];
+    let triangles = |grown: &Grown| [grown.seconds, grown.figures.triangles as f64];
+    let angle = |grown: &Grown| [grown.seconds, grown.figures.min_angle_deg];
     show_curve(ui, "triangles", "seconds", growth.iter().map(triangles).collect(), None);
     show_curve(ui, "smallest angle", "seconds", growth.iter().map(angle).collect(), None);
 }
@@ -105,8 +123,7 @@ fn show_course(ui: &mut Ui, course: &Course, now: usize) {
 }
 
 fn show_curve(ui: &mut Ui, name: &str, x_axis: &str, points: Vec<[f64; 2]>, mark: Option<f64>) {
-    let plot = Plot::new((name, x_axis)).height(HEIGHT).allow_scroll(false).allow_drag(false).allow_zoom(false);
-    plot.x_axis_label(x_axis).y_axis_label(name).show(ui, |plot| {
+    plot((name, x_axis)).x_axis_label(x_axis).y_axis_label(name).show(ui, |plot| {
         plot.line(Line::new(name, PlotPoints::from(points)));
         if let Some(mark) = mark {
             plot.vline(VLine::new("now", mark));

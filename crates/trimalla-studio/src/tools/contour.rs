@@ -51,7 +51,7 @@ impl Contour {
     }
 
     /// Draws what was begun, up to the pointer.
-    pub(super) fn draw(&self, painter: &PlanePainter, hit: Option<&Hit>, _: &Scene) {
+    pub(super) fn draw(&self, painter: &PlanePainter, hit: Option<&Hit>) {
         let colour = painter.palette.terminal;
         for sides in self.ring.windows(2) {
             painter.line([sides[0].1, sides[1].1], 2.0, colour);

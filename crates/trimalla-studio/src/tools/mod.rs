@@ -125,7 +125,7 @@ impl Tools {
         if let Some(hit) = hit.as_ref().filter(|_| response.clicked()) {
             asked.extend(self.click(hit, document, scene));
         }
-        self.contour.draw(&shown.painter, hit.as_ref(), scene);
+        self.contour.draw(&shown.painter, hit.as_ref());
         self.edge.draw(&shown.painter, hit.as_ref(), document);
         asked
     }

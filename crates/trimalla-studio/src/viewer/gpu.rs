@@ -87,13 +87,13 @@ impl Uniform {
 
 /// What coordinates are uploaded relative to.
 pub(crate) fn origin(scene: &Scene) -> Point {
-    scene.bounds.map_or_else(Point::default, |[low, high]| Point::midpoint(low, high))
+    scene.bounds.unwrap_or_default().center()
 }
 
 /// Whether single precision would show: a last place of the farthest coordinate takes a quarter of a pixel or more.
 pub(crate) fn is_too_near(view: View, scene: &Scene) -> bool {
-    let Some([low, high]) = scene.bounds else { return false };
-    let extent = (high.x - low.x).max(high.y - low.y);
+    let Some(bounds) = scene.bounds else { return false };
+    let extent = bounds.width().max(bounds.height());
     let last_place = extent * f64::from(f32::EPSILON) / 2.0;
     // What is neither a number in single precision could not be drawn either.
     !(last_place * view.scale < 0.25 && extent < 1e30 && (extent == 0.0 || extent > 1e-30))

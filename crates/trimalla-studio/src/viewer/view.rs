@@ -1,7 +1,7 @@
 //! The part of the plane that is seen.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
-use trimalla::geometry::Point;
+use trimalla::geometry::{BoundingBox, Point};
 
 /// A view: what is in the middle, and how many points of the screen a unit takes.
 #[derive(Clone, Copy, Debug)]
@@ -28,11 +28,11 @@ impl View {
     const ZOOMS: [f64; 2] = [1e-3, 1e14];
 
     /// Shows a box in a part of the screen.
-    pub(crate) fn fit(&mut self, [low, high]: [Point; 2], rect: Rect) {
-        let center = Point::midpoint(low, high);
+    pub(crate) fn fit(&mut self, bounds: BoundingBox, rect: Rect) {
+        let center = bounds.center();
         let (width, height) = (f64::from(rect.width().max(1.0)), f64::from(rect.height().max(1.0)));
         let fits = |extent: f64, room: f64| if extent > 0.0 { 0.9 * room / extent } else { f64::INFINITY };
-        let scale = fits(high.x - low.x, width).min(fits(high.y - low.y, height));
+        let scale = fits(bounds.width(), width).min(fits(bounds.height(), height));
         let scale = if scale.is_finite() { scale } else { 100.0 };
         (self.center, self.fitting) = (center, scale);
         self.set_scale(scale);

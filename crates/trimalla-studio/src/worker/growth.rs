@@ -4,9 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use trimalla::constrained::ConstrainedTriangulation;
+use trimalla_workbench::Figures;
 use web_time::Instant;
 
-use crate::scene::Scene;
+use crate::scene::{Scene, figures_of};
 
 /// Moments are no closer than this.
 const PAUSE: Duration = Duration::from_millis(250);
@@ -22,21 +23,9 @@ const SHARE: u32 = 10;
 pub(crate) struct Grown {
     /// Since the command began.
     pub(crate) seconds: f64,
-    pub(crate) scene: Arc<Scene>,
-}
-
-impl Grown {
-    /// Whether it can be drawn.
-    pub(super) fn is_live(&self) -> bool {
-        !self.scene.faces.is_empty()
-    }
-
-    /// Keeps only the figures.
-    pub(super) fn forget_faces(&mut self) {
-        if self.is_live() {
-            self.scene = Arc::new(Scene { figures: self.scene.figures.clone(), ..Scene::default() });
-        }
-    }
+    pub(crate) figures: Figures,
+    /// What is drawn of it; `None` of a large one, and after it was drawn.
+    pub(super) scene: Option<Arc<Scene>>,
 }
 
 /// Notes moments, now and then.
@@ -57,10 +46,10 @@ impl Growth {
         if now < self.next {
             return None;
         }
-        let is_live = t.face_count() <= LIVE;
-        let scene = Arc::new(if is_live { Scene::growing(t) } else { Scene::figures_of(t) });
+        let scene = (t.face_count() <= LIVE).then(|| Arc::new(Scene::growing(t)));
+        let figures = scene.as_ref().map_or_else(|| figures_of(t), |scene| scene.figures.clone());
         let after = Instant::now();
         self.next = after + PAUSE.max(SHARE * (after - now));
-        Some(Grown { seconds: (now - self.began).as_secs_f64(), scene })
+        Some(Grown { seconds: (now - self.began).as_secs_f64(), figures, scene })
     }
 }

@@ -104,10 +104,11 @@ impl Worker {
 
     /// What is drawn: while a long command is at work, its triangulation at the last moment that was noted.
     pub(crate) fn scene(&self) -> &Arc<Scene> {
-        match self.growth.iter().rev().find(|grown| grown.is_live()).filter(|_| self.is_busy()) {
-            Some(grown) => &grown.scene,
-            None => &self.scene,
-        }
+        self.growth.iter().rev().find_map(|grown| grown.scene.as_ref()).unwrap_or(&self.scene)
+    }
+
+    fn forget_scenes(&mut self) {
+        self.growth.iter_mut().for_each(|grown| grown.scene = None);
     }
 
     /// The triangulation at some moments of the command at work, or of the last one.
@@ -166,8 +167,8 @@ impl Worker {
         };
         for grown in news.grown {
             // Of all but the last one that can be drawn only the figures are kept.
-            if grown.is_live() {
-                self.growth.iter_mut().for_each(Grown::forget_faces);
+            if grown.scene.is_some() {
+                self.forget_scenes();
             }
             self.growth.push(grown);
         }
@@ -175,7 +176,7 @@ impl Worker {
         if let Some((document, scene, took)) = news.done {
             self.took = Some(took);
             self.at_work = None;
-            self.growth.iter_mut().for_each(Grown::forget_faces);
+            self.forget_scenes();
             self.version = Some(document.version());
             (self.document, self.scene) = (Some(document), scene);
         }

@@ -37,14 +37,17 @@ fn recipes_run_side_by_side_and_leave_the_document() {
 fn a_small_window_shows_four_recipes() {
     for size in [Vec2::new(700.0, 500.0), Vec2::new(320.0, 200.0)] {
         let mut harness = harness();
-        enter(&mut harness, "Example star\nTriangulate");
+        enter(&mut harness, "Example star");
         enter(&mut harness, "Triangulate");
+        assert!(figures(&harness).triangles > 0);
         press(&mut harness, "Compare");
         press(&mut harness, "Add recipe");
         harness.set_size(size);
         harness.run_steps(4);
         press(&mut harness, "Run all");
         harness.run_steps(10);
-        harness.get_by_label("Drawing, original");
+        for name in ["original", "off-center, 30°", "lepp-centroid, 30°", "lepp-midpoint, 30°"] {
+            harness.get_by_label(&format!("Drawing, {name}"));
+        }
     }
 }
