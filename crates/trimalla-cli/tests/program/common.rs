@@ -123,3 +123,14 @@ impl Run {
         }
     }
 }
+
+/// Runs each line, which must end so, say this, and change no file.
+#[track_caller]
+pub(crate) fn refused(scratch: &Scratch, status: i32, words: &str, lines: &[&str]) {
+    let before = scratch.files();
+    for line in lines {
+        let run = scratch.run(line).expect(status);
+        assert!(run.stderr.contains(words), "{line}: {run:#?}");
+        assert!(scratch.files() == before, "{line} has changed files");
+    }
+}

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use serde_json::{Value, json};
 use trimalla::drawing::IndexedMesh;
 
-use crate::common::{ELE, NODE, SQUARE, Scratch};
+use crate::common::{ELE, NODE, SQUARE, Scratch, refused};
 
 /// Two squares, one in the other, segments that cross, a vertex given twice, and one on a segment.
 const HARD: &str = "12 2 0 0\n1 0 0\n2 8 0\n3 8 8\n4 0 8\n5 3 3\n6 5 3\n7 5 5\n8 3 5\n9 8 8\n10 4 0\n11 1 1\n12 7 7\n\
@@ -255,14 +255,7 @@ fn a_player_is_an_output_like_the_others() {
     scratch.write("k.ele", ELE);
     scratch.write("k.poly", SQUARE);
     scratch.write("run.html", "an old page");
-    let before = scratch.files();
-    let refused = |status: i32, words: &str, lines: &[&str]| {
-        for line in lines {
-            let run = scratch.run(line).expect(status);
-            assert!(run.stderr.contains(words), "{line}: {run:#?}");
-            assert!(scratch.files() == before, "{line}");
-        }
-    };
+    let refused = |status, words, lines: &[&str]| refused(&scratch, status, words, lines);
     let inputs = ["mesh square.poly", "triangulate square", "refine k.ele --input square.poly"];
     let lines = inputs.map(|input| format!("{input} --player square.poly"));
     refused(2, "would overwrite the input", &lines.each_ref().map(String::as_str));

@@ -4,18 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::common::{ELE, NODE, Run, SQUARE, Scratch};
-
-/// Runs each line, which must end so, say this, and change no file.
-#[track_caller]
-fn refused(scratch: &Scratch, status: i32, words: &str, lines: &[&str]) {
-    let before = scratch.files();
-    for line in lines {
-        let run = scratch.run(line).expect(status);
-        assert!(run.stderr.contains(words), "{line}: {run:#?}");
-        assert!(scratch.files() == before, "{line} has changed files");
-    }
-}
+use crate::common::{ELE, NODE, Run, SQUARE, Scratch, refused};
 
 #[test]
 fn g03_traces_replace_nothing_that_is_read() {

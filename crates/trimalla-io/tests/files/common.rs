@@ -138,3 +138,10 @@ pub(crate) fn grid(n: u32) -> IndexedMesh {
 pub(crate) fn bits<'a>(points: &'a [Point], numbers: &'a [f64]) -> Vec<u64> {
     points.iter().flat_map(|p| [p.x, p.y]).chain(numbers.iter().copied()).map(f64::to_bits).collect()
 }
+
+/// A grid around the origin, so large.
+pub(crate) fn scaled(size: f64) -> IndexedMesh {
+    let mut mesh = grid(4);
+    mesh.points.iter_mut().for_each(|p| *p = Point::new((p.x / 5.0 - 0.5) * size, (p.y / 8.0 - 0.5) * size));
+    mesh
+}

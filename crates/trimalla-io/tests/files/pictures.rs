@@ -1,7 +1,7 @@
 //! Pictures: well-formed, the same every time, small, and possible for every mesh.
 #![allow(clippy::unwrap_used, reason = "a helper of a test may fail the test")]
 
-use crate::common::{POLY, grid, hard_mesh, hard_pslg, read_poly};
+use crate::common::{POLY, grid, hard_mesh, hard_pslg, read_poly, scaled};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
 use trimalla_io::PictureOptions;
@@ -32,11 +32,6 @@ fn check(text: &str) {
 
 #[test]
 fn every_mesh_has_a_picture() {
-    let scaled = |size: f64| {
-        let mut mesh = grid(4);
-        mesh.points.iter_mut().for_each(|p| *p = Point::new((p.x / 5.0 - 0.5) * size, (p.y / 8.0 - 0.5) * size));
-        mesh
-    };
     let point = IndexedMesh { points: vec![Point::new(3.0, 4.0)], ..IndexedMesh::default() };
     let flat = IndexedMesh { triangles: vec![[0, 0, 0]], ..point.clone() };
     for mesh in
