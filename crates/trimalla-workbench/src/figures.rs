@@ -1,5 +1,6 @@
 //! What can be counted and measured of a document.
 
+use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Triangle;
 use trimalla::half_edge::VertexId;
 
@@ -33,8 +34,11 @@ impl Figures {
         let Some(mesh) = &state.mesh else {
             return Self { vertices: state.drawing().points.len(), min_angle_deg: 180.0, ..Self::default() };
         };
-        let t = mesh.triangulation();
-        let input = state.drawing().points.len();
+        Self::of_triangulation(mesh.triangulation(), state.drawing().points.len())
+    }
+
+    /// Of a triangulation whose first vertices, so many, are of the drawing.
+    pub(crate) fn of_triangulation(t: &ConstrainedTriangulation, input: usize) -> Self {
         let mut figures = Self { min_angle_deg: 180.0, ..Self::default() };
         let is_steiner = |v: &VertexId| v.index() >= input;
         (figures.vertices, figures.steiner) = (t.used_vertices().count(), t.used_vertices().filter(is_steiner).count());

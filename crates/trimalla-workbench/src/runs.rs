@@ -7,6 +7,7 @@ use trimalla::refine::lepp::lepp;
 use trimalla::refine::{Criteria, LeppRule, NamedOptions, Overview, Prepare, Report, Ruler};
 
 use crate::document::Document;
+use crate::figures::Figures;
 use crate::mesh::Refining;
 
 /// What a run of a refinement was asked, and what it did.
@@ -76,13 +77,9 @@ impl RunInformation {
 /// # Complexity
 /// Linear.
 pub(crate) fn overview_of(t: &ConstrainedTriangulation) -> Overview {
-    let (mut triangles, mut least) = (0, None::<f64>);
-    for f in t.real_faces() {
-        let angle = smallest_angle_deg(t.face_points(f));
-        triangles += 1;
-        least = Some(least.map_or(angle, |least| least.min(angle)));
-    }
-    Overview { vertices: t.input_points() + t.steiner_vertices(), triangles, min_angle_deg: least }
+    let figures = Figures::of_triangulation(t, t.input_points());
+    let min_angle_deg = (figures.triangles > 0).then_some(figures.min_angle_deg);
+    Overview { vertices: t.input_points() + t.steiner_vertices(), triangles: figures.triangles, min_angle_deg }
 }
 
 fn smallest_angle_deg([a, b, c]: [trimalla::geometry::Point; 3]) -> f64 {
