@@ -216,9 +216,10 @@ impl<'a> Work<'a> {
 
     /// Replaces the triangulation; vertices get names by their numbers, or keep those they have.
     pub(crate) fn replace_mesh(&mut self, mesh: Mesh) {
-        let state = State { mesh: Some(mesh), ..self.state.clone_without_mesh() };
+        let mut state = State { mesh: Some(mesh), ..self.state.clone_without_mesh() };
+        // Not recorded one by one: the state before comes back as a whole.
+        state.name_vertices();
         self.replace(state);
-        self.name_vertices();
     }
 
     /// Adds a point to the drawing, under a name.
@@ -410,26 +411,10 @@ impl<'a> Work<'a> {
         self.traces.event.as_deref()
     }
 
-    /// Gives every vertex that is in use a name, and takes the names of those that are gone.
-    fn name_vertices(&mut self) {
-        let Some(mesh) = &self.state.mesh else { return };
-        let slots = mesh.triangulation().points().len().max(self.state.names.slots());
-        let all: Vec<VertexId> = (0..slots).map(VertexId::from_index).collect();
-        self.name_changed(&all);
-    }
-
     /// Gives those of some vertices that are in use a name, and takes the names of those that are gone. The vertices
     /// ascend.
     fn name_changed(&mut self, vertices: &[VertexId]) {
-        let State { mesh: Some(mesh), names, .. } = &*self.state else { return };
-        let t = mesh.triangulation();
-        let input = self.state.input.drawing.points.len();
-        let is_used = |v: VertexId| v.index() < t.points().len() && t.is_used(v);
-        let is_gone = |&v: &VertexId| v.index() >= t.points().len() || v.index() >= input && !t.is_used(v);
-        let names_of = |v: VertexId| names.names_of(v).map(move |name| (name, v));
-        let mut gone: Vec<(u32, VertexId)> = vertices.iter().copied().filter(is_gone).flat_map(names_of).collect();
-        gone.sort_unstable();
-        let new: Vec<VertexId> = vertices.iter().copied().filter(|&v| is_used(v) && names.name(v).is_none()).collect();
+        let Naming { gone, new } = self.state.naming(vertices.iter().copied());
         for (name, v) in gone {
             self.state.names.remove(name);
             self.traces.changes.push(Change::Unnamed(name, v));
@@ -440,7 +425,41 @@ impl<'a> Work<'a> {
     }
 }
 
+/// How the names of a document have to follow its triangulation.
+struct Naming {
+    /// The names of vertices that are gone, ascending.
+    gone: Vec<(u32, VertexId)>,
+    /// The vertices that have no name yet, ascending.
+    new: Vec<VertexId>,
+}
+
 impl State {
+    /// How the names of some vertices, which ascend, have to follow the triangulation.
+    fn naming(&self, vertices: impl Iterator<Item = VertexId> + Clone) -> Naming {
+        let Self { mesh: Some(mesh), names, .. } = self else { return Naming { gone: Vec::new(), new: Vec::new() } };
+        let t = mesh.triangulation();
+        let input = self.input.drawing.points.len();
+        let is_used = |v: VertexId| v.index() < t.points().len() && t.is_used(v);
+        let is_gone = |&v: &VertexId| v.index() >= t.points().len() || v.index() >= input && !t.is_used(v);
+        let names_of = |v: VertexId| names.names_of(v).map(move |name| (name, v));
+        let mut gone: Vec<(u32, VertexId)> = vertices.clone().filter(is_gone).flat_map(names_of).collect();
+        gone.sort_unstable();
+        Naming { gone, new: vertices.filter(|&v| is_used(v) && names.name(v).is_none()).collect() }
+    }
+
+    /// Gives every vertex that is in use a name, and takes the names of those that are gone.
+    fn name_vertices(&mut self) {
+        let Some(mesh) = &self.mesh else { return };
+        let slots = mesh.triangulation().points().len().max(self.names.slots());
+        let Naming { gone, new } = self.naming((0..slots).map(VertexId::from_index));
+        for (name, _) in gone {
+            self.names.remove(name);
+        }
+        for v in new {
+            self.names.add(self.names.next(), v);
+        }
+    }
+
     /// Frees the records of the oldest steps of the refinement at work.
     pub(crate) fn forget_oldest_steps(&mut self, steps: u64) {
         if let Some(Mesh::Refining(refining)) = &mut self.mesh {

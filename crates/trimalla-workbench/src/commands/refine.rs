@@ -1,6 +1,6 @@
 //! `Refine`.
 
-use trimalla::refine::{NamedOptions, Observer, Overview, Progress, Refinement, StopReason};
+use trimalla::refine::{NamedOptions, Observer, Overview, Progress, Refinement, Report, StopReason};
 
 use super::step::Copied;
 use super::{CommandRow, Deed, Job, Slice, step};
@@ -25,11 +25,13 @@ pub(super) const ROW: CommandRow = CommandRow {
 
 /// Refines a copy, and puts it in place of the triangulation in the end.
 #[derive(Default)]
-struct Refine {
-    /// After the first slice, where no refinement goes step by step.
-    copied: Option<Copied>,
-    /// After the second one.
-    at_work: Option<Box<AtWork>>,
+enum Refine {
+    #[default]
+    Asked,
+    /// The triangulation is copied, where no refinement goes step by step.
+    Copied(Copied),
+    AtWork(Box<AtWork>),
+    Ended(Box<Ended>),
 }
 
 struct AtWork {
@@ -39,65 +41,76 @@ struct AtWork {
     before: Option<Overview>,
 }
 
+/// What a refinement leaves.
+struct Ended {
+    mesh: Mesh,
+    report: Report,
+    run: RunInformation,
+}
+
 impl Job for Refine {
     fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
         if work.interface.is_cancelled() {
             return Err(CommandError::cancelled());
         }
-        let Some(mut at_work) = self.at_work.take() else {
-            self.begin(work.state())?;
-            return Ok(Slice::More);
+        *self = match std::mem::take(self) {
+            Self::Asked => Self::begin(work.state())?,
+            Self::Copied(copied) => Self::AtWork(Box::new(AtWork::new(work.state(), copied)?)),
+            Self::AtWork(at_work) => at_work.advance(work)?,
+            Self::Ended(ended) => {
+                ended.put_in_place(work);
+                return Ok(Slice::Last);
+            }
         };
-        if at_work.before.is_none() {
-            at_work.before = Some(at_work.refinement.overview());
-            self.at_work = Some(at_work);
-            return Ok(Slice::More);
-        }
-        let mut watch = Watch::new(work.interface);
-        let refinement = &mut at_work.refinement;
-        // Preparing calls before each of its slices, of which many may be needed.
-        let is_over = refinement.prepare(&mut watch) && refinement.run(&mut watch) != StopReason::Cancelled;
-        if work.interface.is_cancelled() {
-            return Err(CommandError::cancelled());
-        }
-        if !is_over {
-            work.interface.progress(refinement.triangulation());
-            self.at_work = Some(at_work);
-            return Ok(Slice::More);
-        }
-        at_work.end(work);
-        Ok(Slice::Last)
+        Ok(Slice::More)
     }
 }
 
 impl Refine {
-    /// Goes on with the refinement that goes step by step, or begins a new one, in two slices.
-    fn begin(&mut self, state: &State) -> Result<(), CommandError> {
-        let options = state.options.clone();
-        let at_work = match (&state.mesh, self.copied.take()) {
-            (Some(Mesh::Refining(refining)), _) => AtWork {
-                refinement: refining.refinement.without_history(),
-                options: refining.options.clone(),
-                before: Some(refining.before),
-            },
-            (_, None) => {
-                self.copied = Some(Copied::of(state)?);
-                return Ok(());
-            }
-            (_, Some(copied)) => {
-                let refinement = step::with_picks(state, copied.refinement(options.refine_options())?)?;
-                AtWork { refinement, options, before: None }
-            }
-        };
-        self.at_work = Some(Box::new(at_work));
-        Ok(())
+    /// Goes on with the refinement that goes step by step, or begins a new one.
+    fn begin(state: &State) -> Result<Self, CommandError> {
+        let Some(Mesh::Refining(refining)) = &state.mesh else { return Ok(Self::Copied(Copied::of(state)?)) };
+        Ok(Self::AtWork(Box::new(AtWork {
+            refinement: refining.refinement.without_history(),
+            options: refining.options.clone(),
+            before: Some(refining.before),
+        })))
     }
 }
 
 impl AtWork {
-    fn end(self, work: &mut Work<'_>) {
+    fn new(state: &State, copied: Copied) -> Result<Self, CommandError> {
+        let options = state.options.clone();
+        let refinement = step::with_picks(state, copied.refinement(options.refine_options())?)?;
+        Ok(Self { refinement, options, before: None })
+    }
+
+    /// The next slice.
+    fn advance(mut self: Box<Self>, work: &mut Work<'_>) -> Result<Refine, CommandError> {
+        let Some(before) = self.before else {
+            self.before = Some(self.refinement.overview());
+            return Ok(Refine::AtWork(self));
+        };
+        let mut watch = Watch::new(work.interface);
+        // Preparing calls before each of its slices, of which many may be needed.
+        let is_over = self.refinement.prepare(&mut watch) && self.refinement.run(&mut watch) != StopReason::Cancelled;
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
+        if !is_over {
+            work.interface.progress(self.refinement.triangulation());
+            return Ok(Refine::AtWork(self));
+        }
         let (t, report) = self.refinement.finish();
-        work.replace_mesh(Mesh::given(t));
+        let run = RunInformation::new(self.options, before, &report);
+        Ok(Refine::Ended(Box::new(Ended { mesh: Mesh::given(t), report, run })))
+    }
+}
+
+impl Ended {
+    fn put_in_place(self, work: &mut Work<'_>) {
+        let Self { mesh, report, run } = self;
+        work.replace_mesh(mesh);
         work.say(format!(
             "{} vertices, {} triangles, angles {:.2} to {:.2} degrees, {} below the bounds",
             report.vertices,
@@ -106,7 +119,6 @@ impl AtWork {
             report.max_angle_deg,
             report.leftovers.len()
         ));
-        let run = RunInformation::new(self.options, self.before.unwrap_or_default(), &report);
         run.lines().iter().for_each(|line| work.say(format!("  {line}")));
         work.note_run(run);
     }
