@@ -16,13 +16,13 @@ use crate::common::paths::{folders_named, rooms_named, test_files};
 /// `quality` is below `refine`, which may ask it about triangles.
 const TIERS: &[&[&str]] = &[
     &["geometry", "half_edge"],
-    &["drawing"],
+    &["drawing", "trace"],
     &["triangulation"],
     &["locate"],
-    &["delaunay"],
+    &["delaunay", "polygon"],
     &["constrained"],
     &["domain", "size"],
-    &["quality"],
+    &["quality", "dual", "interpolate", "optimal"],
     &["refine"],
     &["facade"],
 ];

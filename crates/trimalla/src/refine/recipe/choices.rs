@@ -3,62 +3,18 @@
 //! Each choice is declared once, with its key, a line on what it does, and its source. The [table of
 //! options](super::table::OPTIONS) lists which option takes which choices.
 
-use std::fmt;
-use std::str::FromStr;
-
-use super::value::{Plain, Row, Value};
+use super::value::{Plain, Value};
+use crate::by_key::Row;
 
 macro_rules! choices {
-    ($(#[$doc:meta])* $name:ident, $default:ident, { $($(#[$vdoc:meta])* $variant:ident = $key:literal, $summary:literal, $source:literal;)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[non_exhaustive]
-        pub enum $name { $($(#[$vdoc])* #[doc = concat!("`", $key, "`: ", $summary, ".")] $variant,)* }
-
-        impl $name {
-            /// Every choice.
-            pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
-
-            /// The row of every choice, in the order of [`ALL`](Self::ALL).
-            pub const ROWS: &'static [Row] = &[$(Row { key: $key, summary: $summary, source: $source },)*];
-
-            /// Its key, what it does, and its source.
-            #[must_use]
-            pub const fn row(self) -> Row {
-                Self::ROWS[self as usize]
-            }
-
-            /// Its key.
-            #[must_use]
-            pub const fn key(self) -> &'static str {
-                self.row().key
-            }
-        }
+    ($(#[$doc:meta])* $name:ident, $default:ident, { $($rows:tt)* }) => {
+        keyed! { $(#[$doc])* $name, { $($rows)* } }
 
         impl Default for $name {
             fn default() -> Self {
                 Self::$default
             }
         }
-
-        impl fmt::Display for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(self.key())
-            }
-        }
-
-        impl FromStr for $name {
-            type Err = UnknownKey;
-
-            fn from_str(s: &str) -> Result<Self, UnknownKey> {
-                Self::ALL.iter().copied().find(|c| c.key() == s).ok_or_else(|| UnknownKey {
-                    key: s.to_owned(),
-                    known: Self::ROWS.iter().map(|row| row.key).collect(),
-                })
-            }
-        }
-
-        serialized_by_key!($name);
 
         impl Plain for $name {
             fn of(value: &Value) -> Option<Self> {
@@ -73,16 +29,6 @@ macro_rules! choices {
             }
         }
     };
-}
-
-/// An unknown key.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("nothing is called '{key}'; known are {}", .known.join(", "))]
-pub struct UnknownKey {
-    /// The key.
-    pub key: String,
-    /// The known keys.
-    pub known: Vec<&'static str>,
 }
 
 /// Step 2: whether a triangle is treated until it is gone.

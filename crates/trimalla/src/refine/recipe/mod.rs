@@ -11,13 +11,14 @@ mod value;
 
 use std::fmt;
 
+pub use crate::by_key::{Row, UnknownKey};
 pub use choices::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Initial, Insert, LeppRule, PlacePoint, Prepare, PrepareWhen,
-    Preset, Protect, Recover, Select, Terminal, UnknownKey,
+    Preset, Protect, Recover, Select, Terminal,
 };
 pub use named::NamedOptions;
 pub use table::{Group, OPTIONS, OptionRow, registry};
-pub use value::{Row, Value, Values, WrongValue};
+pub use value::{Value, Values, WrongValue};
 
 /// One choice for each of the five steps.
 ///

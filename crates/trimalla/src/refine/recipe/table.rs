@@ -7,7 +7,8 @@ use super::choices::{
     Preset, Protect, Recover, Select, Terminal, UNTIL_DESTROYED,
 };
 use super::named::NamedOptions;
-use super::value::{Plain as _, Row, Slot as _, Value, Values, WrongValue};
+use super::value::{Plain as _, Slot as _, Value, Values, WrongValue};
+use crate::by_key::Row;
 use crate::refine::recipe::options::{is_angle_deg, is_area, is_aspect_ratio, is_length};
 
 /// What an option is about, which decides its place in recipe files and in help.

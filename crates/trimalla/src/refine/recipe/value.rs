@@ -2,16 +2,7 @@
 
 use std::fmt;
 
-/// A key and its meaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// The key, as scripts, the program and reports spell it.
-    pub key: &'static str,
-    /// One line on what it does.
-    pub summary: &'static str,
-    /// Where it comes from, a key of REFERENCES.md; empty for what is ours.
-    pub source: &'static str,
-}
+use crate::by_key::Row;
 
 /// The value of an [option](super::OptionRow).
 #[derive(Clone, Debug, PartialEq)]

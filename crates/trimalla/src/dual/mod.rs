@@ -1,0 +1,1 @@
+//! The Voronoi diagram, dual of the Delaunay triangulation.

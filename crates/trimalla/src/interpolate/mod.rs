@@ -1,0 +1,1 @@
+//! Values at points of a triangulation, from values at its vertices.

@@ -1,0 +1,60 @@
+//! Why a polygon is not triangulated.
+
+use crate::geometry::Point;
+
+/// What is wrong with a polygon, and where.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PolygonError {
+    /// More points than indices can name.
+    #[error("{count} points are more than {limit}")]
+    TooMany {
+        /// The number of points.
+        count: usize,
+        /// The most that are possible.
+        limit: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("point {index} at {point} is not finite")]
+    NotFinite {
+        /// The point.
+        index: u32,
+        /// Its coordinates.
+        point: Point,
+    },
+    /// A ring ends before it begins, or after the last point.
+    #[error("ring {ring} ends at point {end}, which is out of order")]
+    RingEnd {
+        /// The ring.
+        ring: usize,
+        /// Where it ends.
+        end: u32,
+    },
+    /// A ring bounds no area.
+    #[error("ring {ring}, from point {first} on, bounds no area")]
+    Flat {
+        /// The ring.
+        ring: usize,
+        /// Its first point.
+        first: u32,
+    },
+    /// Two sides cross or overlap.
+    #[error("the sides from {0} to {1} and from {2} to {3} cross near {at}", .sides[0][0], .sides[0][1], .sides[1][0], .sides[1][1])]
+    Crossing {
+        /// The two sides, by the indices of their points.
+        sides: [[u32; 2]; 2],
+        /// A point near the crossing, rounded.
+        at: Point,
+    },
+    /// The method does not take holes.
+    #[error("'{method}' triangulates polygons without holes, and this one has {holes}")]
+    Holes {
+        /// The key of the method.
+        method: &'static str,
+        /// The number of holes.
+        holes: usize,
+    },
+    /// Somebody has cancelled.
+    #[error("cancelled")]
+    Cancelled,
+}

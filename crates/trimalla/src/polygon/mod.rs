@@ -1,0 +1,12 @@
+//! Triangulations of polygons with holes; visibility and guards.
+//!
+//! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the exact
+//! test. [`PolygonMethod`] chooses one by its key.
+
+mod error;
+mod method;
+mod rings;
+
+pub use error::PolygonError;
+pub use method::PolygonMethod;
+pub use rings::Polygon;

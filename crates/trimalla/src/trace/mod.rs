@@ -1,0 +1,93 @@
+//! What an algorithm does, told step by step to whoever draws it; and how it is cancelled.
+//!
+//! An algorithm takes a [`Trace`] and tells it each [`Step`]: what it looks at, adds, removes and refuses. With [`NoTrace`]
+//! the calls compile to nothing. Vertices are told by their indices in the input, so that a picture needs only the input
+//! and the steps.
+
+use crate::geometry::{Circle, Point};
+
+/// What a step is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// A vertex.
+    Vertex(u32),
+    /// The edge between two vertices.
+    Edge([u32; 2]),
+    /// The triangle of three vertices.
+    Triangle([u32; 3]),
+    /// A line between two points that need not be vertices: a sweep line, the side of a trapezoid.
+    Line([Point; 2]),
+    /// A circle.
+    Circle(Circle),
+}
+
+/// What is done to the shape of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Act {
+    /// It is looked at; the next step forgets it.
+    Look,
+    /// It is there from now on.
+    Add,
+    /// It is no longer there.
+    Remove,
+    /// It was looked at and is not added.
+    Refuse,
+}
+
+/// One step of an algorithm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// What is done.
+    pub act: Act,
+    /// To what.
+    pub shape: Shape,
+    /// Why, or what the shape is, in a few words.
+    pub note: &'static str,
+}
+
+/// Is told the steps of an algorithm.
+pub trait Trace {
+    /// A step was made.
+    fn step(&mut self, step: Step);
+
+    /// Whether somebody has cancelled: the algorithm ends with an error soon.
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+
+    /// Something is looked at.
+    fn look(&mut self, shape: Shape, note: &'static str) {
+        self.step(Step { act: Act::Look, shape, note });
+    }
+
+    /// Something is added.
+    fn add(&mut self, shape: Shape, note: &'static str) {
+        self.step(Step { act: Act::Add, shape, note });
+    }
+
+    /// Something is removed.
+    fn remove(&mut self, shape: Shape, note: &'static str) {
+        self.step(Step { act: Act::Remove, shape, note });
+    }
+
+    /// Something is not added.
+    fn refuse(&mut self, shape: Shape, note: &'static str) {
+        self.step(Step { act: Act::Refuse, shape, note });
+    }
+}
+
+/// Nobody is told.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoTrace;
+
+impl Trace for NoTrace {
+    #[inline]
+    fn step(&mut self, _: Step) {}
+}
+
+/// Keeps every step.
+impl Trace for Vec<Step> {
+    fn step(&mut self, step: Step) {
+        self.push(step);
+    }
+}

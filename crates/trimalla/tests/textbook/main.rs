@@ -1,0 +1,10 @@
+//! The algorithms of the lecture notes: slow oracles beside them, and two algorithms beside each other.
+
+mod gallery;
+mod interpolate;
+mod optimal;
+mod points;
+mod polygons;
+mod seidel;
+mod voronoi;
+mod weight;
