@@ -7,6 +7,7 @@ mod error;
 #[cfg(feature = "geo-types")]
 mod from_geo;
 mod indexed;
+mod outlines;
 mod pslg;
 mod rings;
 mod segment_id;
@@ -14,6 +15,7 @@ mod sides;
 
 pub use error::DrawingError;
 pub use indexed::IndexedMesh;
+pub use outlines::Outline;
 pub use pslg::{Pslg, Region};
 pub use segment_id::SegmentId;
 pub(crate) use sides::{Side, Sides, is_sound};
