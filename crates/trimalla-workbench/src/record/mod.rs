@@ -2,6 +2,7 @@
 //!
 //! Nothing here writes a file: a program puts these texts where its user wants them.
 
+mod algorithm;
 mod construction;
 mod frame;
 mod player;

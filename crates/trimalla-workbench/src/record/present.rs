@@ -46,6 +46,13 @@ pub(super) struct Present {
 }
 
 impl Present {
+    /// Vertices that stay, whether triangles have them or not; and their coming.
+    pub(super) fn of_vertices(points: &[Point]) -> (Self, Delta) {
+        let came: Vec<(u32, Point)> = (0..).zip(points.iter().copied()).collect();
+        let vertices = came.iter().map(|&(v, at)| (v, (at, 1))).collect();
+        (Self { vertices, ..Self::default() }, Delta { came, ..Delta::default() })
+    }
+
     /// How many vertices are in triangles.
     pub(super) fn vertices(&self) -> usize {
         self.vertices.len()

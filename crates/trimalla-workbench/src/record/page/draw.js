@@ -46,6 +46,8 @@ function zoomToStep() {
   const { trace } = data.steps[mesh.step - 1] || {};
   if (!trace) return fit();
   const named = [...(trace.lepp || []), ...(trace.selected ? [trace.selected] : []), ...trace.made, ...(trace.crossed || []), ...(trace.subsegment ? [trace.subsegment] : [])];
+  const { vertex, edge, triangle } = trace.shape || {};
+  named.push(...[edge, triangle, vertex === undefined ? undefined : [vertex]].filter(Boolean));
   const points = named.flat().map((v) => mesh.points.get(v)).filter(Boolean);
   if (trace.inserted) points.push(trace.inserted.point);
   for (const { point } of trace.candidates || []) if (point) points.push(point);
@@ -160,6 +162,8 @@ function drawMesh(g, step, known, isBefore) {
     }
   }
   if (picked && mesh.triangles.has(key(picked.t))) outline(g, picked.corners, ink.accent, 3);
+  for (const shape of mesh.shapes.values()) drawShape(g, shape, known, ink.heavy, 1.8);
+  if (trace.shape) drawShape(g, trace.shape, known, trace.act === "refuse" || trace.act === "remove" ? ink.alarm : ink.accent, 3.5);
   drawVertices(g);
   drawPath(g, path, known);
   drawTried(g, trace);
@@ -332,6 +336,15 @@ function drawTried(g, { candidates = [], inserted }) {
     else dot(g, point, 4, inserted ? ink.made : ink.path, ink.paper);
     if (refused) label(g, `${i + 1}: ${refused}`, [x, y - 14], ink.alarm, 11);
   });
+}
+
+/** A shape that an algorithm tells of. */
+function drawShape(g, { vertex, edge, triangle, line, circle }, known, colour, width) {
+  if (vertex !== undefined && known.has(vertex)) dot(g, known.get(vertex), 2 * width, colour, ink.paper);
+  if (edge) strokeEdges(g, [edge], known, colour, width);
+  if (triangle) strokePath(g, fillNamed(g, [triangle], known, colour, 0.16), colour, width);
+  if (line) strokeEdges(g, [[0, 1]], new Map(line.map((p, i) => [i, p])), colour, width, [6, 4]);
+  if (circle) ring(g, { x: circle[0], y: circle[1], radius: circle[2] }, colour, width, 1);
 }
 
 /** The vertices on both sides of a segment that is about to go in. */

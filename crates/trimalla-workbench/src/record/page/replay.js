@@ -5,7 +5,7 @@ const key = (vertices) => vertices.join(",");
 
 /** The mesh before the first step. */
 function startOf(data) {
-  const mesh = { points: new Map(), triangles: new Map(), marked: new Map(), step: 0, undo: [] };
+  const mesh = { points: new Map(), triangles: new Map(), marked: new Map(), shapes: new Map(), step: 0, undo: [], hidden: [] };
   for (const [v, x, y] of data.start.points) mesh.points.set(v, [x, y]);
   for (const t of data.start.triangles) addTriangle(mesh, t);
   for (const e of data.start.marked) mesh.marked.set(key(e), e);
@@ -25,6 +25,7 @@ function forward(mesh, data) {
   for (const v of delta.gone) mesh.points.delete(v);
   for (const e of delta.marked) mesh.marked.set(key(e), e);
   for (const e of delta.unmarked) mesh.marked.delete(key(e));
+  changeShapes(mesh, trace);
   mesh.step += 1;
   return true;
 }
@@ -34,6 +35,7 @@ function back(mesh, data) {
   if (mesh.step === 0) return false;
   mesh.step -= 1;
   const { trace, delta } = data.steps[mesh.step];
+  if (trace.shape) putShape(mesh, JSON.stringify(trace.shape), mesh.hidden[mesh.step]);
   for (const e of delta.marked) mesh.marked.delete(key(e));
   for (const e of delta.unmarked) mesh.marked.set(key(e), e);
   for (const t of trace.made) mesh.triangles.delete(key(t));
@@ -43,6 +45,20 @@ function back(mesh, data) {
   }
   for (const t of [...trace.destroyed, ...delta.again]) addTriangle(mesh, t);
   return true;
+}
+
+/** Adds or removes the shape of a step; what was there before is kept. Triangles are not among the shapes. */
+function changeShapes(mesh, { act, shape }) {
+  if (!shape) return;
+  const name = JSON.stringify(shape);
+  mesh.hidden[mesh.step] = mesh.shapes.get(name);
+  if (act === "add" && !shape.triangle) putShape(mesh, name, shape);
+  else if (act === "remove") putShape(mesh, name, undefined);
+}
+
+function putShape(mesh, name, shape) {
+  if (shape) mesh.shapes.set(name, shape);
+  else mesh.shapes.delete(name);
 }
 
 /** Goes to the mesh after so many steps. */
@@ -90,6 +106,15 @@ function wordsOf({ trace }) {
   if (trace.inserted) words.push(`vertex ${trace.inserted.vertex} inserted (${trace.inserted.kind})`);
   if (trace.deleted && trace.deleted.length) words.push(`${count(trace.deleted.length, "vertex", "vertices")} deleted`);
   if (trace.encroached && trace.encroached.length) words.push(`${count(trace.encroached.length, "subsegment")} encroached upon`);
+  if (trace.shape) words.push(`${{ look: "looks at", add: "adds", remove: "removes", refuse: "refuses" }[trace.act]} ${nameOf(trace.shape)}`);
   if (trace.given_up) words.push(`given up: ${trace.given_up}`);
   return words.join(", ");
+}
+
+/** What a shape is, in words. */
+function nameOf(shape) {
+  if (shape.vertex !== undefined) return `vertex ${shape.vertex}`;
+  if (shape.edge) return `edge ${shape.edge.join("–")}`;
+  if (shape.triangle) return `triangle ${shape.triangle.join(" ")}`;
+  return shape.line ? "a line" : "a circle";
 }
