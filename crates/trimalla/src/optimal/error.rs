@@ -1,13 +1,14 @@
 //! Why nothing is triangulated.
 
 use crate::geometry::Point;
+use crate::triangulation::MeshFault;
 
 /// What is wrong with the input of an algorithm.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptimalError {
     /// A coordinate or a height is NaN or infinite.
-    #[error("point {index} at {point} is not finite")]
+    #[error("point {index} at {point}, or its height, is not finite")]
     NotFinite {
         /// The point.
         index: u32,
@@ -22,6 +23,31 @@ pub enum OptimalError {
         /// The most that are possible.
         limit: usize,
     },
+    /// The algorithm needs heights, and there are none.
+    #[error("'{method}' needs a height for each point")]
+    NoHeights {
+        /// The key of the algorithm.
+        method: &'static str,
+    },
+    /// Not one height a point.
+    #[error("{heights} heights are given for {points} points")]
+    HeightCount {
+        /// The number of heights.
+        heights: usize,
+        /// The number of points.
+        points: usize,
+    },
+    /// The domain has other points than the input.
+    #[error("the domain has {count} points which are not the {expected} of the input")]
+    OtherPoints {
+        /// The points of the domain.
+        count: usize,
+        /// The points of the input.
+        expected: usize,
+    },
+    /// The triangles of the domain are at fault.
+    #[error("the domain is no triangulation: {0}")]
+    Domain(Box<MeshFault>),
     /// Somebody has cancelled.
     #[error("cancelled")]
     Cancelled,

@@ -1,8 +1,44 @@
-//! The table of algorithms.
+//! The table of algorithms, and the call of each.
+
+use super::pairs;
+use super::{Optimal, OptimalError, OptimalInput};
+use crate::trace::Trace;
 
 keyed! {
     /// An algorithm that triangulates points, or a drawing, by a criterion.
     OptimalMethod, {
-        Pairs = "pairs", "pairs of vertices in the order of their indices, joined if no edge is crossed", "Notes";
+        Pairs = "pairs", "pairs of vertices in the order of their indices, joined if no edge is crossed", "Triangulaciones";
+    }
+}
+
+impl OptimalMethod {
+    /// Triangulates the points, or the domain, of an input.
+    ///
+    /// # Shape
+    /// Triangles are counter-clockwise triples of indices into the points, each from its smallest index on, sorted.
+    /// Of equal points the one of lowest index is used.
+    ///
+    /// # Errors
+    /// See [`OptimalError`].
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::geometry::Point;
+    /// use trimalla::optimal::{OptimalInput, OptimalMethod};
+    /// use trimalla::trace::NoTrace;
+    ///
+    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Point::from);
+    /// let made = OptimalMethod::Pairs.triangulate(&OptimalInput::of_points(&square), &mut NoTrace)?;
+    /// assert_eq!(made.triangles, [[0, 1, 2], [0, 2, 3]]);
+    /// # Ok::<(), trimalla::optimal::OptimalError>(())
+    /// ```
+    pub fn triangulate(
+        self,
+        input: &OptimalInput<'_>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Optimal, OptimalError> {
+        match self {
+            Self::Pairs => pairs::triangulate(input, trace),
+        }
     }
 }

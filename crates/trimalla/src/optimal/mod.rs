@@ -1,9 +1,14 @@
 //! Triangulations of points and polygons that are best by some criterion, and greedy ones.
 //!
-//! [`OptimalMethod`] chooses an algorithm by its key.
+//! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain with
+//! holes, given by any triangulation of it.
 
+mod edge_set;
 mod error;
+mod input;
 mod method;
+mod pairs;
 
 pub use error::OptimalError;
+pub use input::{Optimal, OptimalInput};
 pub use method::OptimalMethod;

@@ -1,5 +1,6 @@
 //! The algorithms of the lecture notes: slow oracles beside them, and two algorithms beside each other.
 
+mod enumerate;
 mod gallery;
 mod interpolate;
 mod optimal;

@@ -1,0 +1,119 @@
+//! What is triangulated, what comes out, and the first look at the input that all algorithms share.
+
+use super::OptimalError;
+use crate::drawing::{IndexedMesh, Side, Sides};
+use crate::geometry::{Orientation, Point, lexicographic, orient2d};
+use crate::triangulation::check_mesh;
+
+/// What is triangulated.
+///
+/// # Shape
+/// `heights`, if any, has one number a point. `domain`, if any, has the same points; its triangles say which part of the
+/// plane is triangulated. Points that are no corner of the domain are left out.
+#[derive(Clone, Copy, Debug)]
+pub struct OptimalInput<'a> {
+    /// The points.
+    pub points: &'a [Point],
+    /// A height for each point, for criteria of surfaces.
+    pub heights: Option<&'a [f64]>,
+    /// Triangles of the domain whose boundary must be kept; `None`: the convex hull of the points.
+    pub domain: Option<&'a IndexedMesh>,
+}
+
+/// A triangulation and what it attains.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Optimal {
+    /// Counter-clockwise triangles by indices into the points, each from its smallest index on, sorted.
+    pub triangles: Vec<[u32; 3]>,
+    /// Whether no triangulation is better by the criterion of the algorithm.
+    pub is_proved: bool,
+    /// The value of the criterion, rounded. For `pairs` and greedy algorithms: the sum of the lengths of the edges.
+    pub value: f64,
+}
+
+impl<'a> OptimalInput<'a> {
+    /// The convex hull of points is triangulated.
+    #[must_use]
+    pub const fn of_points(points: &'a [Point]) -> Self {
+        Self { points, heights: None, domain: None }
+    }
+
+    /// Checks numbers, lengths and the domain, and finds the vertices.
+    ///
+    /// # Errors
+    /// [`OptimalError`] names the first thing that is wrong.
+    ///
+    /// # Complexity
+    /// O(n log n).
+    pub(crate) fn prepare(&self) -> Result<Prepared, OptimalError> {
+        self.check_numbers()?;
+        let Some(domain) = self.domain else {
+            return Ok(Prepared { vertices: distinct(self.points), boundary: Vec::new(), sides: None });
+        };
+        if domain.points != self.points {
+            return Err(OptimalError::OtherPoints { count: domain.points.len(), expected: self.points.len() });
+        }
+        if let Some(fault) = check_mesh(domain).into_iter().next() {
+            return Err(OptimalError::Domain(Box::new(fault)));
+        }
+        let sides = Sides::of(domain);
+        let vertices = (0..self.points.len() as u32).filter(|&v| sides.is_used(v)).collect();
+        let boundary = sides.boundary().map(|s| [s.origin, s.dest]).collect();
+        Ok(Prepared { vertices, boundary, sides: Some(sides) })
+    }
+
+    fn check_numbers(&self) -> Result<(), OptimalError> {
+        let limit = (u32::MAX / 8) as usize;
+        let (points, heights) = (self.points, self.heights);
+        if points.len() > limit {
+            return Err(OptimalError::TooMany { count: points.len(), limit });
+        }
+        if let Some(heights) = heights.filter(|heights| heights.len() != points.len()) {
+            return Err(OptimalError::HeightCount { heights: heights.len(), points: points.len() });
+        }
+        let is_finite = |i: usize| points[i].is_finite() && heights.is_none_or(|heights| heights[i].is_finite());
+        match (0..points.len()).find(|&i| !is_finite(i)) {
+            Some(i) => Err(OptimalError::NotFinite { index: i as u32, point: points[i] }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The vertices and the fixed edges of an input.
+#[derive(Clone, Debug)]
+pub(crate) struct Prepared {
+    /// The vertices: distinct places, by index.
+    pub(crate) vertices: Vec<u32>,
+    /// The boundary of the domain, which lies to the left of each edge; empty without a domain.
+    pub(crate) boundary: Vec<[u32; 2]>,
+    /// The sides of the triangles of the domain.
+    sides: Option<Sides>,
+}
+
+impl Prepared {
+    /// Whether the way from vertex `u` to vertex `v` starts inside the domain, or along one of its edges with the domain
+    /// to the left; always, without a domain.
+    ///
+    /// A segment that crosses no boundary edge and passes through no vertex then lies in the domain.
+    ///
+    /// # Complexity
+    /// Linear in the domain's triangles at `u`.
+    pub(crate) fn starts_inside(&self, points: &[Point], u: u32, v: u32) -> bool {
+        let Some(sides) = &self.sides else { return true };
+        let [p, to] = [u, v].map(|v| points[v as usize]);
+        sides.from(u).iter().any(|&Side { dest, apex, .. }| {
+            let [first, last] = [dest, apex].map(|v| points[v as usize]);
+            orient2d(p, first, to) != Orientation::Clockwise && orient2d(p, to, last) == Orientation::CounterClockwise
+        })
+    }
+}
+
+/// The points of distinct places: of equal points the first one, by index.
+pub(crate) fn distinct(points: &[Point]) -> Vec<u32> {
+    let at = |v: u32| points[v as usize];
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.sort_unstable_by(|&a, &b| lexicographic(at(a), at(b)).then(a.cmp(&b)));
+    order.dedup_by(|b, a| at(*a) == at(*b));
+    order.sort_unstable();
+    order
+}
