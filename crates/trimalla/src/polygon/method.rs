@@ -1,8 +1,30 @@
 //! The table of algorithms for polygons.
 
+use super::{Polygon, PolygonError, ears};
+use crate::trace::Trace;
+
 keyed! {
     /// An algorithm that triangulates polygons.
     PolygonMethod, {
         Ears = "ears", "ears cut off one after the other", "Meisters75";
+    }
+}
+
+impl PolygonMethod {
+    /// Triangulates a polygon.
+    ///
+    /// # Shape
+    /// Counter-clockwise triangles of indices into [`Polygon::points`].
+    ///
+    /// # Errors
+    /// Those of the algorithm: each is at the function that this one calls.
+    pub fn triangulate(
+        self,
+        polygon: Polygon<'_>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Vec<[u32; 3]>, PolygonError> {
+        match self {
+            Self::Ears => ears(polygon, trace),
+        }
     }
 }

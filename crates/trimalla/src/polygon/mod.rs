@@ -3,10 +3,12 @@
 //! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the exact
 //! test. [`PolygonMethod`] chooses one by its key.
 
+mod ears;
 mod error;
 mod method;
 mod rings;
 
+pub use ears::ears;
 pub use error::PolygonError;
 pub use method::PolygonMethod;
 pub use rings::Polygon;
