@@ -122,6 +122,7 @@ pub(crate) fn of_triangulation(
     mesh: &IndexedMesh,
     angles_deg: [f64; 2],
     algorithm: &str,
+    attained: Option<(f64, bool)>,
     seconds: f64,
     warnings: &[String],
 ) -> Value {
@@ -129,6 +130,8 @@ pub(crate) fn of_triangulation(
         "vertices": mesh.points.len(),
         "triangles": mesh.triangles.len(),
         "steiner_points": mesh.points.len() - mesh.input_points,
+        "attained": attained.map(|(value, _)| value),
+        "proved": attained.map(|(_, is_proved)| is_proved),
         "min_angle": angles_deg[0],
         "max_angle": angles_deg[1],
         "algorithm": algorithm,

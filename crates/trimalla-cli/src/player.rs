@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use trimalla::constrained::Crossings;
 use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::trace::Recorder;
 use trimalla_io::Outputs;
 use trimalla_workbench::record::{ConstructionError, Player, TooLarge};
 
@@ -29,6 +30,17 @@ impl PlayerOptions {
             or_reader_left(path, outputs.add_text(path, &player.into_page()))?;
         }
         Ok(())
+    }
+
+    /// Records the steps that an algorithm has told, if that is wanted.
+    pub(crate) fn of_algorithm(
+        &self,
+        title: &str,
+        drawing: &Pslg,
+        recorder: &Recorder,
+    ) -> Result<Option<Player>, Failure> {
+        let record = |_: &PathBuf| Player::of_algorithm(title, drawing, recorder);
+        Ok(self.player.as_ref().map(record).transpose()?)
     }
 
     /// Records how the triangulation of a drawing comes about, if that is wanted.

@@ -14,7 +14,7 @@ use crate::error::CommandError;
 use crate::mesh::{AtRest, Mesh, face_of};
 use crate::messages::{Interface, MessageKind};
 use crate::runs::RunInformation;
-use crate::state::State;
+use crate::state::{Construction, State};
 
 /// What the records of the steps of one command may take.
 const STEPS_BYTES: usize = 256 << 20;
@@ -48,6 +48,8 @@ pub(crate) enum Change {
     Step { bytes: usize },
     /// The run of a refinement that came to its end was noted.
     Noted,
+    /// What the algorithm told was this.
+    Construction(Option<Construction>),
 }
 
 impl Change {
@@ -64,6 +66,7 @@ impl Change {
             Self::Unnamed(name, v) => state.names.add(name, v),
             Self::Options(before) => state.options = *before,
             Self::Selection(before) => state.selection = before,
+            Self::Construction(before) => state.construction = before,
             Self::Mesh { mut log, before, was_delaunay } => {
                 if let Some(Mesh::AtRest(at_rest)) = &mut state.mesh {
                     at_rest.t.rollback(&mut log, before);
@@ -273,6 +276,13 @@ impl<'a> Work<'a> {
         self.traces.changes.push(Change::Selection(before));
     }
 
+    /// Changes what is kept of the algorithm that made the triangulation.
+    pub(crate) fn set_construction(&mut self, construction: Option<Construction>) {
+        let before = std::mem::replace(&mut self.state.construction, construction);
+        self.traces.changes.push(Change::Construction(before));
+        self.interface.update();
+    }
+
     /// The vertex that a name stands for.
     pub(crate) fn vertex(&self, name: u32) -> Result<VertexId, CommandError> {
         self.state.vertex(name)
@@ -317,6 +327,9 @@ impl<'a> Work<'a> {
         act: impl FnOnce(&mut Edit<'_, UndoLog>, &dyn Interface) -> Result<T, CommandError>,
     ) -> Result<(T, Vec<VertexId>), CommandError> {
         self.stop_refinement();
+        if self.state.construction.is_some() {
+            self.set_construction(None);
+        }
         let Some(Mesh::AtRest(at_rest)) = &mut self.state.mesh else {
             return Err(CommandError::nothing_triangulated());
         };
@@ -475,6 +488,7 @@ impl State {
             names: self.names.clone(),
             options: self.options.clone(),
             selection: self.selection.clone(),
+            construction: None,
         }
     }
 

@@ -19,7 +19,7 @@ use crate::mesh::{Mesh, Refining};
 use crate::messages::{Interface, MessageKind};
 use crate::running::Unfinished;
 use crate::runs::RunInformation;
-use crate::state::State;
+use crate::state::{Construction, State};
 
 /// A drawing, its triangulation, what a refinement is asked, and what the user picked; with a history.
 ///
@@ -317,6 +317,12 @@ impl Document {
     #[must_use]
     pub fn selection(&self) -> &[[u32; 3]] {
         &self.state.selection
+    }
+
+    /// What the algorithm told that made the triangulation; `None` if it told nothing, or something was changed since.
+    #[must_use]
+    pub fn construction(&self) -> Option<&Construction> {
+        self.state.construction.as_ref()
     }
 
     /// The vertex that a name stands for.

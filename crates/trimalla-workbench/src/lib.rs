@@ -61,3 +61,4 @@ pub use figures::Figures;
 pub use messages::{Interface, MessageKind, Quiet};
 pub use running::{Advanced, Running};
 pub use runs::RunInformation;
+pub use state::Construction;

@@ -1,6 +1,7 @@
 //! What a document holds.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
@@ -8,6 +9,7 @@ use trimalla::domain::{Contours, DomainRule, build_exactly};
 use trimalla::drawing::Pslg;
 use trimalla::half_edge::VertexId;
 use trimalla::refine::NamedOptions;
+use trimalla::trace::{Recorder, Step};
 
 use crate::error::CommandError;
 use crate::mesh::Mesh;
@@ -25,6 +27,29 @@ pub(crate) struct State {
     pub(crate) options: NamedOptions,
     /// Triangles that the user picked, by their vertices.
     pub(crate) selection: Vec<[u32; 3]>,
+    /// What the algorithm told that made the triangulation, if it told anything and nothing was changed since.
+    pub(crate) construction: Option<Construction>,
+}
+
+/// The steps of an algorithm that made the triangulation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Construction {
+    pub(crate) recorder: Arc<Recorder>,
+    pub(crate) shown: usize,
+}
+
+impl Construction {
+    /// The steps; of a long run the first ones.
+    #[must_use]
+    pub fn steps(&self) -> &[Step] {
+        self.recorder.steps()
+    }
+
+    /// How many of them are shown: all of them, until 'Watch' says otherwise.
+    #[must_use]
+    pub fn shown(&self) -> usize {
+        self.shown
+    }
 }
 
 impl Default for State {
@@ -35,6 +60,7 @@ impl Default for State {
             names: Names::default(),
             options: NamedOptions::defaults(),
             selection: Vec::new(),
+            construction: None,
         }
     }
 }
@@ -53,13 +79,18 @@ pub(crate) struct Input {
 }
 
 impl Input {
+    /// Whether anything bounds the domain or lies in it, but points.
+    pub(crate) fn has_segments(&self) -> bool {
+        self.outer.is_some() || !self.inner.is_empty() || !self.drawing.segments.is_empty()
+    }
+
     /// The same points without segments and contours.
     pub(crate) fn points_alone(&self) -> Self {
         Self { drawing: Pslg { points: self.drawing.points.clone(), ..Pslg::default() }, ..Self::default() }
     }
 
-    /// Triangulates: with contours their inside, a drawing that was read its domain, and anything else the convex hull.
-    /// Segments that cross are split.
+    /// Triangulates: with contours their inside, a drawing that was read its domain, and anything else the convex
+    /// hull. Segments that cross are split.
     pub(crate) fn triangulate(&self, algorithm: AlgorithmKey) -> Result<Mesh, CommandError> {
         let Pslg { points, segments, .. } = &self.drawing;
         let fault = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());

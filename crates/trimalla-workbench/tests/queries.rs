@@ -1,6 +1,6 @@
 //! What a document tells: the steps of a refinement, its runs, its history, histograms, and what an edge would do.
 
-use trimalla_workbench::{Document, Interface, MessageKind, NamedPoint, Quiet};
+use trimalla_workbench::{Construction, Document, Interface, MessageKind, NamedPoint, Quiet, script};
 
 /// A document after these commands.
 fn after(lines: &[&str]) -> Document {
@@ -225,4 +225,29 @@ fn histograms_count_every_triangle() {
     let lengths = document.path_lengths();
     assert_eq!(lengths.iter().sum::<u64>(), figures.triangles as u64);
     assert_eq!(lengths[0], 0, "each path has its own triangle at least");
+}
+
+#[test]
+fn an_algorithm_that_tells_its_steps_is_watched() {
+    let mut document = Document::new();
+    let text = "Generate polygon 12 3\nTriangulate ears\n";
+    assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+    let construction = document.construction().expect("ears tell their steps");
+    let all = construction.steps().len();
+    assert!(all >= 10, "{all} steps");
+    assert_eq!(construction.shown(), all);
+    let before = document.indexed();
+    document.run("Watch 3", &mut Quiet).expect("three");
+    assert_eq!(document.construction().map(Construction::shown), Some(3));
+    assert_eq!(document.indexed(), before, "the triangulation stays");
+    document.run("Undo", &mut Quiet).expect("undone");
+    assert_eq!(document.construction().map(Construction::shown), Some(all));
+    let corners = before.expect("it is triangulated").triangles[0].map(|v| v.to_string()).join(" ");
+    document.run(&format!("Centroid {corners}"), &mut Quiet).expect("an edit");
+    assert!(document.construction().is_none(), "they are steps to another triangulation");
+    assert!(document.run("Watch", &mut Quiet).is_err());
+    document.run("Undo", &mut Quiet).expect("undone");
+    assert_eq!(document.construction().map(Construction::shown), Some(all));
+    document.run("Undo", &mut Quiet).expect("undone");
+    assert!(document.construction().is_none() && document.triangulation().is_none());
 }

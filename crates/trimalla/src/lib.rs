@@ -20,6 +20,7 @@
 //! | watch the refinement, cancel it, see its forecast | [`mesh_with()`] with an [`Observer`](refine::Observer) |
 //! | triangulate a drawing and keep its domain, with no more vertices | [`triangulate()`] |
 //! | split its segments until the triangulation is Delaunay | [`triangulate_conforming()`] |
+//! | triangulate by any algorithm of the textbook, and hear its steps | [`triangulate_by()`] |
 //! | refine a mesh that exists | [`refine_mesh()`] |
 //! | make a drawing of polygons, holes and islands | [`Pslg::of_rings`] |
 //! | triangulate points, insert, remove and move them | [`Delaunay`] |
@@ -39,12 +40,15 @@
 //!
 //! * [`geometry`]: points, exact predicates, rounded constructions; [`half_edge`]: half-edges without coordinates,
 //!   operators, rollback; [`drawing`]: drawings and meshes as plain arrays
+//! * [`trace`]: what an algorithm tells of its steps
 //! * [`triangulation`]: half-edges with coordinates, the invariants and their checker
 //! * [`locate`]: where a point lies
 //! * [`delaunay`]: incremental, divide and conquer, insertion, removal
+//! * [`polygon`]: polygons with holes triangulated, visibility, guards; beside [`delaunay`]
 //! * [`constrained`]: segments that must be edges, crossings, subsegments
 //! * [`domain`]: outlines, holes, what is kept of a drawing; [`size`]: how large a triangle may be where
-//! * [`quality`]: statistics, meshes compared with their input
+//! * [`quality`]: statistics, meshes compared with their input; [`optimal`]: triangulations that are best by a
+//!   criterion; [`dual`]: the Voronoi diagram; [`interpolate`]: values between vertices
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
 //! # Features
@@ -90,8 +94,8 @@ pub use constrained::{ConstrainedDelaunay, Crossings};
 pub use delaunay::Delaunay;
 pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
-    DomainOptions, Error, MeshOptions, Meshed, Triangulated, mesh, mesh_with, refine_mesh, refine_mesh_with,
-    triangulate, triangulate_conforming,
+    ByMethod, DomainOptions, Error, MeshOptions, Meshed, Method, Triangulated, mesh, mesh_with, refine_mesh,
+    refine_mesh_with, triangulate, triangulate_by, triangulate_conforming, triangulate_domain,
 };
 
 pub use geometry::Point;

@@ -28,8 +28,8 @@ fn text() -> String {
     }
     add(
         &mut text,
-        "triangulators (triangulate --algorithm, and but for the last mesh --triangulator)",
-        triangulate::keys().map(|(key, summary)| (key, summary.to_owned())),
+        "triangulators (triangulate --algorithm; those of Delaunay triangulations also mesh --triangulator)",
+        triangulate::keys().map(|(_, _, method)| with_source(&method.row())),
     );
     add(&mut text, "domain rules (--domain)", DomainRule::ALL.iter().map(|r| (r.key(), r.summary().to_owned())));
     add(

@@ -3,15 +3,17 @@
 use std::time::Instant;
 
 use clap::Args;
-use trimalla::Triangulated;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::drawing::Pslg;
+use trimalla::optimal::OptimalError;
+use trimalla::trace::Recorder;
+use trimalla::{ByMethod, Error, Method};
+use trimalla_workbench::numbers::FileNumbers;
 use trimalla_workbench::record::Player;
 
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::input::{Input, read_drawing};
+use crate::input::read_drawing;
 use crate::outputs::{self, Outputs};
 use crate::player::PlayerOptions;
 use crate::{drawing_faults, json, progress, text};
@@ -22,59 +24,19 @@ Examples:
   trimalla triangulate points.node -o points.svg --algorithm divide-and-conquer
   trimalla triangulate key.poly --player run.html     point by point, segment by segment, in a browser
 
-The triangulation is unique: cocircular points are decided by a fixed rule, so that algorithms
-and the order of the points make no difference, but for the order in which triangles are listed.
-No vertex is added, but at crossings with
---crossings split; except by conforming-delaunay, which splits segments and boundaries.";
-
-/// Which triangulation to make, and how.
-#[derive(Clone, Copy, Debug)]
-enum Kind {
-    /// The constrained Delaunay triangulation, by this algorithm.
-    Constrained(AlgorithmKey),
-    /// The conforming Delaunay triangulation.
-    Conforming,
-}
-
-/// The key of the conforming triangulation.
-const CONFORMING: &str = "conforming-delaunay";
+The (constrained) Delaunay triangulation is unique: cocircular points are decided by a fixed rule, so
+that its algorithms and the order of the points make no difference, but for the order in which
+triangles are listed. Algorithms for polygons triangulate the corners of the domain, and leave out
+what lies inside; those that are best by a criterion say whether nothing better is possible.
+No vertex is added, but at crossings with --crossings split; except by conforming-delaunay, which
+splits segments and boundaries.";
 
 /// Every key of --algorithm with its line of help.
-pub(crate) fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
-    Kind::all().map(|(key, summary, _)| (key, summary))
+pub(crate) fn keys() -> impl Iterator<Item = (&'static str, &'static str, Method)> {
+    Method::all().map(|method| (method.key(), method.row().summary, method))
 }
 
-impl Kind {
-    fn all() -> impl Iterator<Item = (&'static str, &'static str, Self)> {
-        let constrained = AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), Self::Constrained(a)));
-        let conforming = "segments and boundaries are split until no circumcircle has a vertex inside";
-        constrained.into_iter().chain([(CONFORMING, conforming, Self::Conforming)])
-    }
-
-    fn key(self) -> &'static str {
-        match self {
-            Self::Constrained(algorithm) => algorithm.key(),
-            Self::Conforming => CONFORMING,
-        }
-    }
-
-    fn make(self, drawing: &Input<Pslg>, options: &DrawingOptions) -> Result<Triangulated, Failure> {
-        let names = drawing.numbers();
-        match self {
-            Self::Constrained(algorithm) => {
-                let made = trimalla::triangulate(&drawing.value, &options.domain_options(algorithm));
-                made.map_err(|error| drawing_faults::failure(&names, &error))
-            }
-            Self::Conforming => {
-                let options = options.domain_options(AlgorithmKey::default());
-                let made = trimalla::triangulate_conforming(&drawing.value, &options);
-                made.map_err(|error| drawing_faults::failure(&names, &error))
-            }
-        }
-    }
-}
-
-/// Triangulate a drawing: constrained Delaunay, no new vertices; or conforming Delaunay
+/// Triangulate a drawing by any algorithm of the textbook: constrained Delaunay, polygons, best by a criterion
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
@@ -83,10 +45,13 @@ pub(crate) struct Options {
 
     // In every subcommand --algorithm names what makes its result: here a triangulation, in `mesh` a refinement, whose
     // first triangulation --triangulator names.
-    /// How the points are triangulated, on which only the order of triangles in files depends; or a conforming
-    /// triangulation
-    #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), value_parser = one_of(Kind::all()))]
-    algorithm: Kind,
+    /// How the drawing is triangulated
+    #[arg(long, value_name = "KEY", default_value = Method::default().key(), value_parser = one_of(keys()))]
+    algorithm: Method,
+
+    /// The attribute of points that is their height, counted from 1, for algorithms of surfaces
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    heights: u32,
 
     #[command(flatten)]
     output: OutputOptions,
@@ -107,10 +72,18 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let stream = outputs.report_stream(&options.report)?;
     let names = drawing.numbers();
     let start = Instant::now();
-    let Triangulated { mesh, warnings } = options.algorithm.make(&drawing, &options.drawing)?;
+    let mut recorder = Recorder::of_first(if options.player.player.is_some() { Player::MOST_STEPS } else { 0 });
+    let domain = options.drawing.domain_options(AlgorithmKey::default());
+    let column = options.heights as usize - 1;
+    let made = trimalla::triangulate_by(&drawing.value, options.algorithm, &domain, column, &mut recorder);
+    let ByMethod { mesh, warnings, attained } = made.map_err(|error| failure(&names, error))?;
     let seconds = start.elapsed().as_secs_f64();
-    let crossings = options.drawing.domain_options(AlgorithmKey::default()).crossings;
-    let player = options.player.of_construction(&drawing.title(), &drawing.value, crossings, &mesh)?;
+    let title = drawing.title();
+    let player = if recorder.count() > 0 {
+        options.player.of_algorithm(&title, &drawing.value, &recorder)?
+    } else {
+        options.player.of_construction(&title, &drawing.value, domain.crossings, &mesh)?
+    };
     progress::begin_writing()?;
     let warnings = drawing.notes.iter().cloned().chain(warnings.iter().map(|w| names.warning(w)));
     let warnings: Vec<_> = warnings.chain(player.as_ref().and_then(Player::warning)).collect();
@@ -122,16 +95,39 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let prepared = outputs.prepare_mesh(recorded, &mesh, &[])?;
     let angles_deg = || text::extreme_angles_deg(&mesh);
     if options.report.json {
-        json::print(&json::of_triangulation(&mesh, angles_deg(), options.algorithm.key(), seconds, &warnings))?;
+        json::print(&json::of_triangulation(
+            &mesh,
+            angles_deg(),
+            options.algorithm.key(),
+            attained,
+            seconds,
+            &warnings,
+        ))?;
     } else if stream != Stream::Nowhere {
         let mut lines = text::Lines::default();
         lines.heading(text::of_drawing(&drawing));
         lines.row("algorithm", options.algorithm.key());
         text::add_counts(&mut lines, &mesh, mesh.input_points);
         lines.row("angles", text::angles(angles_deg()));
+        if let Some((value, is_proved)) = attained {
+            let proved = if is_proved { "nothing better is possible" } else { "not proved optimal" };
+            lines.row("attained", format!("{value:.6}, {proved}"));
+        }
         text::add_end(&mut lines, seconds, &outputs.files());
         console::write(stream, &lines.into_text())?;
     }
     prepared.commit()?;
     Ok(Status::Done)
+}
+
+/// Why nothing was triangulated, and what may help.
+fn failure(names: &FileNumbers<'_>, error: Error) -> Failure {
+    match error {
+        Error::Domain(error) => drawing_faults::failure(names, &error),
+        Error::NoPolygon => Failure::bad_input(error.to_string())
+            .hint("'trimalla list' names the algorithms for points, such as greedy or incremental"),
+        Error::Optimal(OptimalError::NoHeights { .. }) => Failure::bad_input(error.to_string())
+            .hint("a .node file has attributes after the coordinates; --heights says which of them is the height"),
+        error => Failure::bad_input(error.to_string()),
+    }
 }

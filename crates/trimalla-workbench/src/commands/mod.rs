@@ -37,6 +37,7 @@ mod treat;
 mod triangulate;
 mod undo;
 mod v;
+mod watch;
 
 pub use self::example::EXAMPLES;
 use crate::arguments::{Arguments, Word};
@@ -126,6 +127,7 @@ pub const COMMANDS: &[CommandRow] = &[
     load::ROW,
     example::ROW,
     triangulate::ROW,
+    watch::ROW,
     lepp::ROW,
     insert::ROW,
     midpoint::ROW,

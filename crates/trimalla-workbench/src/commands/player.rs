@@ -15,7 +15,7 @@ use crate::error::CommandError;
 use crate::mesh::Mesh;
 use crate::messages::{Interface, MessageKind, Quiet};
 use crate::record::{ConstructionError, Player};
-use crate::state::Input;
+use crate::state::{Construction, Input};
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Player",
@@ -24,7 +24,7 @@ pub(super) const ROW: CommandRow = CommandRow {
     help: "One HTML file for any browser, without a network. A copy of the triangulation is refined by the options that \
            'Set' gives, from where 'Step' has got to, to the end; nothing changes here. Right after 'Refine' that \
            refinement is played from its beginning. Before 'Triangulate' it plays how the triangulation comes about: \
-           point by point, segment by segment. Vertices are numbered from 0 in the order of creation. It takes 50,000 \
+           point by point, segment by segment; right after 'Triangulate KEY' what that algorithm told. Vertices are numbered from 0 in the order of creation. It takes 50,000 \
            steps and 64 MiB: of a longer run it holds the first steps, and says so. The file is written whole or not at \
            all.",
     parse: |arguments| Deed::ask(Command { path: arguments.path()? }),
@@ -39,9 +39,10 @@ impl Ask for Command {
         let title = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let before = before_refinement(document)?;
         let played = before.as_ref().unwrap_or(document);
-        let player = match &played.state().mesh {
-            Some(mesh) => refined(&title, played, mesh, interface)?,
-            None => constructed(&title, &document.state().input, interface)?,
+        let player = match (&played.state().mesh, document.construction()) {
+            (Some(_), Some(construction)) => told(&title, document, construction)?,
+            (Some(mesh), None) => refined(&title, played, mesh, interface)?,
+            (None, _) => constructed(&title, &document.state().input, interface)?,
         };
         if interface.is_cancelled() {
             return Err(CommandError::cancelled());
@@ -92,12 +93,22 @@ fn refined(title: &str, document: &Document, mesh: &Mesh, interface: &dyn Interf
     Ok(recorder.player)
 }
 
+/// The steps that the algorithm has told.
+fn told(title: &str, document: &Document, construction: &Construction) -> Result<Player, CommandError> {
+    let drawing = drawing_of(&document.state().input);
+    Player::of_algorithm(title, &drawing, &construction.recorder).map_err(|error| CommandError::new(error.to_string()))
+}
+
+/// A drawing with the sides of its contours.
+fn drawing_of(input: &Input) -> Pslg {
+    let contours = Contours { outer: input.outer.clone(), holes: input.inner.clone(), ..Contours::default() };
+    Pslg { segments: [contours.segments(), input.drawing.segments.clone()].concat(), ..input.drawing.clone() }
+}
+
 /// Triangulates a drawing.
 fn constructed(title: &str, input: &Input, interface: &dyn Interface) -> Result<Player, CommandError> {
     let triangulated = input.triangulate(AlgorithmKey::Incremental)?;
-    let contours = Contours { outer: input.outer.clone(), holes: input.inner.clone(), ..Contours::default() };
-    let segments = [contours.segments(), input.drawing.segments.clone()].concat();
-    let drawing = Pslg { segments, ..input.drawing.clone() };
+    let drawing = drawing_of(input);
     let last = triangulated.triangulation().to_indexed(&input.drawing);
     let player = Player::of_construction(title, &drawing, Crossings::Split, &last, &mut || !interface.is_cancelled());
     player.map_err(|error: ConstructionError| CommandError::new(error.to_string()))

@@ -1,7 +1,8 @@
 //! What an algorithm tells of its steps, as a page that plays it.
 //!
-//! All vertices are there from the beginning. A triangle that is added or removed is one of the mesh; an edge, a line or
-//! a circle is a shape that lies above it, until it is removed. What is looked at, or refused, is shown by its step alone.
+//! All vertices are there from the beginning. A triangle that is added or removed is one of the mesh; an edge, a
+//! line or a circle is a shape that lies above it, until it is removed. What is looked at, or refused, is shown by
+//! its step alone.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +10,7 @@ use serde_json::{Value, json};
 use trimalla::drawing::Pslg;
 use trimalla::geometry::Point;
 use trimalla::half_edge::VertexId;
-use trimalla::trace::{Act, Shape, Step};
+use trimalla::trace::{Act, Recorder, Shape, Step};
 
 use super::player::{Player, TooLarge};
 use super::present::{Changed, Corners, Present, sorted};
@@ -19,7 +20,7 @@ impl Player {
     ///
     /// # Errors
     /// [`TooLarge`], where the drawing alone takes more than [`MOST_BYTES`](Self::MOST_BYTES).
-    pub fn of_algorithm(title: &str, drawing: &Pslg, steps: &[Step]) -> Result<Self, TooLarge> {
+    pub fn of_algorithm(title: &str, drawing: &Pslg, recorder: &Recorder) -> Result<Self, TooLarge> {
         let points: Value = drawing.points.iter().map(|p| json!([p.x, p.y])).collect();
         let about = json!({
             "title": title,
@@ -30,7 +31,7 @@ impl Player {
         let (present, came) = Present::of_vertices(&drawing.points);
         let mut player = Self::begin(about, present, (&Changed::default(), &came), Self::MOST_BYTES)?;
         let mut triangles = BTreeSet::new();
-        for (number, step) in (1_u64..).zip(steps) {
+        for (number, step) in (1_u64..).zip(recorder.steps()) {
             if !player.has_room() {
                 break;
             }
@@ -42,6 +43,9 @@ impl Player {
             told["destroyed"] = json!(changed.destroyed);
             told["made"] = json!(changed.made);
             player.add_told(&told, &changed, &delta);
+        }
+        if recorder.count() > recorder.steps().len() as u64 {
+            player.cut();
         }
         Ok(player)
     }
@@ -85,25 +89,27 @@ fn coordinates(p: Point) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use trimalla::trace::Trace;
+    use trimalla::trace::Trace as _;
 
     use super::*;
 
     #[test]
     fn triangles_are_of_the_mesh_and_vertices_stay() {
         let drawing = Pslg::of_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps = Recorder::of_first(6);
         steps.look(Shape::Vertex(0), "the first one");
         steps.add(Shape::Edge([2, 0]), "a diagonal");
         steps.add(Shape::Triangle([0, 1, 2]), "an ear");
         steps.add(Shape::Triangle([1, 2, 0]), "the same ear");
         steps.add(Shape::Triangle([0, 1, 9]), "no triangle");
-        Trace::remove(&mut steps, Shape::Triangle([2, 0, 1]), "gone");
+        steps.remove(Shape::Triangle([2, 0, 1]), "gone");
+        steps.look(Shape::Vertex(3), "one more than are kept");
         let page = Player::of_algorithm("ears", &drawing, &steps).expect("it is small").into_page();
         let (_, after) = page.split_once("id=\"data\">").expect("the data");
         let data: Value = serde_json::from_str(after.split_once("</script>").expect("its end").0).expect("JSON");
         let counts: Vec<u64> = (0..6).filter_map(|i| data["steps"][i]["delta"]["triangles"].as_u64()).collect();
         assert_eq!(counts, [0, 0, 1, 1, 1, 0]);
+        assert_eq!((data["steps"].as_array().map(Vec::len), &data["is_cut"]), (Some(6), &json!(true)));
         assert_eq!(data["start"]["points"].as_array().map(Vec::len), Some(4));
         assert_eq!(data["steps"][5]["delta"]["gone"], json!([]), "a vertex without a triangle stays");
         assert_eq!(data["steps"][1]["trace"]["shape"], json!({ "edge": [0, 2] }));

@@ -151,6 +151,11 @@ impl Player {
         !self.is_cut
     }
 
+    /// The run has more steps than are recorded.
+    pub(super) fn cut(&mut self) {
+        self.is_cut = true;
+    }
+
     /// What to tell the user where the run has more steps than the page takes.
     #[must_use]
     pub fn warning(&self) -> Option<String> {

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use super::delaunay::BuildError;
 use super::{divide_and_conquer, incremental};
+use crate::by_key::Row;
 use crate::geometry::Point;
 use crate::half_edge::VertexId;
 use crate::triangulation::Triangulation;
@@ -85,6 +86,16 @@ impl AlgorithmKey {
             Self::Incremental => "points inserted along a curve, round by round, with Lawson's flips",
             Self::DivideAndConquer => "Guibas and Stolfi: halves triangulated and merged",
         }
+    }
+
+    /// Its key, what it does, and its source.
+    #[must_use]
+    pub const fn row(self) -> Row {
+        let source = match self {
+            Self::Incremental => "AmentaChoiRote03",
+            Self::DivideAndConquer => "GuibasStolfi85",
+        };
+        Row { key: self.key(), summary: self.summary(), source }
     }
 
     /// Runs the algorithm.

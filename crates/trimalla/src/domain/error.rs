@@ -165,6 +165,13 @@ pub enum Warning {
         /// How many pieces.
         pieces: usize,
     },
+    /// What lies inside a polygon of which only the corners are triangulated.
+    InsideLeftOut {
+        /// How many points.
+        points: usize,
+        /// How many subsegments.
+        segments: usize,
+    },
     /// A hole seed outside the convex hull, or in a part that another seed removed; of no effect.
     IdleHole {
         /// Index of the seed.
@@ -263,6 +270,13 @@ impl std::fmt::Display for Warning {
             }
             Self::NotConforming { pieces } => {
                 write!(f, "{pieces} pieces of segments were put in whole, as the limits left no room to split them")
+            }
+            Self::InsideLeftOut { points, segments } => {
+                write!(
+                    f,
+                    "the corners of the domain are triangulated alone: {points} points and {segments} subsegments \
+                     inside are left out"
+                )
             }
             Self::IdleHole { seed, at } => {
                 write!(f, "hole seed {seed} at {at} has no effect: it lies outside, or in another hole")

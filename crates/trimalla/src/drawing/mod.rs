@@ -1,7 +1,7 @@
 //! Drawings and meshes as plain arrays: the input and output of callers and files.
 //!
-//! A [`Pslg`] is a drawing: points, segments between them, hole and region seeds. An [`IndexedMesh`] is a mesh. Neither
-//! is checked before it is used, and neither needs a triangulation.
+//! A [`Pslg`] is a drawing: points, segments between them, hole and region seeds. An [`IndexedMesh`] is a mesh.
+//! Neither is checked before it is used, and neither needs a triangulation.
 
 mod error;
 #[cfg(feature = "geo-types")]

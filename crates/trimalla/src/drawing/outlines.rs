@@ -11,14 +11,15 @@ pub struct Outline {
 }
 
 impl IndexedMesh {
-    /// The polygons that the triangles cover, one for each part that is joined along edges, by the triangles' order.
+    /// The polygons that the triangles cover, one for each part that is joined along edges, by the triangles'
+    /// order.
     ///
-    /// Parts that meet in a vertex alone are polygons of their own. Where a part touches itself in a vertex, its rings
-    /// go there as the triangles do: a ring has the part on its left all along.
+    /// Parts that meet in a vertex alone are polygons of their own. Where a part touches itself in a vertex, its
+    /// rings go there as the triangles do: a ring has the part on its left all along.
     ///
     /// # Shape
-    /// The mesh is sound ([`check_mesh`](crate::triangulation::check_mesh) finds no fault); of others some rings are
-    /// left out.
+    /// The mesh is sound ([`check_mesh`](crate::triangulation::check_mesh) finds no fault); of others some rings
+    /// are left out.
     ///
     /// # Complexity
     /// Linear, and n log n in the degree of each vertex.
@@ -37,7 +38,8 @@ impl IndexedMesh {
         for outline in &mut outlines {
             let lowest = |ring: &Vec<u32>| ring.iter().copied().min_by(|&v, &w| self.lexicographic(v, w));
             let rings = &mut outline.rings;
-            // The outline has the lexicographically lowest vertex; where a hole touches it there, it turns to the left.
+            // The outline has the lexicographically lowest vertex; where a hole touches it there, it turns to the
+            // left.
             let first = (0..rings.len()).min_by(|&i, &j| {
                 let lower = |i: usize| lowest(&rings[i]);
                 let by_place = match (lower(i), lower(j)) {

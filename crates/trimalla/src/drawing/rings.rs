@@ -20,9 +20,9 @@ impl Pslg {
 
     /// The drawing of several rings, as polygons with holes, and islands in them, come from maps and fonts.
     ///
-    /// The rings may run either way; a ring that repeats its first point at its end is closed as it is. What is inside
-    /// an odd number of rings is the domain under [`DomainRule::Nesting`](crate::domain::DomainRule::Nesting), which
-    /// needs no hole seeds.
+    /// The rings may run either way; a ring that repeats its first point at its end is closed as it is. What is
+    /// inside an odd number of rings is the domain under
+    /// [`DomainRule::Nesting`](crate::domain::DomainRule::Nesting), which needs no hole seeds.
     ///
     /// # Examples
     /// ```

@@ -8,8 +8,8 @@ use crate::triangulation::check_mesh;
 /// What is triangulated.
 ///
 /// # Shape
-/// `heights`, if any, has one number a point. `domain`, if any, has the same points; its triangles say which part of the
-/// plane is triangulated. Points that are no corner of the domain are left out.
+/// `heights`, if any, has one number a point. `domain`, if any, has the same points; its triangles say which part
+/// of the plane is triangulated. Points that are no corner of the domain are left out.
 #[derive(Clone, Copy, Debug)]
 pub struct OptimalInput<'a> {
     /// The points.
@@ -91,8 +91,8 @@ pub(crate) struct Prepared {
 }
 
 impl Prepared {
-    /// Whether the way from vertex `u` to vertex `v` starts inside the domain, or along one of its edges with the domain
-    /// to the left; always, without a domain.
+    /// Whether the way from vertex `u` to vertex `v` starts inside the domain, or along one of its edges with the
+    /// domain to the left; always, without a domain.
     ///
     /// A segment that crosses no boundary edge and passes through no vertex then lies in the domain.
     ///

@@ -1,9 +1,9 @@
 //! `pairs`: the first algorithm of the lecture notes.
 //!
 //! # Idea
-//! Any maximal set of edges that do not cross is a triangulation. So take the pairs of vertices in the order of their
-//! indices, and join each pair that crosses nothing so far. The triangulation is correct and may be bad: its edges are
-//! long, as nobody asked which pairs are near each other.
+//! Any maximal set of edges that do not cross is a triangulation. So take the pairs of vertices in the order of
+//! their indices, and join each pair that crosses nothing so far. The triangulation is correct and may be bad: its
+//! edges are long, as nobody asked which pairs are near each other.
 //!
 //! ```text
 //!     3 ───────── 2       order 01 02 03 12 13 23: the pair 13 comes after 02, crosses it, and is refused
@@ -15,17 +15,18 @@
 //!
 //! # Steps
 //! 1. Take the boundary of the domain, if there is one.
-//! 2. For each pair of vertices in the order of their indices: refuse it if a vertex lies on it, if it crosses an edge
+//! 2. For each pair of vertices in the order of their indices: refuse it if a vertex lies on it, if it crosses an
+//!    edge
 //!    that was taken, or if it lies outside the domain; else take it.
 //! 3. Read the triangles from the edges: [`edge_set`](super::edge_set).
 //!
 //! # Degenerate cases
-//! Collinear vertices: only neighbours on the line are joined. Equal points: the first one is the vertex. All vertices on
-//! one line: no triangle.
+//! Collinear vertices: only neighbours on the line are joined. Equal points: the first one is the vertex. All
+//! vertices on one line: no triangle.
 //!
 //! # Complexity
-//! O(n³): O(n²) pairs, each tested against O(n) vertices and edges. The notes say O(n²), which counts a test as one step.
-//! O(n) memory.
+//! O(n³): O(n²) pairs, each tested against O(n) vertices and edges. The notes say O(n²), which counts a test as one
+//! step. O(n) memory.
 //!
 //! # Source
 //! `[Triangulaciones]`, part I.

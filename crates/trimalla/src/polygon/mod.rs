@@ -1,7 +1,7 @@
 //! Triangulations of polygons with holes; visibility and guards.
 //!
-//! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the exact
-//! test. [`PolygonMethod`] chooses one by its key.
+//! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the
+//! exact test. [`PolygonMethod`] chooses one by its key.
 
 mod ears;
 mod error;

@@ -5,8 +5,8 @@ use crate::geometry::{Point, Ring};
 
 /// A polygon: points, and where each ring of them ends. The first ring is the outline, the others are holes.
 ///
-/// Rings may run either way, and a ring is closed by itself: its last point is joined to its first. Collinear runs, and
-/// rings that touch each other or themselves in points, are allowed; what crosses is refused by the algorithms.
+/// Rings may run either way, and a ring is closed by itself: its last point is joined to its first. Collinear runs,
+/// and rings that touch each other or themselves in points, are allowed; what crosses is refused by the algorithms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon<'a> {
     points: &'a [Point],

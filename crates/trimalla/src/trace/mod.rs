@@ -1,8 +1,8 @@
 //! What an algorithm does, told step by step to whoever draws it; and how it is cancelled.
 //!
-//! An algorithm takes a [`Trace`] and tells it each [`Step`]: what it looks at, adds, removes and refuses. With [`NoTrace`]
-//! the calls compile to nothing. Vertices are told by their indices in the input, so that a picture needs only the input
-//! and the steps.
+//! An algorithm takes a [`Trace`] and tells it each [`Step`]: what it looks at, adds, removes and refuses. With
+//! [`NoTrace`] the calls compile to nothing. Vertices are told by their indices in the input, so that a picture
+//! needs only the input and the steps.
 
 use crate::geometry::{Circle, Point};
 
@@ -89,5 +89,42 @@ impl Trace for NoTrace {
 impl Trace for Vec<Step> {
     fn step(&mut self, step: Step) {
         self.push(step);
+    }
+}
+
+/// Keeps the first steps, and counts all of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recorder {
+    steps: Vec<Step>,
+    most: usize,
+    count: u64,
+}
+
+impl Recorder {
+    /// Keeps no more steps than `most`.
+    #[must_use]
+    pub const fn of_first(most: usize) -> Self {
+        Self { steps: Vec::new(), most, count: 0 }
+    }
+
+    /// The steps that were kept.
+    #[must_use]
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// How many steps there were.
+    #[must_use]
+    pub const fn count(&self) -> u64 {
+        self.count
+    }
+}
+
+impl Trace for Recorder {
+    fn step(&mut self, step: Step) {
+        self.count += 1;
+        if self.steps.len() < self.most {
+            self.steps.push(step);
+        }
     }
 }

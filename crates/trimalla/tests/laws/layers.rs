@@ -15,6 +15,7 @@ use crate::common::paths::{folders_named, rooms_named, test_files};
 ///
 /// `quality` is below `refine`, which may ask it about triangles.
 const TIERS: &[&[&str]] = &[
+    &["by_key"],
     &["geometry", "half_edge"],
     &["drawing", "trace"],
     &["triangulation"],

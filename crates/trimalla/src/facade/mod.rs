@@ -1,9 +1,15 @@
 //! The one-call functions: a drawing in, a mesh out.
 
+mod by_method;
+
+pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
+
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{self, DomainError, DomainRule, MeshError, Warning};
 use crate::drawing::{IndexedMesh, Pslg};
+use crate::optimal::OptimalError;
+use crate::polygon::PolygonError;
 use crate::quality::{InputFault, against_input};
 use crate::refine::{
     Limits, NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Report, Start, make_conforming,
@@ -50,6 +56,15 @@ pub enum Error {
     /// An option is out of range.
     #[error(transparent)]
     Option(#[from] OptionError),
+    /// An algorithm for polygons got points alone.
+    #[error("there is no polygon to triangulate: the drawing has no segments")]
+    NoPolygon,
+    /// A polygon of the domain is at fault, or the algorithm cannot take it.
+    #[error(transparent)]
+    Polygon(#[from] PolygonError),
+    /// An algorithm that is best by a criterion cannot take the drawing.
+    #[error(transparent)]
+    Optimal(#[from] OptimalError),
 }
 
 /// The first disagreement in words, and how many more there are.

@@ -1,0 +1,38 @@
+//! `Watch`.
+
+use super::{Act, CommandRow, Deed};
+use crate::arguments::count_of;
+use crate::changes::Work;
+use crate::error::CommandError;
+use crate::state::Construction;
+
+pub(super) const ROW: CommandRow = CommandRow {
+    name: "Watch",
+    arguments: "[K]",
+    summary: "shows the first K steps of the algorithm that has triangulated",
+    help: "After 'Triangulate KEY' with an algorithm that tells its steps. Without K all are shown: the triangulation as \
+           it is, which does not change meanwhile.",
+    parse: |arguments| {
+        let shown = arguments.next().map_or(Ok(usize::MAX), |word| count_of(word, "a number of steps"))?;
+        Deed::edit(Watch { shown })
+    },
+};
+
+struct Watch {
+    shown: usize,
+}
+
+impl Act for Watch {
+    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+        let Some(construction) = &work.state().construction else {
+            return Err(CommandError::new("no algorithm has told its steps: 'Triangulate KEY' lets one do so"));
+        };
+        let shown = self.shown.min(construction.steps().len());
+        let note = shown.checked_sub(1).map(|last| construction.steps()[last].note);
+        let construction = Construction { shown, ..construction.clone() };
+        let all = construction.steps().len();
+        work.set_construction(Some(construction));
+        work.say(format!("step {shown} of {all}: {}", note.unwrap_or("the beginning")));
+        Ok(())
+    }
+}

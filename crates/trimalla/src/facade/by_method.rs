@@ -1,0 +1,250 @@
+//! Every way to triangulate a drawing that the library knows, by its key.
+//!
+//! 1. The domain of the drawing is found: its constrained Delaunay triangulation, and what the rule keeps of it.
+//! 2. An algorithm for polygons gets the outlines of the domain, one after the other; one that is best by a
+//!    criterion
+//!    gets the points, and the domain where there are segments.
+//! 3. Its triangles take the place of those of the domain.
+//!
+//! ```text
+//!   drawing ── domain ──┬── outlines ──── polygon ────┐
+//!      │                └── triangles ─── optimal ────┼── mesh
+//!      └────────────────────────────────── delaunay ──┘
+//! ```
+
+use super::{DomainOptions, Error, Triangulated, triangulate, triangulate_conforming};
+use crate::by_key::{Row, UnknownKey};
+use crate::delaunay::AlgorithmKey;
+use crate::domain::Warning;
+use crate::drawing::{IndexedMesh, Pslg};
+use crate::geometry::Point;
+use crate::optimal::{OptimalInput, OptimalMethod};
+use crate::polygon::{Polygon, PolygonMethod};
+use crate::trace::{Shape, Step, Trace};
+
+/// A way to triangulate a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Method {
+    /// The (constrained) Delaunay triangulation, by this algorithm.
+    Delaunay(AlgorithmKey),
+    /// `conforming-delaunay`: segments are split until no circumcircle has a vertex inside.
+    Conforming,
+    /// A triangulation of points, or of a domain, by a criterion.
+    Optimal(OptimalMethod),
+    /// A triangulation of the corners of polygons.
+    Polygon(PolygonMethod),
+}
+
+const CONFORMING: Row = Row {
+    key: "conforming-delaunay",
+    summary: "segments and boundaries are split until no circumcircle has a vertex inside",
+    source: "MeshSuite",
+};
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Delaunay(AlgorithmKey::default())
+    }
+}
+
+impl Method {
+    /// Every way, in the order of the documentation.
+    pub fn all() -> impl Iterator<Item = Self> + Clone {
+        let delaunay = AlgorithmKey::ALL.iter().map(|&algorithm| Self::Delaunay(algorithm));
+        let optimal = OptimalMethod::ALL.iter().map(|&method| Self::Optimal(method));
+        let polygon = PolygonMethod::ALL.iter().map(|&method| Self::Polygon(method));
+        delaunay.chain([Self::Conforming]).chain(optimal).chain(polygon)
+    }
+
+    /// Its key, what it does, and its source.
+    #[must_use]
+    pub fn row(self) -> Row {
+        match self {
+            Self::Delaunay(algorithm) => algorithm.row(),
+            Self::Conforming => CONFORMING,
+            Self::Optimal(method) => method.row(),
+            Self::Polygon(method) => method.row(),
+        }
+    }
+
+    /// Its key.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        self.row().key
+    }
+}
+
+impl std::str::FromStr for Method {
+    type Err = UnknownKey;
+
+    fn from_str(s: &str) -> Result<Self, UnknownKey> {
+        let unknown = || UnknownKey { key: s.to_owned(), known: Self::all().map(Self::key).collect() };
+        Self::all().find(|method| method.key() == s).ok_or_else(unknown)
+    }
+}
+
+/// A triangulation by a method, and what is to be said of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByMethod {
+    /// The triangulation.
+    pub mesh: IndexedMesh,
+    /// What is unusual in the drawing, or what the method leaves out.
+    pub warnings: Vec<Warning>,
+    /// What a triangulation attains that is best by a criterion, rounded; and whether nothing better is possible.
+    pub attained: Option<(f64, bool)>,
+}
+
+/// Triangulates a drawing by a method, which tells its steps.
+///
+/// Algorithms for polygons triangulate the corners of the domain: points and segments inside are left out, and a
+/// warning counts them. Algorithms that need heights take attribute `height` of the points, counted from 0.
+///
+/// # Errors
+/// [`Error`] names what is wrong in the drawing, or what the method cannot take.
+///
+/// # Examples
+/// ```
+/// use trimalla::trace::Step;
+/// use trimalla::{DomainOptions, Method, Pslg, triangulate_by};
+///
+/// let drawing = Pslg::of_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]]);
+/// let mut steps: Vec<Step> = Vec::new();
+/// let made = triangulate_by(&drawing, "ears".parse()?, &DomainOptions::default(), 0, &mut steps)?;
+/// assert_eq!(made.mesh.triangles.len(), 3);
+/// assert!(!steps.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn triangulate_by(
+    pslg: &Pslg,
+    method: Method,
+    options: &DomainOptions,
+    height: usize,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<ByMethod, Error> {
+    let Triangulated { mesh, warnings } = match method {
+        Method::Delaunay(algorithm) => triangulate(pslg, &DomainOptions { algorithm, ..*options })?,
+        Method::Conforming => triangulate_conforming(pslg, options)?,
+        Method::Optimal(_) | Method::Polygon(_) => triangulate(pslg, options)?,
+    };
+    let made = triangulate_domain(mesh, !pslg.segments.is_empty(), method, height, trace)?;
+    Ok(ByMethod { warnings: [warnings, made.warnings].concat(), ..made })
+}
+
+/// Triangulates the domain of a constrained Delaunay triangulation anew by a method, which tells its steps.
+///
+/// Without segments the domain is the convex hull of the points. Methods of Delaunay triangulations change nothing.
+/// See [`triangulate_by()`] for the rest.
+///
+/// # Errors
+/// [`Error`] names what the method cannot take.
+pub fn triangulate_domain(
+    domain: IndexedMesh,
+    has_segments: bool,
+    method: Method,
+    height: usize,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<ByMethod, Error> {
+    match method {
+        Method::Delaunay(_) | Method::Conforming => Ok(ByMethod { mesh: domain, warnings: Vec::new(), attained: None }),
+        Method::Optimal(method) => by_criterion(domain, has_segments, method, height, trace),
+        Method::Polygon(_) if !has_segments => Err(Error::NoPolygon),
+        Method::Polygon(method) => of_polygons(domain, method, trace),
+    }
+}
+
+fn by_criterion(
+    mut domain: IndexedMesh,
+    has_segments: bool,
+    method: OptimalMethod,
+    height: usize,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<ByMethod, Error> {
+    let heights = heights_of(&domain, height);
+    let input =
+        OptimalInput { points: &domain.points, heights: heights.as_deref(), domain: has_segments.then_some(&domain) };
+    let made = method.triangulate(&input, trace)?;
+    put_in_place(&mut domain, made.triangles);
+    Ok(ByMethod { mesh: domain, warnings: Vec::new(), attained: Some((made.value, made.is_proved)) })
+}
+
+/// A column of attributes.
+fn heights_of(mesh: &IndexedMesh, column: usize) -> Option<Vec<f64>> {
+    let width = mesh.attributes_per_point;
+    let rows = (column < width).then(|| mesh.point_attributes.chunks_exact(width));
+    rows.map(|rows| rows.map(|row| row[column]).collect())
+}
+
+fn of_polygons(
+    mut domain: IndexedMesh,
+    method: PolygonMethod,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<ByMethod, Error> {
+    let (mut triangles, mut is_corner) = (Vec::new(), vec![false; domain.points.len()]);
+    for outline in domain.outlines() {
+        let corners: Vec<u32> = outline.rings.concat();
+        let points: Vec<Point> = corners.iter().map(|&v| domain.points[v as usize]).collect();
+        let mut end = 0;
+        let ring_ends: Vec<u32> = outline
+            .rings
+            .iter()
+            .map(|ring| {
+                end += ring.len() as u32;
+                end
+            })
+            .collect();
+        let made = method.triangulate(Polygon::new(&points, &ring_ends)?, &mut Renumbered { trace, of: &corners })?;
+        triangles.extend(made.into_iter().map(|t| t.map(|v| corners[v as usize])));
+        corners.iter().for_each(|&v| is_corner[v as usize] = true);
+    }
+    let warnings = left_out(&mut domain, &is_corner).into_iter().collect();
+    put_in_place(&mut domain, triangles);
+    Ok(ByMethod { mesh: domain, warnings, attained: None })
+}
+
+/// What lies inside a domain of which only the corners are triangulated; its segments are taken out.
+fn left_out(domain: &mut IndexedMesh, is_corner: &[bool]) -> Option<Warning> {
+    let mut inside: Vec<u32> = domain.triangles.iter().flatten().copied().filter(|&v| !is_corner[v as usize]).collect();
+    inside.sort_unstable();
+    inside.dedup();
+    let boundary = domain.boundary_edges();
+    let is_boundary = |&[a, b]: &[u32; 2]| [[a, b], [b, a]].iter().any(|side| boundary.binary_search(side).is_ok());
+    let stays: Vec<bool> = domain.segments.iter().map(is_boundary).collect();
+    let gone = stays.iter().filter(|&&stays| !stays).count();
+    let mut kept = stays.iter();
+    domain.segments.retain(|_| kept.next() == Some(&true));
+    let mut kept = stays.iter();
+    domain.segment_markers.retain(|_| kept.next() == Some(&true));
+    (!inside.is_empty() || gone > 0).then_some(Warning::InsideLeftOut { points: inside.len(), segments: gone })
+}
+
+/// Other triangles of the same domain. What was said of each triangle is no longer known.
+fn put_in_place(mesh: &mut IndexedMesh, triangles: Vec<[u32; 3]>) {
+    mesh.triangles = triangles;
+    mesh.triangle_attributes.clear();
+    mesh.attributes_per_triangle = 0;
+}
+
+/// Tells steps by the numbers that vertices have in the drawing.
+struct Renumbered<'a, T: ?Sized> {
+    trace: &'a mut T,
+    /// The number of each vertex.
+    of: &'a [u32],
+}
+
+impl<T: Trace + ?Sized> Trace for Renumbered<'_, T> {
+    fn step(&mut self, step: Step) {
+        let number = |v: u32| self.of.get(v as usize).copied().unwrap_or(v);
+        let shape = match step.shape {
+            Shape::Vertex(v) => Shape::Vertex(number(v)),
+            Shape::Edge(ends) => Shape::Edge(ends.map(number)),
+            Shape::Triangle(corners) => Shape::Triangle(corners.map(number)),
+            other => other,
+        };
+        self.trace.step(Step { shape, ..step });
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.trace.is_cancelled()
+    }
+}
