@@ -73,7 +73,7 @@ pub fn recipe(d: &mut Draws<'_>, drawing: &Pslg) -> NamedOptions {
     file.max_aspect_ratio = d.once_in(8).then(|| d.range(1.0, 4.0));
     let room = d.pick(&[0, 1, 5, 20, 20, 60, 60, 60, 120, 400]);
     file.max_vertices = Some(drawing.points.len() + room);
-    file.protect = d.once_in(5).then(|| d.pick(Protect::ALL));
+    file.protect = d.once_in(5).then(|| d.pick(&Protect::ALL));
     let length = width.max(height);
     file.length_floor = (d.once_in(10) && length.is_finite()).then(|| length * 10.0_f64.powi(-(d.below(9) as i32)));
     file
@@ -86,4 +86,10 @@ fn extent(drawing: &Pslg) -> [f64; 2] {
         all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
     };
     [range(|p| p.x), range(|p| p.y)]
+}
+
+/// The default algorithm and one of the others.
+pub fn two_algorithms(draw: u64) -> [AlgorithmKey; 2] {
+    let [first, others @ ..] = AlgorithmKey::ALL;
+    [first, others[(draw % others.len() as u64) as usize]]
 }

@@ -31,7 +31,7 @@ macro_rules! keyed {
 
         impl $name {
             /// Every choice.
-            pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
+            pub const ALL: [Self; [$($key,)*].len()] = [$(Self::$variant,)*];
 
             /// The row of every choice, in the order of [`ALL`](Self::ALL).
             pub const ROWS: &'static [$crate::by_key::Row] =

@@ -7,6 +7,7 @@ use trimalla_testkit::oracles::{Contacts, contacts};
 use super::{Target, case_of, drawing_input};
 use crate::input::{Case, Input};
 use crate::judge::{Tally, Verdict, fault, must, none};
+use crate::settings::two_algorithms;
 
 /// See the file.
 pub const TARGET: Target = Target {
@@ -25,7 +26,8 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     let (points, segments) = (&case.drawing.points, &case.drawing.segments);
     let crossings = case.domain.crossings;
     let mut d = Case::draws(case.more);
-    let made = AlgorithmKey::ALL.map(|a| ConstrainedDelaunay::with_algorithm(points, segments, crossings, a));
+    let pair = two_algorithms(case.more);
+    let made = pair.map(|a| ConstrainedDelaunay::with_algorithm(points, segments, crossings, a));
     let (one, other) = match made {
         [Ok(one), Ok(other)] => (one, other),
         [Err(one), Err(other)] => {

@@ -10,6 +10,7 @@ use trimalla::half_edge::VertexId;
 use super::{Target, case_of, drawing_input};
 use crate::input::{Case, Input};
 use crate::judge::{Tally, Verdict, fault, mesh_of, must, none};
+use crate::settings::two_algorithms;
 
 /// See the file.
 pub const TARGET: Target = Target {
@@ -68,7 +69,7 @@ fn contours(case: &Case, tally: &mut Tally) -> Verdict {
     let outer = if case.more & 3 == 0 { None } else { rings.next() };
     let order = if case.more & 4 == 0 { ContourOrder::default() } else { ContourOrder::HolesFirst };
     let contours = Contours { outer, holes: rings.collect(), order };
-    let made = AlgorithmKey::ALL.map(|a| contours.triangulate(&drawing.points, a));
+    let made = two_algorithms(case.more).map(|a| contours.triangulate(&drawing.points, a));
     match made {
         [Ok(one), Ok(other)] => {
             let input = Pslg {

@@ -52,6 +52,10 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
         let made = match algorithm {
             AlgorithmKey::Incremental => Delaunay::with::<trimalla::delaunay::Incremental>(points),
             AlgorithmKey::DivideAndConquer => Delaunay::with::<trimalla::delaunay::DivideAndConquer>(points),
+            AlgorithmKey::Lift => Delaunay::with::<trimalla::delaunay::Lift>(points),
+            AlgorithmKey::Flip => Delaunay::with::<trimalla::delaunay::Flip>(points),
+            AlgorithmKey::Voronoi => Delaunay::with::<trimalla::delaunay::Voronoi>(points),
+            _ => Delaunay::with::<trimalla::delaunay::Incremental>(points),
         };
         return made.map_or(Ok(()), |t| drive(t, case, tally));
     }

@@ -212,7 +212,7 @@ impl Options {
     /// The presets and recipe files to compare; all presets where none is named.
     fn add_contenders(&self, experiment: &mut Experiment) -> Result<(), Failure> {
         let presets = self.presets();
-        let all = if presets.is_empty() && self.recipes.is_empty() { Preset::ALL } else { &presets };
+        let all = if presets.is_empty() && self.recipes.is_empty() { &Preset::ALL[..] } else { &presets };
         for &preset in all {
             experiment.add_contender(Contender::of(preset))?;
         }

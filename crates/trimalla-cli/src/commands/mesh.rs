@@ -55,7 +55,7 @@ pub(crate) struct Options {
     /// How the points are triangulated first; vertices and triangles do not depend on it, the order of triangles in
     /// files does
     #[arg(long, value_name = "KEY", default_value = AlgorithmKey::default().key(), help_heading = "Drawing",
-          value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.summary(), a))))]
+          value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.row().summary, a))))]
     triangulator: AlgorithmKey,
 
     #[command(flatten)]

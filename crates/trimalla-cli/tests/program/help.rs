@@ -50,7 +50,7 @@ fn list_names_every_key() {
         has(rule.key(), rule.summary());
     }
     for algorithm in trimalla::delaunay::AlgorithmKey::ALL {
-        has(algorithm.key(), algorithm.summary());
+        has(algorithm.key(), algorithm.row().summary);
     }
     for format in trimalla_io::Format::ALL {
         has(format.extension(), format.summary());

@@ -27,7 +27,7 @@ fn fault(text: &str) -> String {
 #[test]
 fn every_preset_comes_back() {
     comes_back(&NamedOptions::default());
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         comes_back(&NamedOptions::of(preset));
         let by_key = read(format!("preset = \"{preset}\"").as_bytes(), "p.toml").unwrap();
         assert_eq!(by_key.recipe, preset.recipe());
@@ -124,7 +124,7 @@ fn what_is_no_toml_is_named_with_its_place() {
 /// The feature `serde` of the library and this reader agree on what a recipe says.
 #[test]
 fn serde_reads_what_is_written_here() {
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         let bounded =
             NamedOptions { max_area: Some(0.1 + 0.2), name: Some("\t\"".to_owned()), ..NamedOptions::defaults() };
         for file in

@@ -120,7 +120,7 @@ impl Slot {
         let mut command = None;
         let preset = options.preset.map_or("own steps", Preset::key);
         let shown = ComboBox::from_id_salt(("preset", number)).selected_text(preset).show_ui(ui, |ui| {
-            for &preset in Preset::ALL {
+            for preset in Preset::ALL {
                 if ui.selectable_label(options.preset == Some(preset), preset.key()).clicked() {
                     command = Some(format!("Set preset {}", preset.key()));
                 }

@@ -57,8 +57,8 @@ impl Act for Triangulate {
         let algorithm = if let Method::Delaunay(algorithm) = self.method { algorithm } else { AlgorithmKey::default() };
         let mesh = work.state().input.triangulate(algorithm)?;
         match self.method {
-            Method::Delaunay(_) => work.replace_mesh(mesh),
-            _ => self.by_method(&mesh, work)?,
+            Method::Delaunay(AlgorithmKey::Incremental | AlgorithmKey::DivideAndConquer) => work.replace_mesh(mesh),
+            _ => self.by_method(mesh, work)?,
         }
         let count = work.state().mesh.as_ref().map_or(0, |mesh| mesh.triangulation().real_faces().count());
         work.say(format!("{count} triangles"));
@@ -68,17 +68,22 @@ impl Act for Triangulate {
 
 impl Triangulate {
     /// Triangulates the domain of a constrained Delaunay triangulation anew.
-    fn by_method(&self, mesh: &Mesh, work: &mut Work<'_>) -> Result<(), CommandError> {
+    fn by_method(&self, mesh: Mesh, work: &mut Work<'_>) -> Result<(), CommandError> {
         let input = &work.state().input;
         let domain = mesh.triangulation().to_indexed(&input.drawing);
         let mut watched = Watched { recorder: Recorder::of_first(Player::MOST_STEPS), interface: work.interface };
         let made = triangulate_domain(domain, input.has_segments(), self.method, 0, &mut watched);
         let recorder = watched.recorder;
         let made = made.map_err(|error| CommandError::new(error.to_string()))?;
-        let taken = from_mesh(&made.mesh, &[], None).map_err(|error| CommandError::new(error.to_string()))?;
-        work.replace_mesh(Mesh::given(taken.cdt));
+        work.replace_mesh(if let Method::Delaunay(_) = self.method {
+            mesh
+        } else {
+            let taken = from_mesh(&made.mesh, &[], None).map_err(|error| CommandError::new(error.to_string()))?;
+            Mesh::given(taken.cdt)
+        });
         let shown = recorder.steps().len();
-        work.set_construction(Some(Construction { recorder: Arc::new(recorder), shown }));
+        let construction = Construction { recorder: Arc::new(recorder), shown };
+        work.set_construction((shown > 0).then_some(construction));
         made.warnings.iter().for_each(|warning| work.say(warning.to_string()));
         if let Some((value, is_proved)) = made.attained {
             let proved = if is_proved { "nothing better is possible" } else { "not proved optimal" };

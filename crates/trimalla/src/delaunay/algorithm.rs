@@ -1,13 +1,10 @@
 //! Algorithms chosen by type and by key.
 
-use std::fmt;
-use std::str::FromStr;
-
 use super::delaunay::BuildError;
-use super::{divide_and_conquer, incremental};
-use crate::by_key::Row;
+use super::{divide_and_conquer, flip, incremental, lift, voronoi};
 use crate::geometry::Point;
 use crate::half_edge::VertexId;
+use crate::trace::{NoTrace, Trace};
 use crate::triangulation::Triangulation;
 
 /// A way to build a Delaunay triangulation of points.
@@ -22,6 +19,20 @@ pub trait Algorithm {
     /// # Errors
     /// See [`BuildError`]; checked before any work.
     fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError>;
+
+    /// Triangulates the points that `subset` names, or all, and tells each step; algorithms without steps to tell
+    /// tell none.
+    ///
+    /// # Errors
+    /// See [`BuildError`]; [`BuildError::Cancelled`] if the trace says so.
+    fn triangulate_traced(
+        points: &[Point],
+        subset: Option<&[VertexId]>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Triangulation, BuildError> {
+        let _ = trace;
+        Self::triangulate(points, subset)
+    }
 }
 
 /// Insertion of one point after the other, in curve order. The default.
@@ -37,6 +48,30 @@ pub struct Incremental;
 /// `[GuibasStolfi85]`.
 #[derive(Clone, Copy, Debug)]
 pub struct DivideAndConquer;
+
+/// The lower convex hull of the points on a paraboloid.
+///
+/// # Source
+/// `[Triangulaciones]`, `[EdelsbrunnerSeidel86]`, `[ClarksonShor89]`.
+#[doc(alias = "paraboloide")]
+#[derive(Clone, Copy, Debug)]
+pub struct Lift;
+
+/// Any triangulation, then flips until every edge is legal: O(n²).
+///
+/// # Source
+/// `[Triangulaciones]`, `[Lawson77]`.
+#[doc(alias = "giros")]
+#[derive(Clone, Copy, Debug)]
+pub struct Flip;
+
+/// The dual of the Voronoi diagram, which a sweep draws.
+///
+/// # Source
+/// `[Triangulaciones]`, `[Fortune87]`.
+#[doc(alias = "Fortune")]
+#[derive(Clone, Copy, Debug)]
+pub struct Voronoi;
 
 impl Algorithm for Incremental {
     const KEY: AlgorithmKey = AlgorithmKey::Incremental;
@@ -56,56 +91,114 @@ impl Algorithm for DivideAndConquer {
     }
 }
 
-/// An algorithm by name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum AlgorithmKey {
-    /// `incremental`
-    #[default]
-    Incremental,
-    /// `divide-and-conquer`
-    DivideAndConquer,
+impl Algorithm for Lift {
+    const KEY: AlgorithmKey = AlgorithmKey::Lift;
+
+    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
+        Self::triangulate_traced(points, subset, &mut NoTrace)
+    }
+
+    fn triangulate_traced(
+        points: &[Point],
+        subset: Option<&[VertexId]>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Triangulation, BuildError> {
+        let subset = validate(points, subset)?;
+        lift::build(points, subset.as_deref(), trace)
+    }
+}
+
+impl Algorithm for Flip {
+    const KEY: AlgorithmKey = AlgorithmKey::Flip;
+
+    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
+        Self::triangulate_traced(points, subset, &mut NoTrace)
+    }
+
+    fn triangulate_traced(
+        points: &[Point],
+        subset: Option<&[VertexId]>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Triangulation, BuildError> {
+        let subset = validate(points, subset)?;
+        flip::build(points, subset.as_deref(), trace)
+    }
+}
+
+impl Algorithm for Voronoi {
+    const KEY: AlgorithmKey = AlgorithmKey::Voronoi;
+
+    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
+        Self::triangulate_traced(points, subset, &mut NoTrace)
+    }
+
+    fn triangulate_traced(
+        points: &[Point],
+        subset: Option<&[VertexId]>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Triangulation, BuildError> {
+        let subset = validate(points, subset)?;
+        voronoi::build(points, subset.as_deref(), trace)
+    }
+}
+
+keyed! {
+    /// An algorithm by name.
+    AlgorithmKey, {
+        Incremental = "incremental", "points inserted along a curve, round by round, with Lawson's flips", "AmentaChoiRote03";
+        DivideAndConquer = "divide-and-conquer", "halves triangulated and merged", "GuibasStolfi85";
+        Lift = "lift", "the lower convex hull of the points on a paraboloid, in random order", "ClarksonShor89";
+        Flip = "flip", "any triangulation, then flips of illegal edges: slow, to teach", "Lawson77";
+        Voronoi = "voronoi", "Fortune's sweep: the Voronoi diagram first, its dual then", "Fortune87";
+    }
+}
+
+#[expect(clippy::derivable_impls, reason = "the macro that declares the keys marks no variant")]
+impl Default for AlgorithmKey {
+    fn default() -> Self {
+        Self::Incremental
+    }
 }
 
 impl AlgorithmKey {
-    /// Every algorithm.
-    pub const ALL: [Self; 2] = [Self::Incremental, Self::DivideAndConquer];
-
-    /// The key, as scripts and the program spell it.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Incremental => "incremental",
-            Self::DivideAndConquer => "divide-and-conquer",
-        }
-    }
-
-    /// One line on what it does.
-    #[must_use]
-    pub const fn summary(self) -> &'static str {
-        match self {
-            Self::Incremental => "points inserted along a curve, round by round, with Lawson's flips",
-            Self::DivideAndConquer => "Guibas and Stolfi: halves triangulated and merged",
-        }
-    }
-
-    /// Its key, what it does, and its source.
-    #[must_use]
-    pub const fn row(self) -> Row {
-        let source = match self {
-            Self::Incremental => "AmentaChoiRote03",
-            Self::DivideAndConquer => "GuibasStolfi85",
-        };
-        Row { key: self.key(), summary: self.summary(), source }
-    }
-
     /// Runs the algorithm.
     ///
     /// # Errors
     /// See [`BuildError`].
     pub fn triangulate(self, points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
+        self.triangulate_traced(points, subset, &mut NoTrace)
+    }
+
+    /// Runs the algorithm, and tells each step of `lift`, `flip` and `voronoi`; the others tell none.
+    ///
+    /// # Errors
+    /// See [`BuildError`]; [`BuildError::Cancelled`] if the trace says so.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::delaunay::AlgorithmKey;
+    /// use trimalla::geometry::Point;
+    /// use trimalla::trace::{Act, Shape, Step};
+    ///
+    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Point::from);
+    /// let mut steps: Vec<Step> = Vec::new();
+    /// let t = AlgorithmKey::Voronoi.triangulate_traced(&square, None, &mut steps)?;
+    /// let dual = steps.iter().filter(|s| s.act == Act::Add && matches!(s.shape, Shape::Triangle(_)));
+    /// assert_eq!((t.face_count(), dual.count()), (2, 2));
+    /// # Ok::<(), trimalla::delaunay::BuildError>(())
+    /// ```
+    pub fn triangulate_traced(
+        self,
+        points: &[Point],
+        subset: Option<&[VertexId]>,
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<Triangulation, BuildError> {
         match self {
-            Self::Incremental => Incremental::triangulate(points, subset),
-            Self::DivideAndConquer => DivideAndConquer::triangulate(points, subset),
+            Self::Incremental => Incremental::triangulate_traced(points, subset, trace),
+            Self::DivideAndConquer => DivideAndConquer::triangulate_traced(points, subset, trace),
+            Self::Lift => Lift::triangulate_traced(points, subset, trace),
+            Self::Flip => Flip::triangulate_traced(points, subset, trace),
+            Self::Voronoi => Voronoi::triangulate_traced(points, subset, trace),
         }
     }
 
@@ -122,25 +215,6 @@ impl AlgorithmKey {
             return Ok(incremental::build(points, None));
         }
         Ok((self.triangulate(points, None)?, None))
-    }
-}
-
-serialized_by_key!(AlgorithmKey);
-
-impl fmt::Display for AlgorithmKey {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.key())
-    }
-}
-
-impl FromStr for AlgorithmKey {
-    type Err = String;
-
-    fn from_str(s: &str) -> Result<Self, String> {
-        Self::ALL
-            .into_iter()
-            .find(|a| a.key() == s)
-            .ok_or_else(|| format!("no triangulation algorithm is called '{s}'"))
     }
 }
 

@@ -37,6 +37,9 @@ pub enum BuildError {
     /// More points than 32-bit half-edges can serve.
     #[error("{0} points are more than the {max} that fit", max = Self::MAX_POINTS)]
     TooManyPoints(usize),
+    /// Somebody has cancelled.
+    #[error("cancelled")]
+    Cancelled,
 }
 
 impl BuildError {

@@ -48,7 +48,7 @@ impl Contours {
     /// Triangulates the points with the contours as constraints and carves away what lies to their right.
     ///
     /// With the incremental algorithm the contours go in first, and the other points after them: each segment then
-    /// crosses few triangles. With divide and conquer they go in last. [`ContourOrder`] offers another order. The
+    /// crosses few triangles. With every other algorithm they go in last. [`ContourOrder`] offers another order. The
     /// triangulation does not depend on it; segments are numbered as [`segments`](Self::segments) lists them.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl Contours {
         let mut cdt = match (self.order, algorithm) {
             (ContourOrder::HolesFirst, _) => self.holes_first(points)?,
             (ContourOrder::ByAlgorithm, AlgorithmKey::Incremental) => self.contours_first(points)?,
-            (ContourOrder::ByAlgorithm, AlgorithmKey::DivideAndConquer) => {
+            (ContourOrder::ByAlgorithm, _) => {
                 ConstrainedDelaunay::with_algorithm(points, &self.segments(), Crossings::Refuse, algorithm)?
             }
         };

@@ -95,6 +95,12 @@ pub struct ByMethod {
     pub attained: Option<(f64, bool)>,
 }
 
+impl ByMethod {
+    const fn unchanged(mesh: IndexedMesh) -> Self {
+        Self { mesh, warnings: Vec::new(), attained: None }
+    }
+}
+
 /// Triangulates a drawing by a method, which tells its steps.
 ///
 /// Algorithms for polygons triangulate the corners of the domain: points and segments inside are left out, and a
@@ -146,7 +152,11 @@ pub fn triangulate_domain(
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<ByMethod, Error> {
     match method {
-        Method::Delaunay(_) | Method::Conforming => Ok(ByMethod { mesh: domain, warnings: Vec::new(), attained: None }),
+        Method::Delaunay(algorithm) if trace.is_listening() => {
+            algorithm.triangulate_traced(&domain.points, None, trace)?;
+            Ok(ByMethod::unchanged(domain))
+        }
+        Method::Delaunay(_) | Method::Conforming => Ok(ByMethod::unchanged(domain)),
         Method::Optimal(method) => by_criterion(domain, has_segments, method, height, trace),
         Method::Polygon(_) if !has_segments => Err(Error::NoPolygon),
         Method::Polygon(method) => of_polygons(domain, method, trace),
@@ -246,5 +256,9 @@ impl<T: Trace + ?Sized> Trace for Renumbered<'_, T> {
 
     fn is_cancelled(&self) -> bool {
         self.trace.is_cancelled()
+    }
+
+    fn is_listening(&self) -> bool {
+        self.trace.is_listening()
     }
 }

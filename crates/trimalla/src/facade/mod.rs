@@ -5,7 +5,7 @@ mod by_method;
 pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
-use crate::delaunay::AlgorithmKey;
+use crate::delaunay::{AlgorithmKey, BuildError};
 use crate::domain::{self, DomainError, DomainRule, MeshError, Warning};
 use crate::drawing::{IndexedMesh, Pslg};
 use crate::optimal::OptimalError;
@@ -56,6 +56,9 @@ pub enum Error {
     /// An option is out of range.
     #[error(transparent)]
     Option(#[from] OptionError),
+    /// The points cannot be triangulated.
+    #[error(transparent)]
+    Build(#[from] BuildError),
     /// An algorithm for polygons got points alone.
     #[error("there is no polygon to triangulate: the drawing has no segments")]
     NoPolygon,

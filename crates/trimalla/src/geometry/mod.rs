@@ -36,7 +36,7 @@ pub use predicates::{
     in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact, segments_cross_properly, strictly_between,
     triangle_angles_at_least,
 };
-pub(crate) use predicates::{Turn, angles_of_two, inside_two_circles, sides_angle_excess};
+pub(crate) use predicates::{Turn, angles_of_two, inside_two_circles, sides_angle_excess, tangent_radii};
 pub use ring::Ring;
 pub use segment::Segment;
 pub use strip::Strip;

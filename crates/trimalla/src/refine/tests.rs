@@ -28,9 +28,9 @@ const L_SHAPE: [[f64; 2]; 6] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.1, 1.3], 
 
 #[test]
 fn the_bound_is_reached_at_every_usual_angle() {
-    for preset in Preset::ALL.iter().filter(|&&p| p != Preset::LeppBisection) {
+    for preset in Preset::ALL.into_iter().filter(|&p| p != Preset::LeppBisection) {
         for degrees in [0, 10, 20, 25, 30, 33] {
-            let options = RefineOptions::of(*preset).with_min_angle_deg(f64::from(degrees));
+            let options = RefineOptions::of(preset).with_min_angle_deg(f64::from(degrees));
             let (_, report) = refined(&Pslg::of_ring(L_SHAPE), options);
             assert_eq!(report.leftovers, [], "{preset} at {degrees}");
             assert!(report.min_angle_deg >= f64::from(degrees) - 1e-9);
@@ -107,7 +107,7 @@ fn protected_segments_are_not_split() {
 fn the_result_does_not_depend_on_the_builder() {
     let pslg = Pslg::of_ring(L_SHAPE);
     for preset in Preset::ALL {
-        let options = RefineOptions::of(*preset).with_max_area(0.01);
+        let options = RefineOptions::of(preset).with_max_area(0.01);
         let meshes = AlgorithmKey::ALL.map(|a| {
             let mut r = Refinement::new(carved(&pslg, a), options).unwrap();
             r.run(&mut NoObserver);

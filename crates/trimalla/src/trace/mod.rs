@@ -55,6 +55,11 @@ pub trait Trace {
         false
     }
 
+    /// Whether anybody listens: where nobody does, work that is only told may be left out.
+    fn is_listening(&self) -> bool {
+        true
+    }
+
     /// Something is looked at.
     fn look(&mut self, shape: Shape, note: &'static str) {
         self.step(Step { act: Act::Look, shape, note });
@@ -83,6 +88,10 @@ pub struct NoTrace;
 impl Trace for NoTrace {
     #[inline]
     fn step(&mut self, _: Step) {}
+
+    fn is_listening(&self) -> bool {
+        false
+    }
 }
 
 /// Keeps every step.
@@ -126,5 +135,9 @@ impl Trace for Recorder {
         if self.steps.len() < self.most {
             self.steps.push(step);
         }
+    }
+
+    fn is_listening(&self) -> bool {
+        self.most > 0
     }
 }

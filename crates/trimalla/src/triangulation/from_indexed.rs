@@ -48,13 +48,22 @@ impl Triangulation {
         if mesh.triangles.is_empty() {
             return Ok(t);
         }
-        let sides = Sides::of(mesh);
-        t.mesh = half_edges(mesh, &sides);
-        close(&mut t.mesh, mesh, &sides);
+        t.mesh = closed_half_edges(mesh);
         t.set_state(2, Closure::Domain, None, &mut NoJournal);
         t.duplicates = unused_on_others(&t);
         Ok(t)
     }
+}
+
+/// The half-edges of a sound mesh, closed by ghosts.
+///
+/// # Complexity
+/// Linear, and n log n in the degree of each vertex.
+pub(crate) fn closed_half_edges(mesh: &IndexedMesh) -> HalfEdgeMesh {
+    let sides = Sides::of(mesh);
+    let mut closed = half_edges(mesh, &sides);
+    close(&mut closed, mesh, &sides);
+    closed
 }
 
 /// Step 1.

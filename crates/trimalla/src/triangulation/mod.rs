@@ -22,4 +22,5 @@ pub use check::Fault;
 pub(crate) use check_indexed::vertex as mesh_vertex;
 pub use check_indexed::{MeshFault, MeshVertex, check_mesh, check_mesh_delaunay};
 pub use compact::CompactMap;
+pub(crate) use from_indexed::closed_half_edges;
 pub use triangulation::{Closure, Triangulation};

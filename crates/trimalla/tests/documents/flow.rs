@@ -180,7 +180,7 @@ fn uncarved() -> Vec<ConstrainedDelaunay> {
 #[test]
 fn what_was_triangulated_is_refined_without_carving_by_every_preset() {
     for (i, start) in uncarved().into_iter().enumerate() {
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             // Bisection keeps small angles: it is asked for small triangles.
             let is_bisection = preset == Preset::LeppBisection;
             let options = RefineOptions::of(preset).with_max_vertices(3000);

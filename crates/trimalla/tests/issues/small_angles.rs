@@ -194,7 +194,7 @@ fn tiny_angles_take_few_vertices() {
 #[test]
 fn a_needle_within_rounding_is_left() {
     let needle = issue("needle-an-ulp-wide");
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         let report = report_of(&needle, DomainRule::Seeds, RefineOptions::of(preset).with_max_vertices(MOST_VERTICES));
         assert_eq!(report.stop, StopReason::Finished, "{preset:?}: {:?}", report.reasons());
         assert!(report.leftovers.iter().any(|l| l.reason == Reason::InputAngle), "{preset:?}: {:?}", report.reasons());

@@ -49,7 +49,7 @@ fn refined_by_any(drawing: &Pslg, rule: DomainRule, options: RefineOptions) -> (
 #[test]
 fn boundaries_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
     let drawing = issue("boundary-crosses-near-a-corner");
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         for angle in [20.0, 30.0] {
             let options = RefineOptions::of(preset).with_min_angle_deg(angle).with_max_vertices(300);
             refined_by_any(&drawing, DomainRule::Nesting, options);
@@ -61,7 +61,7 @@ fn boundaries_that_leave_a_corner_at_a_tiny_angle_do_not_cross() {
 #[test]
 fn a_split_near_the_end_of_a_long_edge_does_not_cross_beside_a_thin_angle() {
     let drawing = issue("split-near-the-end-beside-a-thin-angle");
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         for most in [27, 60, 300] {
             let options = RefineOptions::of(preset).with_max_vertices(most);
             let (mesh, _) = refined_by_any(&drawing, DomainRule::Nesting, options);
@@ -87,7 +87,7 @@ fn boundaries_of_a_mesh_read_again_do_not_cross() {
     let triangles = mesh.triangles.iter().map(|&t| if is_left(t) { t } else { [t[0], t[2], t[1]] }).collect();
     let mesh = IndexedMesh { triangles, ..mesh.clone() };
     assert_eq!(check_mesh(&mesh), []);
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         let finer = refine_mesh(&mesh, None, &RefineOptions::of(preset).with_max_vertices(150)).expect("a sound mesh");
         assert_eq!(check_mesh(&finer.mesh), [], "{preset}");
     }
@@ -136,7 +136,7 @@ fn a_place_that_is_not_what_it_says_is_refused() {
         |_, _| Proposal::Split(HalfEdgeId(u32::MAX)),
     ];
     for (number, lie) in lies.into_iter().enumerate() {
-        for &insert in Insert::ALL {
+        for insert in Insert::ALL {
             let mut options = RefineOptions::default().with_max_vertices(200);
             options.recipe.insert = insert;
             let steps = Steps { point: Arc::new(Proposes(lie)), ..Steps::of(&options) };
@@ -160,7 +160,7 @@ fn the_budget_holds_for_segments_brought_back_by_splitting() {
         (Initial::Conforming, Recover::BySplitting),
         (Initial::Constrained, Recover::BySplitting),
     ] {
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             for budget in 5..60 {
                 let mut options = RefineOptions::of(preset).with_min_angle_deg(33.0).with_max_vertices(budget);
                 (options.recipe.initial, options.recipe.recover) = (initial, recover);
@@ -286,7 +286,7 @@ fn a_triangulation_that_was_not_carved_is_refined_to_an_end() {
             Point::new(hash(2_654_435_761), hash(40_503))
         })
         .collect();
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         let cdt = ConstrainedDelaunay::from_delaunay(Delaunay::new(&points).expect("finite"));
         let mut refinement =
             Refinement::new(cdt, RefineOptions::of(preset).with_max_vertices(500)).expect("good options");

@@ -27,7 +27,7 @@ mod serde {
         comes_back(&drawing);
         comes_back::<IndexedMesh>(&mesh);
         comes_back::<Report>(&report);
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             comes_back(&MeshOptions { refine: RefineOptions::of(preset).with_max_area(0.1), ..options });
         }
     }
@@ -43,7 +43,7 @@ mod serde {
 
     #[test]
     fn named_options_are_shaped_as_recipe_files() {
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             let of_preset = NamedOptions::of(preset);
             comes_back(&of_preset);
             comes_back(&NamedOptions { max_area: Some(0.1 + 0.2), ..of_preset.with_default_bounds() });

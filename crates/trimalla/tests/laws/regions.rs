@@ -122,7 +122,7 @@ fn assert_right(name: &str, drawing: &Pslg, mesh: &IndexedMesh) {
 #[test]
 fn every_region_keeps_its_own() {
     let drawing = map();
-    for &preset in Preset::ALL.iter().filter(|p| !matches!(p, Preset::LeppBisection | Preset::Sanhueza)) {
+    for preset in Preset::ALL.into_iter().filter(|p| !matches!(p, Preset::LeppBisection | Preset::Sanhueza)) {
         for degrees in [20.0, 30.0] {
             let refine = RefineOptions::of(preset).with_min_angle_deg(degrees).with_max_vertices(20_000);
             let trimalla::Meshed { mesh, report, .. } =
@@ -139,7 +139,7 @@ fn every_region_keeps_its_own() {
 #[test]
 fn protected_segments_are_not_split() {
     let drawing = map();
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         let refine =
             RefineOptions::of(preset).with_min_angle_deg(20.0).with_max_vertices(3000).with_protect(Protect::All);
         let mesh = mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a mesh").mesh;

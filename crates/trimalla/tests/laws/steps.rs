@@ -34,7 +34,7 @@ fn begun(drawing: &Pslg, options: RefineOptions) -> Refinement {
 fn flips_and_cavities_agree() {
     for name in ["guitar", "key", "plate", "star", "coast"] {
         let drawing = shape(name);
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             let mut options = RefineOptions::of(preset).with_min_angle_deg(28.0).with_max_vertices(2000);
             if !matches!(options.recipe.insert, Insert::Flip | Insert::Cavity) {
                 continue;
@@ -287,7 +287,7 @@ fn manual_refinement_treats_what_is_picked() {
 #[test]
 fn steps_tell_what_they_did_and_are_taken_back() {
     for (name, drawing) in small_shapes() {
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             let options = RefineOptions::of(preset).with_min_angle_deg(30.0).with_max_vertices(200);
             let mut refinement = begun(&drawing, options);
             let start = refinement.triangulation().clone();

@@ -143,7 +143,7 @@ fn is_promised(options: RefineOptions) -> bool {
 fn every_kind_at_every_angle_by_every_preset() {
     let mut failures = Failures::default();
     for (kind, drawing) in drawings(24) {
-        for &preset in Preset::ALL {
+        for preset in Preset::ALL {
             for degrees in ANGLES_DEG {
                 failures
                     .check(&format!("{kind:?} {preset} {degrees}"), &drawing, |d| judge(d, options(preset, degrees)));
@@ -327,7 +327,7 @@ fn boxed(points: &[[f64; 2]], segments: &[[u32; 2]]) -> Pslg {
 fn named(name: &str, drawing: &Pslg, budget: usize) -> Vec<(RefineOptions, Report)> {
     let mut failures = Failures::default();
     let mut reports = Vec::new();
-    for &preset in Preset::ALL {
+    for preset in Preset::ALL {
         for degrees in [20.0, 25.0, 30.0, 36.0, 45.0, 60.0] {
             let mut options = options(preset, degrees).with_max_vertices(budget);
             if !is_promised(options) {

@@ -19,6 +19,7 @@ mod integers;
 mod orient;
 mod safe_range;
 mod segments;
+mod tangent;
 mod wide;
 
 pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
@@ -31,6 +32,7 @@ pub(crate) use orient::Turn;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
 pub(in crate::geometry) use orient::{TWO_PRODUCTS_BOUND, crossing_parameter};
 pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};
+pub(crate) use tangent::tangent_radii;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;

@@ -175,7 +175,7 @@ fn every_preset_obeys_the_laws() {
 
 #[test]
 fn every_order_obeys_the_laws_until_destroyed() {
-    for &select in Select::ALL {
+    for select in Select::ALL {
         let recipe = Recipe { select, point: PlacePoint::LeppCentroid, until_destroyed: true, ..Recipe::default() };
         laws(&Subject::of(recipe)).unwrap_or_else(|breach| panic!("{select}: {breach}"));
     }
