@@ -46,6 +46,18 @@ pub enum PolygonError {
         /// A point near the crossing, rounded.
         at: Point,
     },
+    /// A hole that is not inside the outline, or that is inside another hole.
+    #[error(
+        "hole {ring}, whose leftmost point is {vertex} at {at}, is not inside the outline, or is inside another hole"
+    )]
+    Nesting {
+        /// The ring; 0 if the outline is inside a hole.
+        ring: usize,
+        /// Its leftmost point.
+        vertex: u32,
+        /// The coordinates of that point.
+        at: Point,
+    },
     /// The method does not take holes.
     #[error("'{method}' triangulates polygons without holes, and this one has {holes}")]
     Holes {

@@ -3,12 +3,18 @@
 //! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the
 //! exact test. [`PolygonMethod`] chooses one by its key.
 
+mod corners;
 mod ears;
 mod error;
 mod method;
 mod rings;
+mod stack;
+mod sweep;
+mod triangulator;
 
 pub use ears::ears;
 pub use error::PolygonError;
 pub use method::PolygonMethod;
 pub use rings::Polygon;
+pub use sweep::{Cause, VertexKind};
+pub use triangulator::Triangulator;

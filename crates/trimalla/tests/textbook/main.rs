@@ -5,6 +5,7 @@ mod gallery;
 mod interpolate;
 mod optimal;
 mod points;
+mod polygon_cases;
 mod polygons;
 mod seidel;
 mod voronoi;
