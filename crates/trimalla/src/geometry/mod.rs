@@ -32,7 +32,7 @@ pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
 pub use predicates::{
-    CircleSide, Orientation, SegmentContact, angle_at_least, ccw, collinear, in_circle, in_circle_perturbed,
+    CircleSide, Orientation, SegmentContact, along, angle_at_least, ccw, collinear, in_circle, in_circle_perturbed,
     in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact, segments_cross_properly, strictly_between,
     triangle_angles_at_least,
 };

@@ -1,50 +1,194 @@
-//! Ears cut off one after the other.
+//! `ears`: corners are cut off one after the other.
+//!
+//! An *ear* is a corner whose inside angle is less than a half-turn, and in whose triangle no other corner lies. Every
+//! polygon with more than three corners has two (`[Meisters75]`), so cutting off any of them never gets stuck.
+//!
+//! ```text
+//!         b                    1. Prove the polygon valid, find its walks, and join holes by bridges (`walks.rs`).
+//!        / \                   2. Go round the walk. A corner b between a and c is an ear if a, b, c turn left, and no
+//!       /   \    .--          corner that is not convex lies in the triangle a b c, border included.
+//!      a - - c--'             3. Cut it off: the triangle is done, and a and c are neighbours now. Go on after c, so that
+//!     /                          the triangles do not all meet in one corner.
+//!    '---                     4. Stop when two corners are left.
+//! ```
+//!
+//! *Why corners that are not convex suffice in step 2.* Of the corners in the triangle take the one nearest to b. No side
+//! passes between it and b, so the inside is on that side of it, and its angle is a half-turn or more.
+//!
+//! *Corners at a corner of the triangle* do not count. A walk keeps to one part of the inside, so the sides at such a corner
+//! do not lead into the triangle, unless to a corner inside it, which counts.
+//!
+//! *Degenerate cases.* A flat corner is not an ear; it becomes a corner of other triangles. The border of the triangle
+//! belongs to it in step 2, so no diagonal passes through a vertex.
+//!
+//! # Complexity
+//! O(n log n) for step 1, O(n²) for the rest at worst. A grid of the corners that are not convex makes most tests short.
+//!
+//! # Source
+//! `[Meisters75]`; `[ORourke98]`, section 1.6, for the algorithm.
 
+use super::walks::Walks;
 use super::{Polygon, PolygonError};
-use crate::geometry::{Orientation, Point, ccw, left_on};
+use crate::geometry::{BoundingBox, Point, ccw, left_on};
 use crate::trace::{Shape, Trace};
 
-/// Triangulates a polygon by cutting off ears.
+/// Triangulates a polygon with holes by cutting off ears.
+///
+/// # Shape
+/// Counter-clockwise triangles; `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch.
 ///
 /// # Errors
-/// Holes; a ring without area; a polygon that has no ear left because its sides cross.
+/// Flat rings, sides that cross or overlap, holes outside the outline, `Cancelled`.
+///
+/// # Complexity
+/// O(n²) at worst.
+///
+/// # Source
+/// `[Meisters75]`
+///
+/// ```
+/// use trimalla::geometry::Point;
+/// use trimalla::polygon::{Polygon, ears};
+/// use trimalla::trace::NoTrace;
+///
+/// let arrow = [[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [1.0, 2.0]].map(Point::from);
+/// let triangles = ears(Polygon::new(&arrow, &[4])?, &mut NoTrace)?;
+/// assert_eq!(triangles.len(), 2);
+/// # Ok::<(), trimalla::polygon::PolygonError>(())
+/// ```
 pub fn ears(polygon: Polygon<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<Vec<[u32; 3]>, PolygonError> {
-    let method = "ears";
-    let mut rings = polygon.rings();
-    let Some(outline) = rings.next() else { return Ok(Vec::new()) };
-    if rings.len() > 0 {
-        return Err(PolygonError::Holes { method, holes: rings.len() });
-    }
-    let points = polygon.points();
-    let flat = PolygonError::Flat { ring: 0, first: outline.start as u32 };
-    let mut corners: Vec<u32> = outline.clone().map(|v| v as u32).collect();
-    match polygon.ring(outline).orientation() {
-        Orientation::CounterClockwise => {}
-        Orientation::Clockwise => corners.reverse(),
-        Orientation::Collinear => return Err(flat),
-    }
-    corners.dedup_by_key(|&mut v| points[v as usize]);
-    while corners.len() > 1 && points[corners[0] as usize] == points[corners[corners.len() - 1] as usize] {
-        corners.pop();
-    }
-    let mut triangles = Vec::with_capacity(corners.len().saturating_sub(2));
-    while corners.len() > 2 {
-        if trace.is_cancelled() {
-            return Err(PolygonError::Cancelled);
-        }
-        let n = corners.len();
-        let triple = |i: usize| [corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]];
-        let Some(i) = (0..n).find(|&i| is_ear(points, &corners, triple(i))) else { return Err(flat) };
-        trace.add(Shape::Triangle(triple(i)), "an ear is cut off");
-        triangles.push(triple(i));
-        corners.remove(i);
+    let mut walks = Walks::of(polygon, trace)?;
+    let grid = Grid::of(&walks);
+    let mut triangles = Vec::with_capacity(walks.points.len());
+    for walk in 0..walks.begins.len() {
+        cut_ears(&mut walks, walk, &grid, &mut triangles, trace)?;
     }
     Ok(triangles)
 }
 
-/// Whether three successive corners turn left, and no other corner is in their triangle.
-fn is_ear(points: &[Point], corners: &[u32], triple: [u32; 3]) -> bool {
-    let [a, b, c] = triple.map(|v| points[v as usize]);
-    let inside = |p: Point| left_on(a, b, p) && left_on(b, c, p) && left_on(c, a, p);
-    ccw(a, b, c) && !corners.iter().map(|&v| points[v as usize]).any(|p| p != a && p != b && p != c && inside(p))
+/// Cuts off the ears of a walk until two corners are left.
+fn cut_ears(
+    walks: &mut Walks,
+    walk: usize,
+    grid: &Grid,
+    triangles: &mut Vec<[u32; 3]>,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<(), PolygonError> {
+    let mut at = walks.begins[walk];
+    let mut refused_from = at;
+    loop {
+        let [before, after] = [walks.previous[at as usize], walks.next[at as usize]];
+        if before == after {
+            return Ok(());
+        }
+        if trace.is_cancelled() {
+            return Err(PolygonError::Cancelled);
+        }
+        let triangle = [before, at, after].map(|c| walks.vertices[c as usize]);
+        if is_ear(walks, grid, [before, at, after]) {
+            trace.add(Shape::Triangle(triangle), "an ear is cut off");
+            triangles.push(triangle);
+            walks.link(before, after);
+            walks.previous[at as usize] = at;
+            walks.next[at as usize] = at;
+            at = walks.next[after as usize];
+            refused_from = at;
+            continue;
+        }
+        trace.refuse(Shape::Triangle(triangle), "no ear");
+        at = after;
+        if at == refused_from {
+            // Only a walk that is no valid polygon has no ear.
+            let first = walks.vertices[at as usize];
+            return Err(PolygonError::Flat { ring: 0, first });
+        }
+    }
+}
+
+/// Whether a corner between two others is an ear.
+fn is_ear(walks: &Walks, grid: &Grid, corners: [u32; 3]) -> bool {
+    let [a, b, c] = corners.map(|c| walks.at(c));
+    if !ccw(a, b, c) {
+        return false;
+    }
+    let bounds = BoundingBox::around(a).including(b).including(c);
+    !grid.any(bounds, |corner| {
+        let p = walks.at(corner);
+        p.x >= bounds.min.x
+            && p.x <= bounds.max.x
+            && p.y >= bounds.min.y
+            && p.y <= bounds.max.y
+            && p != a
+            && p != b
+            && p != c
+            && left_on(a, b, p)
+            && left_on(b, c, p)
+            && left_on(c, a, p)
+            && walks.next[corner as usize] != corner
+    })
+}
+
+/// The corners that are not convex, by the cells of a grid.
+struct Grid {
+    bounds: BoundingBox,
+    /// Cells along each axis.
+    side: usize,
+    /// Where the corners of each cell begin in the list.
+    begins: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Grid {
+    /// How many corners a cell has on average.
+    const EACH: usize = 2;
+
+    fn of(walks: &Walks) -> Self {
+        let turns = |c: u32| {
+            let [before, after] = [walks.previous[c as usize], walks.next[c as usize]];
+            ccw(walks.at(before), walks.at(c), walks.at(after))
+        };
+        let all: Vec<u32> = (0..walks.points.len() as u32).filter(|&c| !turns(c)).collect();
+        let bounds = BoundingBox::of(walks.points.iter().copied()).unwrap_or(BoundingBox::around(Point::default()));
+        let side = ((all.len() / Self::EACH) as f64).sqrt().ceil().max(1.0) as usize;
+        let mut grid = Self { bounds, side, begins: vec![0; side * side + 1], corners: vec![0; all.len()] };
+        let cell = |c: u32| grid.row(walks.at(c).y) * side + grid.column(walks.at(c).x);
+        let cells: Vec<usize> = all.iter().map(|&c| cell(c)).collect();
+        for &cell in &cells {
+            grid.begins[cell + 1] += 1;
+        }
+        for cell in 0..side * side {
+            grid.begins[cell + 1] += grid.begins[cell];
+        }
+        let mut free = grid.begins.clone();
+        for (&c, &cell) in all.iter().zip(&cells) {
+            grid.corners[free[cell] as usize] = c;
+            free[cell] += 1;
+        }
+        grid
+    }
+
+    /// The column of a coordinate; larger coordinates are never in an earlier one.
+    fn column(&self, x: f64) -> usize {
+        self.slot(x, self.bounds.min.x, self.bounds.max.x)
+    }
+
+    fn row(&self, y: f64) -> usize {
+        self.slot(y, self.bounds.min.y, self.bounds.max.y)
+    }
+
+    fn slot(&self, at: f64, min: f64, max: f64) -> usize {
+        // Halves, so that no difference overflows.
+        let part = (0.5 * at - 0.5 * min) / (0.5 * max - 0.5 * min);
+        ((part * self.side as f64) as usize).min(self.side - 1)
+    }
+
+    /// Whether any corner in the cells of a box is of some kind.
+    fn any(&self, bounds: BoundingBox, mut test: impl FnMut(u32) -> bool) -> bool {
+        let columns = [bounds.min.x, bounds.max.x].map(|x| self.column(x));
+        (self.row(bounds.min.y)..=self.row(bounds.max.y)).any(|row| {
+            let begin = self.begins[row * self.side + columns[0]] as usize;
+            let end = self.begins[row * self.side + columns[1] + 1] as usize;
+            self.corners[begin..end].iter().any(|&c| test(c))
+        })
+    }
 }

@@ -66,6 +66,14 @@ pub enum PolygonError {
         /// The number of holes.
         holes: usize,
     },
+    /// A ring that should be monotone turns back.
+    #[error("the ring is not monotone: it turns back at point {vertex} at {at}")]
+    NotMonotone {
+        /// The point.
+        vertex: u32,
+        /// Its coordinates.
+        at: Point,
+    },
     /// Somebody has cancelled.
     #[error("cancelled")]
     Cancelled,

@@ -1,11 +1,12 @@
 //! The table of algorithms for polygons.
 
-use super::{Polygon, PolygonError, ears};
+use super::{Polygon, PolygonError, ears, monotone};
 use crate::trace::Trace;
 
 keyed! {
     /// An algorithm that triangulates polygons.
     PolygonMethod, {
+        Monotone = "monotone", "a sweep into monotone pieces, each triangulated with a stack", "GareyEtAl78";
         Ears = "ears", "ears cut off one after the other", "Meisters75";
     }
 }
@@ -24,6 +25,7 @@ impl PolygonMethod {
         trace: &mut (impl Trace + ?Sized),
     ) -> Result<Vec<[u32; 3]>, PolygonError> {
         match self {
+            Self::Monotone => monotone(polygon, trace),
             Self::Ears => ears(polygon, trace),
         }
     }

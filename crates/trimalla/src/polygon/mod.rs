@@ -7,14 +7,20 @@ mod corners;
 mod ears;
 mod error;
 mod method;
+mod monotone;
 mod rings;
 mod stack;
 mod sweep;
 mod triangulator;
+mod walks;
 
 pub use ears::ears;
 pub use error::PolygonError;
 pub use method::PolygonMethod;
+pub use monotone::{
+    Diagonal, MonotonePieces, Monotonicity, chain_monotonicity, monotone, monotone_pieces, ring_monotonicity,
+    triangulate_monotone,
+};
 pub use rings::Polygon;
 pub use sweep::{Cause, VertexKind};
 pub use triangulator::Triangulator;

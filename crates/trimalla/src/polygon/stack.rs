@@ -14,7 +14,7 @@
 
 use super::corners::Mark;
 use super::sweep::{Cause, Chain, Pieces, VertexKind};
-use crate::geometry::{Orientation, orient2d};
+use crate::geometry::{BoundingBox, Orientation, Point, orient2d};
 use crate::trace::{Shape, Trace};
 
 /// No entry.
@@ -47,6 +47,8 @@ pub(super) struct Triangles<'a, T: Trace + ?Sized> {
     stacks: &'a mut Stacks,
     triangles: &'a mut Vec<[u32; 3]>,
     trace: &'a mut T,
+    /// The height of the sweep line that is shown.
+    line: Option<[f64; 2]>,
 }
 
 impl<'a, T: Trace + ?Sized> Triangles<'a, T> {
@@ -54,7 +56,12 @@ impl<'a, T: Trace + ?Sized> Triangles<'a, T> {
     pub(super) fn new(stacks: &'a mut Stacks, triangles: &'a mut Vec<[u32; 3]>, trace: &'a mut T) -> Self {
         stacks.entries.clear();
         stacks.pieces.clear();
-        Self { stacks, triangles, trace }
+        Self { stacks, triangles, trace, line: None }
+    }
+
+    /// Shows the sweep line at every stop, as high as the polygon.
+    pub(super) fn show_line(&mut self, bounds: Option<BoundingBox>) {
+        self.line = bounds.map(|b| [b.min.y, b.max.y]);
     }
 
     #[inline]
@@ -108,11 +115,14 @@ impl<'a, T: Trace + ?Sized> Triangles<'a, T> {
 
 impl<T: Trace + ?Sized> Pieces for Triangles<'_, T> {
     fn visit(&mut self, at: Mark, kind: VertexKind) {
+        if let Some(heights) = self.line {
+            self.trace.look(Shape::Line(heights.map(|y| Point::new(at.point.x, y))), "the sweep line");
+        }
         self.trace.look(Shape::Vertex(at.vertex), kind.key());
     }
 
-    fn diagonal(&mut self, from: Mark, to: Mark, _: Cause) {
-        self.trace.add(Shape::Edge([from.vertex, to.vertex]), "a diagonal between two pieces");
+    fn diagonal(&mut self, from: Mark, to: Mark, cause: Cause) {
+        self.trace.add(Shape::Edge([from.vertex, to.vertex]), cause.note());
     }
 
     #[inline]

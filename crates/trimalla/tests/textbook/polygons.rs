@@ -1,10 +1,14 @@
 //! Polygons: every method, against what is obviously true and by comparison of all with all.
 
 use crate::polygon_cases::{Case, KINDS, scribble};
-use trimalla::geometry::Point;
-use trimalla::polygon::{Polygon, PolygonError, PolygonMethod, Triangulator};
-use trimalla::trace::NoTrace;
+use trimalla::geometry::{Point, Vector, lexicographically_less};
+use trimalla::polygon::{
+    Cause, MonotonePieces, Monotonicity, Polygon, PolygonError, PolygonMethod, Triangulator, VertexKind,
+    chain_monotonicity, monotone_pieces, ring_monotonicity, triangulate_monotone,
+};
+use trimalla::trace::{NoTrace, Step, Trace};
 use trimalla_testkit::generators::SplitMix64;
+use trimalla_testkit::oracles::{doubled_ring_area, orient};
 
 fn by(method: Option<PolygonMethod>, case: &Case) -> Result<Vec<[u32; 3]>, PolygonError> {
     let polygon = Polygon::new(&case.points, &case.ring_ends)?;
@@ -16,7 +20,8 @@ fn by(method: Option<PolygonMethod>, case: &Case) -> Result<Vec<[u32; 3]>, Polyg
 
 /// The methods that take polygons with holes, and the triangulator.
 fn methods() -> impl Iterator<Item = Option<PolygonMethod>> {
-    [None].into_iter()
+    let several = [PolygonMethod::Monotone, PolygonMethod::Ears];
+    [None].into_iter().chain(several.map(Some))
 }
 
 #[test]
@@ -75,5 +80,113 @@ fn huge_and_tiny_polygons_are_triangulated() {
                 }
             }
         }
+    }
+}
+
+/// The kind of a vertex by its two sides alone, the inside on the left of the walk `p`, `v`, `q`.
+fn kind_by_sides(p: Point, v: Point, q: Point) -> VertexKind {
+    let turns_left = orient(p, v, q) == 1;
+    match (lexicographically_less(v, p), lexicographically_less(v, q), turns_left) {
+        (true, true, true) => VertexKind::Start,
+        (true, true, false) => VertexKind::Split,
+        (false, false, true) => VertexKind::End,
+        (false, false, false) => VertexKind::Merge,
+        (false, true, _) => VertexKind::Lower,
+        (true, false, _) => VertexKind::Upper,
+    }
+}
+
+#[test]
+fn pieces_are_monotone_and_both_sweeps_draw_the_same_diagonals() {
+    let mut rng = SplitMix64::new(1810);
+    for round in 0..3000 {
+        let (name, make) = KINDS[round % KINDS.len()];
+        let case = make(3 + rng.below(40), &mut rng);
+        let polygon = Polygon::new(&case.points, &case.ring_ends).unwrap();
+        let found = monotone_pieces(polygon, &mut NoTrace).unwrap();
+        let mut triangles = Vec::new();
+        for piece in &found.pieces {
+            let ring: Vec<Point> = piece.iter().map(|&v| case.points[v as usize]).collect();
+            assert_ne!(ring_monotonicity(&ring, Vector { x: 1.0, y: 0.0 }), Monotonicity::Not, "{name} {piece:?}");
+            triangles.extend(triangulate_monotone(&case.points, piece, &mut NoTrace).unwrap());
+        }
+        assert_eq!(case.fault(&triangles), None, "{name} {round} {case:?}");
+        if !case.is_plain() {
+            continue;
+        }
+        for &(v, kind) in &found.kinds {
+            let (p, q) = neighbours(&case, v as usize);
+            assert_eq!(kind, kind_by_sides(p, case.points[v as usize], q), "{name} {round} vertex {v}");
+        }
+        // The sweep from right to left is that from left to right of the polygon turned by a half-turn.
+        let turned: Vec<Point> = case.points.iter().map(|p| Point::new(-p.x, -p.y)).collect();
+        let back = monotone_pieces(Polygon::new(&turned, &case.ring_ends).unwrap(), &mut NoTrace).unwrap();
+        let drawn = |found: &MonotonePieces, not: Cause| {
+            let mut all: Vec<[u32; 2]> = found.diagonals.iter().filter(|d| d.cause != not).map(|d| d.ends).collect();
+            all.iter_mut().for_each(|ends| ends.sort_unstable());
+            all.sort_unstable();
+            all
+        };
+        assert_eq!(drawn(&found, Cause::Split), drawn(&back, Cause::Merge), "{name} {round}");
+        assert_eq!(drawn(&found, Cause::Merge), drawn(&back, Cause::Split), "{name} {round}");
+    }
+}
+
+/// The neighbours of a corner in a walk with the inside on its left.
+fn neighbours(case: &Case, v: usize) -> (Point, Point) {
+    let end = case.ring_ends.iter().position(|&e| v < e as usize).unwrap();
+    let begin = if end == 0 { 0 } else { case.ring_ends[end - 1] as usize };
+    let ring = &case.points[begin..case.ring_ends[end] as usize];
+    let (i, n) = (v - begin, ring.len());
+    let (p, q) = (ring[(i + n - 1) % n], ring[(i + 1) % n]);
+    let ccw = doubled_ring_area(ring) > Default::default();
+    if ccw == (end == 0) { (p, q) } else { (q, p) }
+}
+
+#[test]
+fn monotonicity_is_told_for_any_direction() {
+    let mut rng = SplitMix64::new(1811);
+    let mut counts = [0; 3];
+    for _ in 0..20_000 {
+        let chain: Vec<Point> =
+            (0..2 + rng.below(4)).map(|_| Point::new(rng.below(4) as f64, rng.below(4) as f64)).collect();
+        let direction = Vector { x: rng.below(5) as f64 - 2.0, y: rng.below(5) as f64 - 2.0 };
+        let mut at: Vec<f64> = chain.iter().map(|p| p.x * direction.x + p.y * direction.y).collect();
+        let distinct = chain.windows(2).zip(at.windows(2)).any(|(p, a)| p[0] != p[1] && a[0] == a[1]);
+        let sorted = at.is_sorted();
+        at.reverse();
+        let expected = match (sorted || at.is_sorted(), distinct) {
+            (false, _) => Monotonicity::Not,
+            (true, true) => Monotonicity::Monotone,
+            (true, false) => Monotonicity::Strict,
+        };
+        assert_eq!(chain_monotonicity(&chain, direction), expected, "{chain:?} {direction:?}");
+        counts[expected as usize] += 1;
+    }
+    assert!(counts.iter().all(|&n| n > 1000), "{counts:?}");
+    let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Point::new(x, y));
+    assert_eq!(ring_monotonicity(&square, Vector { x: 1.0, y: 0.0 }), Monotonicity::Monotone);
+    assert_eq!(ring_monotonicity(&square, Vector { x: 1.0, y: 0.5 }), Monotonicity::Strict);
+    let notch = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 1.0), (0.0, 3.0)].map(|(x, y)| Point::new(x, y));
+    assert_eq!(ring_monotonicity(&notch, Vector { x: 0.0, y: 1.0 }), Monotonicity::Not);
+    assert!(matches!(
+        triangulate_monotone(&notch.map(|p| Point::new(p.y, p.x)), &[0, 1, 2, 3, 4], &mut NoTrace),
+        Err(PolygonError::NotMonotone { .. })
+    ));
+}
+
+#[test]
+fn a_cancelled_triangulation_ends() {
+    struct Cancelled;
+    impl Trace for Cancelled {
+        fn step(&mut self, _: Step) {}
+        fn is_cancelled(&self) -> bool {
+            true
+        }
+    }
+    let case = KINDS[0].1(5000, &mut SplitMix64::new(1812));
+    let polygon = Polygon::new(&case.points, &case.ring_ends).unwrap();
+    for method in methods().flatten() {
+        assert_eq!(method.triangulate(polygon, &mut Cancelled), Err(PolygonError::Cancelled), "{method}");
     }
 }

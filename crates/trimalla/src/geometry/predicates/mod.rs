@@ -11,6 +11,7 @@
 //! # Source
 //! Filters and adaptive stages: Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
 //! predicates*, 1997. The absolute guard against underflow that lets a filter be one comparison: Ozaki et al., 2016.
+mod along;
 mod angle_certificate;
 mod circle;
 mod disk;
@@ -22,6 +23,7 @@ mod segments;
 mod tangent;
 mod wide;
 
+pub use along::along;
 pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
 pub(crate) use angle_certificate::{angles_of_two, sides_angle_excess};
 pub(crate) use circle::inside_two_circles;

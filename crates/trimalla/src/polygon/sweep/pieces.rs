@@ -36,6 +36,17 @@ pub enum Cause {
     Both,
 }
 
+impl Cause {
+    /// The cause in a few words.
+    pub(in crate::polygon) const fn note(self) -> &'static str {
+        match self {
+            Self::Split => "a diagonal to the helper of a split vertex",
+            Self::Merge => "a diagonal from a merge vertex, which is the helper",
+            Self::Both => "a diagonal from a merge vertex to a split vertex",
+        }
+    }
+}
+
 /// Is told the monotone pieces while a sweep finds them, corner by corner from left to right.
 pub(in crate::polygon) trait Pieces {
     /// The sweep is at a corner.
