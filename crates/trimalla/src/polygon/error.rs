@@ -58,6 +58,14 @@ pub enum PolygonError {
         /// The coordinates of that point.
         at: Point,
     },
+    /// A hole is not inside of the outline, or is inside of another hole; or a ring passes through itself at a vertex.
+    #[error("ring {ring} near {at} has the inside of the polygon on the wrong side")]
+    Misplaced {
+        /// The ring.
+        ring: usize,
+        /// A point of it.
+        at: Point,
+    },
     /// The method does not take holes.
     #[error("'{method}' triangulates polygons without holes, and this one has {holes}")]
     Holes {

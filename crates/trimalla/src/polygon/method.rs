@@ -8,6 +8,7 @@ keyed! {
     PolygonMethod, {
         Monotone = "monotone", "a sweep into monotone pieces, each triangulated with a stack", "GareyEtAl78";
         Ears = "ears", "ears cut off one after the other", "Meisters75";
+        Seidel = "seidel", "trapezoids by random insertion, then monotone pieces", "Seidel91";
     }
 }
 

@@ -9,6 +9,7 @@ mod error;
 mod method;
 mod monotone;
 mod rings;
+mod seidel;
 mod stack;
 mod sweep;
 mod triangulator;
@@ -22,5 +23,6 @@ pub use monotone::{
     triangulate_monotone,
 };
 pub use rings::Polygon;
+pub use seidel::{Chord, Trapezoid, TrapezoidMap, seidel};
 pub use sweep::{Cause, VertexKind};
 pub use triangulator::Triangulator;

@@ -1,1 +1,501 @@
-//! To come.
+//! Trapezoids, diagonals and visible pairs: counts, areas in rationals, and triangulations checked edge by edge.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use dashu_ratio::RBig;
+use trimalla::Point;
+use trimalla::geometry::{Containment, Orientation, Ring, math, on_segment, orient2d};
+use trimalla::polygon::{Polygon, PolygonError, TrapezoidMap, seidel};
+use trimalla::trace::{Act, NoTrace, Shape, Step, Trace};
+use trimalla_testkit::generators::SplitMix64;
+use trimalla_testkit::oracles::{doubled_area, doubled_ring_area};
+
+/// Points and ends of rings.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rings {
+    pub(crate) points: Vec<Point>,
+    pub(crate) ends: Vec<u32>,
+}
+
+impl Rings {
+    pub(crate) fn add(&mut self, ring: impl IntoIterator<Item = (f64, f64)>) {
+        self.points.extend(ring.into_iter().map(|(x, y)| Point::new(x, y)));
+        self.ends.push(self.points.len() as u32);
+    }
+
+    pub(crate) fn of(ring: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let mut rings = Self::default();
+        rings.add(ring);
+        rings
+    }
+
+    pub(crate) fn polygon(&self) -> Polygon<'_> {
+        Polygon::new(&self.points, &self.ends).expect("rings in order")
+    }
+
+    pub(crate) fn mapped(&self, map: impl Fn(Point) -> Point) -> Self {
+        Self { points: self.points.iter().map(|&p| map(p)).collect(), ends: self.ends.clone() }
+    }
+
+    /// Twice the area of the outline less those of the holes.
+    pub(crate) fn doubled_area(&self) -> RBig {
+        let polygon = self.polygon();
+        let size = |ring| {
+            let area = doubled_ring_area(polygon.ring(ring).points);
+            if area < RBig::ZERO { -area } else { area }
+        };
+        let mut areas = polygon.rings().map(size);
+        let outline = areas.next().unwrap_or(RBig::ZERO);
+        areas.fold(outline, |rest, hole| rest - hole)
+    }
+}
+
+/// A generator of random polygons.
+pub(crate) type Generator = fn(usize, &mut SplitMix64) -> Rings;
+
+/// Polygons whose corners are all different and touch no other side: `n - 2 + 2h` triangles.
+pub(crate) const GENERATORS: [(&str, Generator); 9] = [
+    ("star", star),
+    ("comb", comb),
+    ("flat comb", flat_comb),
+    ("spiral", spiral),
+    ("staircase", staircase),
+    ("orthogonal", orthogonal),
+    ("needles", needles),
+    ("near-degenerate", near_degenerate),
+    ("holes", holes),
+];
+
+fn star(n: usize, rng: &mut SplitMix64) -> Rings {
+    Rings::of((0..n.max(3)).map(|i| {
+        let angle = (i as f64 + 0.8 * rng.unit()) * std::f64::consts::TAU / n.max(3) as f64;
+        let radius = rng.range(0.1, 1.0);
+        (radius * math::cos(angle), radius * math::sin(angle))
+    }))
+}
+
+fn comb(n: usize, rng: &mut SplitMix64) -> Rings {
+    let teeth = (n / 2).max(1);
+    let mut ring = vec![(0.0, -1.0), (2.0 * teeth as f64, -1.0)];
+    for i in (0..teeth).rev() {
+        ring.push((2.0 * i as f64 + 1.0, rng.range(1.0, 9.0)));
+        ring.push((2.0 * i as f64, rng.range(-0.9, 0.9)));
+    }
+    Rings::of(ring)
+}
+
+/// Teeth with horizontal and collinear sides.
+fn flat_comb(n: usize, rng: &mut SplitMix64) -> Rings {
+    let teeth = (n / 4).max(1);
+    let mut ring = vec![(0.0, -1.0), (2.0 * teeth as f64, -1.0)];
+    for i in (0..teeth).rev().map(|i| 2.0 * i as f64) {
+        let top = 1.0 + rng.below(3) as f64;
+        ring.extend([(i + 2.0, 0.0), (i + 1.0, 0.0), (i + 1.0, top), (i, top)]);
+    }
+    ring.push((0.0, 0.0));
+    Rings::of(ring)
+}
+
+fn spiral(n: usize, _: &mut SplitMix64) -> Rings {
+    let half = (n / 2).max(3);
+    let at = |i: usize, width: f64| {
+        let turn = 2.0 * (i as f64 + 4.0).sqrt();
+        let radius = 0.4 * turn + width;
+        (radius * math::cos(turn), radius * math::sin(turn))
+    };
+    Rings::of((0..half).map(|i| at(i, 1.0)).chain((0..half).rev().map(|i| at(i, 0.0))))
+}
+
+fn staircase(n: usize, _: &mut SplitMix64) -> Rings {
+    let steps = (n / 2).max(1) as i32;
+    let up = (0..steps).flat_map(|i| [(f64::from(i), f64::from(i)), (f64::from(i + 1), f64::from(i))]);
+    Rings::of(up.chain([(f64::from(steps), f64::from(steps)), (0.0, f64::from(steps))]))
+}
+
+/// A skyline on both sides of an axis, with equal heights here and there.
+fn orthogonal(n: usize, rng: &mut SplitMix64) -> Rings {
+    let columns = (n / 4).max(1);
+    let mut ring = Vec::new();
+    let mut heights: Vec<(f64, f64)> = Vec::new();
+    for _ in 0..columns {
+        heights.push((1.0 + rng.below(4) as f64, -1.0 - rng.below(4) as f64));
+    }
+    for (x, (_, low)) in heights.iter().enumerate() {
+        ring.extend([(x as f64, *low), (x as f64 + 1.0, *low)]);
+    }
+    for (x, (high, _)) in heights.iter().enumerate().rev() {
+        ring.extend([(x as f64 + 1.0, *high), (x as f64, *high)]);
+    }
+    ring.dedup();
+    Rings::of(ring)
+}
+
+fn needles(n: usize, _: &mut SplitMix64) -> Rings {
+    let count = (n / 3).max(1);
+    let mut ring = vec![(-1.0, -1.0), (count as f64, -1.0), (count as f64, 0.0)];
+    for i in (0..count).rev().map(|i| i as f64) {
+        ring.extend([(i + 1e-7, 0.0), (i, 1000.0), (i - 1e-7, 0.0)]);
+    }
+    ring.push((-1.0, 0.0));
+    Rings::of(ring)
+}
+
+/// Points that are nearly on one line: a last place off.
+fn near_degenerate(n: usize, rng: &mut SplitMix64) -> Rings {
+    let off = |x: f64, rng: &mut SplitMix64| 0.1 * x + f64::EPSILON * (rng.below(3) as f64 - 1.0);
+    let count = (n / 2).max(3);
+    let mut ring: Vec<_> = (0..count).map(|i| (i as f64 / 8.0, off(i as f64 / 8.0, rng) - 1e-12)).collect();
+    ring.extend((0..count).rev().map(|i| (i as f64 / 8.0, off(i as f64 / 8.0, rng) + 1e-12)));
+    Rings::of(ring)
+}
+
+/// A box with holes in the squares of a grid.
+fn holes(n: usize, rng: &mut SplitMix64) -> Rings {
+    let side = ((n as f64 / 5.0).sqrt() as usize).max(1);
+    let size = side as f64;
+    let mut rings = Rings::of([(-0.5, -0.5), (size, -0.5), (size, size), (-0.5, size)]);
+    for k in 0..side * side {
+        let (x, y) = ((k % side) as f64, (k / side) as f64);
+        let mut ring: Vec<_> =
+            star(3 + rng.below(5), rng).points.iter().map(|p| (x + 0.4 * p.x, y + 0.4 * p.y)).collect();
+        if rng.below(2) == 0 {
+            ring.reverse();
+        }
+        rings.add(ring);
+    }
+    rings
+}
+
+/// Polygons whose rings touch each other and themselves, with repeated points: the number of triangles is not checked.
+pub(crate) fn touching(rng: &mut SplitMix64) -> Rings {
+    let mut rings = Rings::default();
+    let (x, y) = (rng.below(3) as f64, rng.below(3) as f64);
+    match rng.below(7) {
+        // A hole that touches the outline in a vertex, and one that touches a side with a vertex.
+        0 => {
+            rings.add([(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]);
+            rings.add([(0.0, 0.0), (2.0, 4.0), (4.0, 2.0)]);
+            rings.add([(8.0, 3.0 + x), (6.0, 5.0), (5.0 + y, 3.0)]);
+        }
+        // A hole that splits the domain.
+        1 => {
+            rings.add([(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]);
+            rings.add([(0.0, 0.0), (3.0, 5.0), (8.0, 8.0), (5.0, 3.0)]);
+        }
+        // An outline that touches itself from inside, and one of its sides.
+        2 => rings.add([(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (4.0, 6.0), (1.0 + x, 0.0), (2.0, 6.0), (0.0, 6.0)]),
+        // An outline that touches itself from outside.
+        3 => {
+            let outside = [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (3.0, 5.0), (4.0, 4.0), (4.0, 2.0)];
+            rings.add(outside.into_iter().chain([(2.0, 2.0), (2.0, 4.0), (3.0, 5.0), (0.0, 6.0)]));
+        }
+        // The same with a vertex on a side.
+        4 => {
+            let outside = [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (5.0, 6.0), (3.0, 4.0), (5.0, 3.0), (5.0, 1.0)];
+            rings.add(outside.into_iter().chain([(1.0, 1.0), (1.0, 3.0), (4.0, 5.0), (0.0, 6.0)]));
+        }
+        // Holes that touch each other, with repeated points.
+        5 => {
+            rings.add([(0.0, 0.0), (0.0, 0.0), (9.0, 0.0), (9.0, 4.0), (9.0, 9.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)]);
+            rings.add([(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0), (1.0, 2.0)]);
+            rings.add([(3.0, 3.0), (5.0, 3.0), (5.0, 5.0), (3.0, 5.0), (3.0, 5.0)]);
+            rings.add([(5.0, 4.0), (7.0, 3.0 + y), (7.0, 8.0)]);
+        }
+        // Holes in a ring that cut a part off.
+        _ => {
+            rings.add([(-1.0, -1.0), (9.0, -1.0), (9.0, 9.0), (-1.0, 9.0)]);
+            rings.add([(1.0, 0.0), (7.0, 0.0), (7.0, 1.0), (1.0, 1.0)]);
+            rings.add([(7.0, 1.0), (8.0, 1.0), (8.0, 7.0), (7.0, 7.0)]);
+            rings.add([(7.0, 7.0), (7.0, 8.0), (1.0, 8.0), (1.0, 7.0)]);
+            rings.add([(1.0, 1.0), (1.0, 7.0), (0.0, 7.0), (0.0, 1.0)]);
+        }
+    }
+    if rng.below(2) == 0 {
+        rings = rings.mapped(|p| Point::new(p.y, p.x));
+    }
+    if rng.below(2) == 0 {
+        rings = rings.mapped(|p| Point::new(p.x + 2.0 * p.y, p.y - p.x));
+    }
+    rings
+}
+
+/// Checks that triangles tile a polygon: counter-clockwise, edge to edge, boundary edges on sides, all of the area.
+pub(crate) fn check(rings: &Rings, triangles: &[[u32; 3]]) {
+    let points = &rings.points;
+    let mut sides_of: BTreeMap<[u64; 4], i32> = BTreeMap::new();
+    for t in triangles {
+        let corners = t.map(|v| points[v as usize]);
+        assert_eq!(orient2d(corners[0], corners[1], corners[2]), Orientation::CounterClockwise, "{t:?} in {rings:?}");
+        for k in 0..3 {
+            let [a, b] = [corners[k], corners[(k + 1) % 3]];
+            let bits = |v: f64| (v + 0.0).to_bits();
+            assert!(sides_of.insert([a.x, a.y, b.x, b.y].map(bits), 0).is_none(), "an edge twice: {rings:?}");
+        }
+    }
+    let polygon = rings.polygon();
+    for key in sides_of.keys() {
+        let [ax, ay, bx, by] = *key;
+        if !sides_of.contains_key(&[bx, by, ax, ay]) {
+            let [a, b] = [(ax, ay), (bx, by)].map(|(x, y)| Point::new(f64::from_bits(x), f64::from_bits(y)));
+            let is_side = polygon
+                .rings()
+                .flat_map(|ring| polygon.ring(ring).sides().collect::<Vec<_>>())
+                .any(|(p, q)| on_segment(p, q, a) && on_segment(p, q, b));
+            assert!(is_side, "a boundary edge from {a} to {b} is no side of {rings:?}");
+        }
+    }
+    assert_eq!(doubled_area(points, triangles), rings.doubled_area(), "{rings:?}");
+}
+
+#[test]
+fn random_polygons_are_tiled() {
+    let mut rng = SplitMix64::new(18);
+    for round in 0..60 {
+        for (name, generator) in GENERATORS {
+            let rings = generator(3 + rng.below(if round == 0 { 400 } else { 40 }), &mut rng);
+            let triangles = seidel(rings.polygon(), &mut NoTrace).unwrap_or_else(|e| panic!("{name}: {e}: {rings:?}"));
+            check(&rings, &triangles);
+            assert_eq!(triangles.len(), rings.points.len() - 2 + 2 * (rings.ends.len() - 1), "{name}: {rings:?}");
+        }
+    }
+}
+
+#[test]
+fn touching_rings_are_tiled_under_every_seed() {
+    let mut rng = SplitMix64::new(7);
+    for seed in 0..600 {
+        let rings = touching(&mut rng);
+        let map = TrapezoidMap::new(rings.polygon(), seed, &mut NoTrace).unwrap_or_else(|e| panic!("{e}: {rings:?}"));
+        let triangles = map.triangles(&mut NoTrace).expect("nobody cancels");
+        check(&rings, &triangles);
+        let walks = map.boundary();
+        let edges_of =
+            |ring: &[u32]| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]).collect::<Vec<_>>();
+        let mut walked: Vec<_> = walks.iter().flat_map(|walk| edges_of(walk)).collect();
+        walked.sort_unstable();
+        let edges: BTreeSet<_> = triangles.iter().flat_map(|t| edges_of(t)).collect();
+        let boundary: Vec<_> = edges.iter().copied().filter(|&[a, b]| !edges.contains(&[b, a])).collect();
+        assert_eq!(walked, boundary, "{rings:?}");
+    }
+}
+
+#[test]
+fn trapezoids_add_up_to_the_polygon() {
+    let mut rng = SplitMix64::new(3);
+    for round in 0..120 {
+        let rings = match round % 10 {
+            9 => touching(&mut rng),
+            k => GENERATORS[k].1(3 + rng.below(30), &mut rng),
+        };
+        let map = TrapezoidMap::new(rings.polygon(), round as u64, &mut NoTrace).expect("a valid polygon");
+        let exact = |v: f64| RBig::try_from(v).expect("finite");
+        let doubled = |t: trimalla::polygon::Trapezoid| {
+            let [top, bottom] = [t.top, t.bottom].map(|v| exact(rings.points[v as usize].y));
+            // Where a side of the trapezoid is at a height; a horizontal side has no height.
+            let at = |[lower, upper]: [u32; 2], y: &RBig| {
+                let [p, q] = [lower, upper].map(|v| rings.points[v as usize]);
+                let [px, py, qx, qy] = [p.x, p.y, q.x, q.y].map(exact);
+                if py == qy { px } else { &px + (&qx - &px) * (y - &py) / (&qy - &py) }
+            };
+            if top == bottom {
+                return RBig::ZERO;
+            }
+            let width = |y: &RBig| at(t.right, y) - at(t.left, y);
+            (width(&top) + width(&bottom)) * (&top - &bottom)
+        };
+        let sum = map.trapezoids().map(doubled).fold(RBig::ZERO, |sum, area| sum + area);
+        assert_eq!(sum, rings.doubled_area(), "{rings:?}");
+    }
+}
+
+#[test]
+fn points_are_found_in_trapezoids() {
+    let mut rng = SplitMix64::new(5);
+    for round in 0..60 {
+        let rings = if round % 2 == 0 { flat_comb(40, &mut rng) } else { holes(40, &mut rng) };
+        let polygon = rings.polygon();
+        let map = TrapezoidMap::new(polygon, round, &mut NoTrace).expect("a valid polygon");
+        for k in 0..60 {
+            let p = match k % 3 {
+                0 => rings.points[rng.below(rings.points.len())],
+                1 => Point::new(rng.below(40) as f64 / 2.0, rng.below(12) as f64 / 4.0 - 1.0),
+                _ => Point::new(rng.range(-1.0, 20.0), rng.range(-1.0, 4.0)),
+            };
+            let mut expected = polygon.rings().map(|ring| polygon.ring(ring).locate(p)).collect::<Vec<_>>();
+            let outline = expected.remove(0);
+            let expected = if expected.contains(&Containment::Inside) || outline == Containment::Outside {
+                Containment::Outside
+            } else if expected.contains(&Containment::On) {
+                Containment::On
+            } else {
+                outline
+            };
+            assert_eq!(map.contains(p), expected, "{p} in {rings:?}");
+            assert_eq!(map.trapezoid_at(p).is_some(), expected == Containment::Inside);
+        }
+        assert_eq!(map.contains(Point::new(f64::NAN, 0.0)), Containment::Outside);
+    }
+}
+
+#[test]
+fn chords_and_corners_of_a_square_with_a_notch() {
+    let rings = Rings::of([(0.0, 0.0), (8.0, 1.0), (8.0, 9.0), (4.0, 5.0), (0.0, 8.0)]);
+    let map = TrapezoidMap::new(rings.polygon(), 1, &mut NoTrace).expect("a valid polygon");
+    let chords: Vec<_> = map.chords().iter().map(|chord| (chord.from, chord.onto, chord.at)).collect();
+    let expected =
+        [(1, [0, 4], Point::new(0.0, 1.0)), (3, [0, 4], Point::new(0.0, 5.0)), (3, [1, 2], Point::new(8.0, 5.0))];
+    assert_eq!(chords, expected);
+    assert_eq!(map.trapezoids().len(), 4);
+    assert_eq!(map.diagonals().collect::<Vec<_>>(), [[3, 1]]);
+    let lowest = map.trapezoids().find(|t| t.bottom == 0).expect("a lowest trapezoid");
+    let corners = map.corners(&lowest);
+    assert_eq!(corners, [(0.0, 0.0), (0.0, 0.0), (8.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y)));
+}
+
+/// Polygons that must be refused.
+pub(crate) fn faulty() -> Vec<Rings> {
+    let square = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)];
+    let with_hole = |hole: &[(f64, f64)]| {
+        let mut rings = Rings::of(square);
+        rings.add(hole.iter().copied());
+        rings
+    };
+    let mut nested = with_hole(&[(1.0, 1.0), (7.0, 1.0), (7.0, 7.0), (1.0, 7.0)]);
+    nested.add([(2.0, 2.0), (3.0, 2.0), (2.0, 3.0)]);
+    let mut twice = with_hole(&[(1.0, 1.0), (7.0, 1.0), (7.0, 7.0)]);
+    twice.add([(1.0, 1.0), (7.0, 1.0), (7.0, 7.0)]);
+    vec![
+        Rings::of([(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 5.0)]),
+        Rings::of([(0.0, 0.0), (4.0, 0.0), (2.0, 0.0), (2.0, 3.0)]),
+        Rings::of([(0.0, 0.0), (4.0, 0.0), (8.0, 0.0)]),
+        Rings::of([(0.0, 0.0), (4.0, 0.0)]),
+        Rings::of([]),
+        // Two triangles that meet in a vertex, run round in opposite directions.
+        Rings::of([(0.0, 0.0), (2.0, 2.0), (4.0, 5.0), (4.0, 0.0), (2.0, 2.0), (0.0, 3.0)]),
+        with_hole(&[(6.0, 3.0), (6.0, 5.0), (11.0, 5.0), (11.0, 3.0)]),
+        with_hole(&[(10.0, 3.0), (10.0, 5.0), (11.0, 3.0)]),
+        with_hole(&[(-1.0, -1.0), (9.0, -1.0), (9.0, 9.0), (-1.0, 9.0)]),
+        with_hole(&[(0.0, 0.0), (0.0, 8.0), (2.0, 6.0)]),
+        with_hole(&square),
+        nested,
+        twice,
+    ]
+}
+
+#[test]
+fn faulty_polygons_are_refused_with_a_place() {
+    for rings in faulty() {
+        for seed in 0..40 {
+            let error = TrapezoidMap::new(rings.polygon(), seed, &mut NoTrace).err();
+            assert!(error.is_some(), "{rings:?} under seed {seed}");
+        }
+    }
+    let bow = Rings::of([(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 5.0)]);
+    match seidel(bow.polygon(), &mut NoTrace) {
+        Err(PolygonError::Crossing { mut sides, at }) => {
+            sides.sort_unstable();
+            assert_eq!(sides, [[0, 1], [2, 3]]);
+            assert!((at.x - at.y).abs() < 1e-9 && at.x > 0.0, "{at}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let none = Rings::default();
+    assert_eq!(seidel(none.polygon(), &mut NoTrace), Ok(Vec::new()));
+}
+
+#[test]
+fn random_rings_are_tiled_or_refused_as_the_oracle_says() {
+    let mut rng = SplitMix64::new(11);
+    let mut tiled = 0;
+    for seed in 0..4000 {
+        let size = 3 + rng.below(4);
+        let grid = 3 + rng.below(3);
+        let rings = Rings::of((0..size).map(|_| (rng.below(grid) as f64, rng.below(grid) as f64)));
+        let crosses = {
+            let sides: Vec<_> = Ring::new(&rings.points).sides().filter(|(p, q)| p != q).collect();
+            let faults = |(i, &(a, b)): (usize, &(Point, Point))| {
+                sides[..i].iter().any(|&(c, d)| {
+                    use trimalla::geometry::SegmentContact::{Crossing, Overlapping};
+                    matches!(trimalla::geometry::segment_contact(a, b, c, d), Crossing | Overlapping)
+                })
+            };
+            sides.iter().enumerate().any(faults)
+        };
+        match TrapezoidMap::new(rings.polygon(), seed, &mut NoTrace) {
+            Ok(map) => {
+                assert!(!crosses, "{rings:?}");
+                check(&rings, &map.triangles(&mut NoTrace).expect("nobody cancels"));
+                tiled += 1;
+            }
+            Err(PolygonError::Crossing { .. }) => assert!(crosses, "{rings:?}"),
+            Err(PolygonError::Flat { .. }) => assert_eq!(rings.doubled_area(), RBig::ZERO),
+            // It passes through itself at a vertex or on a side.
+            Err(PolygonError::Misplaced { .. }) => {}
+            Err(other) => panic!("{other}"),
+        }
+    }
+    assert!(tiled > 500, "{tiled}");
+}
+
+#[test]
+fn coordinates_of_any_size_are_exact() {
+    let mut rng = SplitMix64::new(13);
+    for scale in [1e-300, 5e-324, 1e300, f64::MAX / 64.0] {
+        for _ in 0..20 {
+            let rings = orthogonal(40, &mut rng).mapped(|p| Point::new(p.x * scale, p.y * scale));
+            check(&rings, &seidel(rings.polygon(), &mut NoTrace).expect("a valid polygon"));
+        }
+    }
+}
+
+/// Draws nothing, and cancels after some steps.
+struct Cancels(u32);
+
+impl Trace for Cancels {
+    fn step(&mut self, _: Step) {}
+
+    fn is_cancelled(&self) -> bool {
+        self.0 == 0
+    }
+}
+
+#[test]
+fn every_line_that_is_removed_was_added() {
+    let mut rng = SplitMix64::new(17);
+    let rings = holes(60, &mut rng);
+    let mut steps: Vec<Step> = Vec::new();
+    let triangles = seidel(rings.polygon(), &mut steps).expect("a valid polygon");
+    let mut lines = Vec::new();
+    for step in &steps {
+        match (step.act, step.shape) {
+            (Act::Add, Shape::Line(line)) => lines.push(line),
+            (Act::Remove, Shape::Line(line)) => {
+                let at = lines.iter().position(|&l| l == line).expect("a line that is there");
+                lines.swap_remove(at);
+            }
+            _ => {}
+        }
+    }
+    let map = TrapezoidMap::new(rings.polygon(), 1991, &mut NoTrace).expect("a valid polygon");
+    assert!(map.chords().len() <= lines.len());
+    let told = steps.iter().filter(|s| matches!(s.shape, Shape::Triangle(_))).count();
+    assert_eq!(told, triangles.len());
+    assert_eq!(seidel(rings.polygon(), &mut Cancels(0)), Err(PolygonError::Cancelled));
+}
+
+#[test]
+fn the_work_grows_nearly_linearly() {
+    let mut rng = SplitMix64::new(19);
+    for (name, generator) in [("star", star as Generator), ("spiral", spiral), ("comb", comb)] {
+        let mut per_corner = Vec::new();
+        for n in [1000, 8000, 64_000] {
+            let rings = generator(n, &mut rng);
+            let runs = (0..3).map(|seed| {
+                let map = TrapezoidMap::new(rings.polygon(), seed, &mut NoTrace).expect("a valid polygon");
+                map.steps() as f64 / rings.points.len() as f64
+            });
+            per_corner.push(runs.sum::<f64>() / 3.0);
+        }
+        assert!(per_corner[2] < 1.4 * per_corner[0], "{name}: {per_corner:?} steps a corner");
+    }
+}
