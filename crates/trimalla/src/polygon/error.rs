@@ -66,6 +66,14 @@ pub enum PolygonError {
         /// A point of it.
         at: Point,
     },
+    /// A segment ends at a point that does not exist.
+    #[error("segment {segment} ends at point {vertex}, which does not exist")]
+    SegmentEnd {
+        /// The segment.
+        segment: usize,
+        /// The index that is too large.
+        vertex: u32,
+    },
     /// The method does not take holes.
     #[error("'{method}' triangulates polygons without holes, and this one has {holes}")]
     Holes {

@@ -1,6 +1,6 @@
 //! The table of algorithms for polygons.
 
-use super::{Polygon, PolygonError, ears, monotone};
+use super::{Polygon, PolygonError, diagonals, ears, monotone, seidel, visible_pairs};
 use crate::trace::Trace;
 
 keyed! {
@@ -8,6 +8,8 @@ keyed! {
     PolygonMethod, {
         Monotone = "monotone", "a sweep into monotone pieces, each triangulated with a stack", "GareyEtAl78";
         Ears = "ears", "ears cut off one after the other", "Meisters75";
+        Diagonals = "diagonals", "a diagonal divides the polygon in two, again and again", "Meisters75";
+        VisiblePairs = "visible-pairs", "vertices that see each other are joined", "Triangulaciones";
         Seidel = "seidel", "trapezoids by random insertion, then monotone pieces", "Seidel91";
     }
 }
@@ -28,6 +30,9 @@ impl PolygonMethod {
         match self {
             Self::Monotone => monotone(polygon, trace),
             Self::Ears => ears(polygon, trace),
+            Self::Diagonals => diagonals(polygon, trace),
+            Self::VisiblePairs => visible_pairs(polygon, trace),
+            Self::Seidel => seidel(polygon, trace),
         }
     }
 }

@@ -3,7 +3,9 @@
 //! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the
 //! exact test. [`PolygonMethod`] chooses one by its key.
 
+mod angles;
 mod corners;
+mod diagonals;
 mod ears;
 mod error;
 mod method;
@@ -16,6 +18,9 @@ mod triangulator;
 mod walks;
 
 pub use ears::ears;
+mod visible_pairs;
+
+pub use diagonals::diagonals;
 pub use error::PolygonError;
 pub use method::PolygonMethod;
 pub use monotone::{
@@ -26,3 +31,4 @@ pub use rings::Polygon;
 pub use seidel::{Chord, Trapezoid, TrapezoidMap, seidel};
 pub use sweep::{Cause, VertexKind};
 pub use triangulator::Triangulator;
+pub use visible_pairs::{visible_pairs, visible_pairs_of_graph};

@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use dashu_ratio::RBig;
 use trimalla::Point;
 use trimalla::geometry::{Containment, Orientation, Ring, math, on_segment, orient2d};
-use trimalla::polygon::{Polygon, PolygonError, TrapezoidMap, seidel};
+use trimalla::polygon::{
+    Polygon, PolygonError, TrapezoidMap, diagonals, seidel, visible_pairs, visible_pairs_of_graph,
+};
 use trimalla::trace::{Act, NoTrace, Shape, Step, Trace};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{doubled_area, doubled_ring_area};
@@ -370,6 +372,8 @@ pub(crate) fn faulty() -> Vec<Rings> {
         Rings::of([(0.0, 0.0), (4.0, 0.0), (8.0, 0.0)]),
         Rings::of([(0.0, 0.0), (4.0, 0.0)]),
         Rings::of([]),
+        // Two sides that cross at a vertex of a third and a fourth.
+        Rings::of([(1., 2.), (2., 2.), (0., 0.), (0., 2.), (1., 1.), (2., 0.), (2., 0.), (1., 0.)]),
         // Two triangles that meet in a vertex, run round in opposite directions.
         Rings::of([(0.0, 0.0), (2.0, 2.0), (4.0, 5.0), (4.0, 0.0), (2.0, 2.0), (0.0, 3.0)]),
         with_hole(&[(6.0, 3.0), (6.0, 5.0), (11.0, 5.0), (11.0, 3.0)]),
@@ -407,8 +411,8 @@ fn faulty_polygons_are_refused_with_a_place() {
 fn random_rings_are_tiled_or_refused_as_the_oracle_says() {
     let mut rng = SplitMix64::new(11);
     let mut tiled = 0;
-    for seed in 0..4000 {
-        let size = 3 + rng.below(4);
+    for seed in 0..20_000 {
+        let size = 3 + rng.below(6);
         let grid = 3 + rng.below(3);
         let rings = Rings::of((0..size).map(|_| (rng.below(grid) as f64, rng.below(grid) as f64)));
         let crosses = {
@@ -434,7 +438,7 @@ fn random_rings_are_tiled_or_refused_as_the_oracle_says() {
             Err(other) => panic!("{other}"),
         }
     }
-    assert!(tiled > 500, "{tiled}");
+    assert!(tiled > 2000, "{tiled}");
 }
 
 #[test]
@@ -498,4 +502,87 @@ fn the_work_grows_nearly_linearly() {
         }
         assert!(per_corner[2] < 1.4 * per_corner[0], "{name}: {per_corner:?} steps a corner");
     }
+}
+
+#[test]
+fn diagonals_and_visible_pairs_tile_polygons() {
+    let mut rng = SplitMix64::new(23);
+    for round in 0..300 {
+        let rings = match round % 12 {
+            9.. => touching(&mut rng),
+            k => GENERATORS[k].1(3 + rng.below(25), &mut rng),
+        };
+        let expected = seidel(rings.polygon(), &mut NoTrace).expect("a valid polygon").len();
+        let by_pairs = visible_pairs(rings.polygon(), &mut NoTrace).unwrap_or_else(|e| panic!("{e}: {rings:?}"));
+        check(&rings, &by_pairs);
+        assert_eq!(by_pairs.len(), expected, "{rings:?}");
+        match diagonals(rings.polygon(), &mut NoTrace) {
+            Err(PolygonError::Holes { holes, .. }) => assert_eq!(holes, rings.ends.len() - 1),
+            Err(other) => panic!("{other}: {rings:?}"),
+            Ok(by_diagonals) => {
+                check(&rings, &by_diagonals);
+                assert_eq!(by_diagonals.len(), expected, "{rings:?}");
+            }
+        }
+    }
+    for rings in faulty() {
+        assert!(visible_pairs(rings.polygon(), &mut NoTrace).is_err(), "{rings:?}");
+        assert!(diagonals(rings.polygon(), &mut NoTrace).is_err(), "{rings:?}");
+    }
+}
+
+#[test]
+fn random_rings_are_tiled_by_diagonals_and_pairs() {
+    let mut rng = SplitMix64::new(29);
+    for _ in 0..6000 {
+        let size = 4 + rng.below(6);
+        let grid = 3 + rng.below(3);
+        let rings = Rings::of((0..size).map(|_| (rng.below(grid) as f64, rng.below(grid) as f64)));
+        let Ok(expected) = seidel(rings.polygon(), &mut NoTrace) else {
+            assert!(diagonals(rings.polygon(), &mut NoTrace).is_err(), "{rings:?}");
+            continue;
+        };
+        for found in [diagonals(rings.polygon(), &mut NoTrace), visible_pairs(rings.polygon(), &mut NoTrace)] {
+            let found = found.unwrap_or_else(|e| panic!("{e}: {rings:?}"));
+            check(&rings, &found);
+            assert_eq!(found.len(), expected.len());
+        }
+    }
+}
+
+#[test]
+fn visible_pairs_triangulate_graphs() {
+    let mut rng = SplitMix64::new(31);
+    let mut refused = 0;
+    for round in 0..400 {
+        let grid = 3 + rng.below(6);
+        let n = 1 + rng.below(20);
+        let points: Vec<Point> = (0..n).map(|_| Point::new(rng.below(grid) as f64, rng.below(grid) as f64)).collect();
+        let segments: Vec<[u32; 2]> = (0..round % 5).map(|_| [rng.below(n) as u32, rng.below(n) as u32]).collect();
+        let drawing = trimalla::Pslg { points: points.clone(), segments: segments.clone(), ..Default::default() };
+        let crosses = !trimalla_testkit::oracles::crossing_pairs(&drawing).is_empty();
+        match visible_pairs_of_graph(&points, &segments, &mut NoTrace) {
+            Ok(triangles) => {
+                assert!(!crosses || segments.is_empty(), "{points:?} {segments:?}");
+                assert!(trimalla_testkit::oracles::covers_hull(&points, &triangles), "{points:?} {segments:?}");
+                assert!(triangles.iter().all(|t| {
+                    let [a, b, c] = t.map(|v| points[v as usize]);
+                    orient2d(a, b, c) == Orientation::CounterClockwise
+                }));
+                let distinct = trimalla_testkit::oracles::delaunay_triangle_count(&points);
+                assert_eq!(triangles.len(), distinct, "{points:?} {segments:?}");
+            }
+            Err(PolygonError::Crossing { .. }) => {
+                assert!(crosses, "{points:?} {segments:?}");
+                refused += 1;
+            }
+            Err(other) => panic!("{other}"),
+        }
+    }
+    assert!(refused > 20);
+    let points = [Point::new(0.0, 0.0), Point::new(1.0, 0.0)];
+    let error = visible_pairs_of_graph(&points, &[[0, 2]], &mut NoTrace);
+    assert_eq!(error, Err(PolygonError::SegmentEnd { segment: 0, vertex: 2 }));
+    let nan = visible_pairs_of_graph(&[Point::new(f64::NAN, 0.0)], &[], &mut NoTrace);
+    assert!(matches!(nan, Err(PolygonError::NotFinite { index: 0, .. })));
 }

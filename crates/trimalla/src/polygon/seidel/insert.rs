@@ -243,13 +243,27 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
         Ok(())
     }
 
+    /// Refuses two sides that have one vertex inside: they cross there.
+    pub(super) fn refuse_crossings_at_vertices(&mut self) -> Result<(), PolygonError> {
+        self.touches.sort_unstable_by_key(|&(origin, vertex)| (vertex, origin));
+        self.touches.dedup();
+        let same_vertex = |pair: &&[(u32, u32)]| pair[0].1 == pair[1].1;
+        match self.touches.windows(2).find(same_vertex) {
+            Some(pair) => Err(self.crossing_of([pair[0].0, pair[1].0], pair[0].1)),
+            None => Ok(()),
+        }
+    }
+
     /// Two sides cross or overlap.
     pub(super) fn crossing(&self, side: &Side, other: u32) -> PolygonError {
-        let ends = |origin: u32| [origin, self.next[origin as usize]];
-        let sides = [ends(self.structure.sides[other as usize].origin), ends(side.origin)];
+        self.crossing_of([self.structure.sides[other as usize].origin, side.origin], side.upper)
+    }
+
+    /// Two sides cross, or overlap from a vertex on.
+    fn crossing_of(&self, origins: [u32; 2], vertex: u32) -> PolygonError {
+        let sides = origins.map(|origin| [origin, self.next[origin as usize]]);
         let [one, two] = sides.map(|[a, b]| Segment::new(self.structure.point(a), self.structure.point(b)));
-        // Sides that overlap do so from one of their ends.
-        let at = one.crossing_point(two).unwrap_or_else(|| self.structure.point(side.upper));
+        let at = one.crossing_point(two).unwrap_or_else(|| self.structure.point(vertex));
         PolygonError::Crossing { sides, at }
     }
 }

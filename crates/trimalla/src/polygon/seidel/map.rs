@@ -88,6 +88,7 @@ impl<'a> TrapezoidMap<'a> {
             }
             begin = end;
         }
+        inserter.refuse_crossings_at_vertices()?;
         let Inserter { structure, same, touches, .. } = inserter;
         let inside = structure.inside(polygon)?;
         Ok(Self { polygon, structure, inside, same, touches })

@@ -10,8 +10,8 @@ impl TrapezoidMap<'_> {
     /// The triangles of the polygon: `n - 2 + 2h` for `n` corners and `h` holes, if no rings touch.
     ///
     /// # Shape
-    /// Indices into the points of the polygon, each triangle counter-clockwise by the exact test. Of points at one place
-    /// one stands for all. A vertex that touches a side is a corner of the triangles on both sides of it.
+    /// Indices into the points of the polygon, each triangle counter-clockwise by the exact test. Of points at one
+    /// place one stands for all. A vertex that touches a side is a corner of the triangles on both sides of it.
     ///
     /// # Errors
     /// [`PolygonError::Cancelled`].
