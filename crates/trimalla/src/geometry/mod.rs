@@ -31,12 +31,15 @@ pub use containment::Containment;
 pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
+pub(crate) use predicates::{
+    AngleMeasure, HeightMeasure, Turn, angles_of_two, inside_two_circles, largest_corner, sides_angle_excess,
+    tangent_radii,
+};
 pub use predicates::{
     CircleSide, Orientation, SegmentContact, along, angle_at_least, ccw, collinear, in_circle, in_circle_perturbed,
     in_diametral_disk, left, left_on, on_segment, orient2d, segment_contact, segments_cross_properly, strictly_between,
     triangle_angles_at_least,
 };
-pub(crate) use predicates::{Turn, angles_of_two, inside_two_circles, sides_angle_excess, tangent_radii};
 pub use ring::Ring;
 pub use segment::Segment;
 pub use strip::Strip;

@@ -1,6 +1,7 @@
 //! What is triangulated, what comes out, and the first look at the input that all algorithms share.
 
 use super::OptimalError;
+use crate::delaunay::AlgorithmKey;
 use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{Orientation, Point, lexicographic, orient2d};
 use crate::triangulation::check_mesh;
@@ -38,35 +39,64 @@ impl<'a> OptimalInput<'a> {
         Self { points, heights: None, domain: None }
     }
 
-    /// Checks numbers, lengths and the domain, and finds the vertices.
+    /// Checks numbers, lengths and the domain.
     ///
     /// # Errors
     /// [`OptimalError`] names the first thing that is wrong.
     ///
     /// # Complexity
     /// O(n log n).
-    pub(crate) fn prepare(&self) -> Result<Prepared, OptimalError> {
+    pub(crate) fn check(&self) -> Result<(), OptimalError> {
         self.check_numbers()?;
-        let Some(domain) = self.domain else {
-            return Ok(Prepared { vertices: distinct(self.points), boundary: Vec::new(), sides: None });
-        };
+        let Some(domain) = self.domain else { return Ok(()) };
         if domain.points != self.points {
             return Err(OptimalError::OtherPoints { count: domain.points.len(), expected: self.points.len() });
         }
-        if let Some(fault) = check_mesh(domain).into_iter().next() {
-            return Err(OptimalError::Domain(Box::new(fault)));
+        match check_mesh(domain).into_iter().next() {
+            Some(fault) => Err(OptimalError::Domain(Box::new(fault))),
+            None => Ok(()),
         }
+    }
+
+    /// Checks the input, and finds the vertices and the boundary.
+    ///
+    /// # Errors
+    /// See [`OptimalError`].
+    ///
+    /// # Complexity
+    /// O(n log n).
+    pub(crate) fn prepare(&self) -> Result<Prepared, OptimalError> {
+        self.check()?;
+        let Some(domain) = self.domain else {
+            return Ok(Prepared { vertices: distinct(self.points), boundary: Vec::new(), sides: None });
+        };
         let sides = Sides::of(domain);
         let vertices = (0..self.points.len() as u32).filter(|&v| sides.is_used(v)).collect();
         let boundary = sides.boundary().map(|s| [s.origin, s.dest]).collect();
         Ok(Prepared { vertices, boundary, sides: Some(sides) })
     }
 
+    /// Triangles to begin with: those of the domain, or the Delaunay triangulation.
+    ///
+    /// # Errors
+    /// See [`OptimalError`].
+    ///
+    /// # Complexity
+    /// O(n log n).
+    pub(crate) fn start(&self) -> Result<Vec<[u32; 3]>, OptimalError> {
+        self.check()?;
+        if let Some(domain) = self.domain {
+            return Ok(domain.triangles.clone());
+        }
+        let too_many = |_| OptimalError::TooMany { count: self.points.len(), limit: MOST_POINTS };
+        let delaunay = AlgorithmKey::Incremental.triangulate(self.points, None).map_err(too_many)?;
+        Ok(delaunay.canonical().into_iter().map(|t| t.map(|v| v.0)).collect())
+    }
+
     fn check_numbers(&self) -> Result<(), OptimalError> {
-        let limit = (u32::MAX / 8) as usize;
         let (points, heights) = (self.points, self.heights);
-        if points.len() > limit {
-            return Err(OptimalError::TooMany { count: points.len(), limit });
+        if points.len() > MOST_POINTS {
+            return Err(OptimalError::TooMany { count: points.len(), limit: MOST_POINTS });
         }
         if let Some(heights) = heights.filter(|heights| heights.len() != points.len()) {
             return Err(OptimalError::HeightCount { heights: heights.len(), points: points.len() });
@@ -116,4 +146,17 @@ pub(crate) fn distinct(points: &[Point]) -> Vec<u32> {
     order.dedup_by(|b, a| at(*a) == at(*b));
     order.sort_unstable();
     order
+}
+
+/// The most points that half-edges can name.
+const MOST_POINTS: usize = (u32::MAX / 8) as usize;
+
+/// Triangles in the order of [`Optimal::triangles`].
+pub(crate) fn in_order(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
+    for t in &mut triangles {
+        let first = (0..3).min_by_key(|&k| t[k]).unwrap_or(0);
+        t.rotate_left(first);
+    }
+    triangles.sort_unstable();
+    triangles
 }

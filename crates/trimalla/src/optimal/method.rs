@@ -1,13 +1,15 @@
 //! The table of algorithms, and the call of each.
 
-use super::pairs;
 use super::{Optimal, OptimalError, OptimalInput};
+use super::{edge_insertion, pairs};
 use crate::trace::Trace;
 
 keyed! {
     /// An algorithm that triangulates points, or a drawing, by a criterion.
     OptimalMethod, {
         Pairs = "pairs", "pairs of vertices in the order of their indices, joined if no edge is crossed", "Triangulaciones";
+        MinMaxAngle = "min-max-angle", "the largest angle as small as possible, by edge insertion", "EdelsbrunnerTanWaupotitsch92";
+        MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
     }
 }
 
@@ -39,6 +41,8 @@ impl OptimalMethod {
     ) -> Result<Optimal, OptimalError> {
         match self {
             Self::Pairs => pairs::triangulate(input, trace),
+            Self::MinMaxAngle => edge_insertion::min_max_angle(input, trace),
+            Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),
         }
     }
 }

@@ -3,6 +3,7 @@
 //! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain
 //! with holes, given by any triangulation of it.
 
+mod edge_insertion;
 mod edge_set;
 mod error;
 mod input;

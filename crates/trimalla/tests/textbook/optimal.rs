@@ -1,1 +1,4 @@
-//! To come.
+//! Optimal triangulations beside all triangulations, and what their algorithms promise.
+
+mod all;
+mod insertion;

@@ -13,10 +13,12 @@
 //! predicates*, 1997. The absolute guard against underflow that lets a filter be one comparison: Ozaki et al., 2016.
 mod along;
 mod angle_certificate;
+mod big_integer;
 mod circle;
 mod disk;
 mod exact;
 mod integers;
+mod measures;
 mod orient;
 mod safe_range;
 mod segments;
@@ -30,6 +32,7 @@ pub(crate) use circle::inside_two_circles;
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;
 pub(in crate::geometry) use exact::{Difference, ExactSum};
+pub(crate) use measures::{AngleMeasure, HeightMeasure, largest_corner};
 pub(crate) use orient::Turn;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
 pub(in crate::geometry) use orient::{TWO_PRODUCTS_BOUND, crossing_parameter};

@@ -1,0 +1,115 @@
+//! Triangles that know their neighbours.
+
+/// No neighbour.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Triangles in slots; half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
+///
+/// # Shape
+/// The number of triangles never changes: a cavity is filled with as many as it had.
+#[derive(Debug)]
+pub(super) struct Mesh {
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The other half-edge of each edge; [`NONE`] where an edge must stay.
+    twins: Vec<u32>,
+}
+
+impl Mesh {
+    /// The mesh of triangles, of which `fixed` edges must stay, besides those of the boundary.
+    pub(super) fn new(triangles: Vec<[u32; 3]>, fixed: &[[u32; 2]]) -> Self {
+        let mut mesh = Self { twins: vec![NONE; 3 * triangles.len()], triangles };
+        let mut fixed: Vec<[u32; 2]> = fixed.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        fixed.sort_unstable();
+        let mut edges: Vec<([u32; 2], u32)> = (0..mesh.twins.len() as u32).map(|h| (mesh.lower_first(h), h)).collect();
+        edges.sort_unstable();
+        for pair in edges.windows(2) {
+            let [(edge, h), (other, twin)] = [pair[0], pair[1]];
+            if edge == other && fixed.binary_search(&edge).is_err() {
+                mesh.join(h, twin);
+            }
+        }
+        mesh
+    }
+
+    /// The ends of a half-edge.
+    pub(super) fn ends(&self, h: u32) -> [u32; 2] {
+        let t = self.triangles[(h / 3) as usize];
+        let k = (h % 3) as usize;
+        [t[k], t[(k + 1) % 3]]
+    }
+
+    /// The corner opposite a half-edge.
+    pub(super) fn apex(&self, h: u32) -> u32 {
+        self.triangles[(h / 3) as usize][((h % 3 + 2) % 3) as usize]
+    }
+
+    /// The half-edge on the other side, if the edge may go.
+    pub(super) fn twin(&self, h: u32) -> Option<u32> {
+        Some(self.twins[h as usize]).filter(|&twin| twin != NONE)
+    }
+
+    /// The half-edge after one around its triangle.
+    pub(super) const fn next(h: u32) -> u32 {
+        if h % 3 == 2 { h - 2 } else { h + 1 }
+    }
+
+    /// The half-edge before one around its triangle.
+    pub(super) const fn prev(h: u32) -> u32 {
+        if h % 3 == 0 { h + 2 } else { h - 1 }
+    }
+
+    /// The edges of a triangle must stay from now on.
+    pub(super) fn seal(&mut self, slot: u32) {
+        for h in [0, 1, 2].map(|k| 3 * slot + k) {
+            if let Some(twin) = self.twin(h) {
+                self.twins[h as usize] = NONE;
+                self.twins[twin as usize] = NONE;
+            }
+        }
+    }
+
+    /// Puts triangles into the slots of others that cover the same place.
+    ///
+    /// # Complexity
+    /// O(k log k) for k triangles.
+    pub(super) fn replace(&mut self, slots: &[u32], new: &[[u32; 3]]) {
+        let outer = self.outer_edges(slots);
+        for (&slot, &t) in slots.iter().zip(new) {
+            self.triangles[slot as usize] = t;
+        }
+        let mut inner: Vec<([u32; 2], u32)> =
+            slots.iter().flat_map(|&slot| [0, 1, 2].map(|k| 3 * slot + k)).map(|h| (self.ends(h), h)).collect();
+        inner.sort_unstable();
+        for &([a, b], h) in &inner {
+            let found =
+                |edges: &[([u32; 2], u32)], edge| edges.binary_search_by_key(&edge, |e| e.0).map(|i| edges[i].1);
+            let twin = found(&outer, [a, b]).or_else(|_| found(&inner, [b, a])).unwrap_or(NONE);
+            self.twins[h as usize] = NONE;
+            if twin != NONE {
+                self.join(h, twin);
+            }
+        }
+    }
+
+    /// The half-edges of some triangles with none of these beyond, sorted, and what is beyond.
+    fn outer_edges(&self, slots: &[u32]) -> Vec<([u32; 2], u32)> {
+        let mut sorted = slots.to_vec();
+        sorted.sort_unstable();
+        let is_outside = |twin: u32| twin == NONE || sorted.binary_search(&(twin / 3)).is_err();
+        let all = slots.iter().flat_map(|&slot| [0, 1, 2].map(|k| 3 * slot + k));
+        let mut outer: Vec<([u32; 2], u32)> =
+            all.map(|h| (self.ends(h), self.twins[h as usize])).filter(|&(_, twin)| is_outside(twin)).collect();
+        outer.sort_unstable();
+        outer
+    }
+
+    fn join(&mut self, h: u32, twin: u32) {
+        self.twins[h as usize] = twin;
+        self.twins[twin as usize] = h;
+    }
+
+    fn lower_first(&self, h: u32) -> [u32; 2] {
+        let [a, b] = self.ends(h);
+        [a.min(b), a.max(b)]
+    }
+}
