@@ -10,6 +10,7 @@ keyed! {
         Pairs = "pairs", "pairs of vertices in the order of their indices, joined if no edge is crossed", "Triangulaciones";
         MinMaxAngle = "min-max-angle", "the largest angle as small as possible, by edge insertion", "EdelsbrunnerTanWaupotitsch92";
         MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
+        MinMaxSlope = "min-max-slope", "the steepest triangle of a surface as flat as possible, by edge insertion", "BernEtAl93";
     }
 }
 
@@ -43,6 +44,7 @@ impl OptimalMethod {
             Self::Pairs => pairs::triangulate(input, trace),
             Self::MinMaxAngle => edge_insertion::min_max_angle(input, trace),
             Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),
+            Self::MinMaxSlope => edge_insertion::min_max_slope(input, trace),
         }
     }
 }

@@ -2,3 +2,4 @@
 
 mod all;
 mod insertion;
+mod slope;

@@ -10,18 +10,45 @@ pub(super) struct BigInteger {
 }
 
 impl BigInteger {
+    /// Zero.
+    pub(super) const ZERO: Self = Self { negative: false, limbs: Vec::new() };
+
     /// Integers such that each value is exactly one of them times one common power of two.
     ///
     /// # Shape
     /// Values must be finite. Numbers of one order of magnitude fit into two limbs; 35 are the most.
     pub(super) fn scaled<const N: usize>(values: [f64; N]) -> [Self; N] {
-        let lowest = values.iter().filter(|v| **v != 0.0).map(|v| decompose(*v).1).min().unwrap_or(0);
+        let lowest = Self::exponent(values);
         values.map(|value| {
             let (significand, exponent) = decompose(value);
             let magnitude = Self { negative: false, limbs: vec![significand] }.trimmed();
             let shifted = if significand == 0 { magnitude } else { magnitude.shifted((exponent - lowest) as usize) };
             Self { negative: value < 0.0, ..shifted }
         })
+    }
+
+    /// The exponent of the power of two of [`scaled`](Self::scaled).
+    pub(super) fn exponent<const N: usize>(values: [f64; N]) -> i32 {
+        values.iter().filter(|v| **v != 0.0).map(|v| decompose(*v).1).min().unwrap_or(0)
+    }
+
+    /// The root of a quotient of magnitudes times a power of two, rounded: off by a few last places. The divisor must
+    /// not be zero.
+    pub(super) fn root_of_quotient(&self, divisor: &Self, exponent: i32) -> f64 {
+        let ((m, e), (n, f)) = (self.leading(), divisor.leading());
+        let odd = (e - f).rem_euclid(2);
+        let root = (m / n * f64::from(1 + odd)).sqrt();
+        times_power_of_two(root, (e - f - odd) / 2 + exponent)
+    }
+
+    /// The magnitude, rounded, as a number below 2^64 and the exponent of the power of two that it is multiplied by.
+    fn leading(&self) -> (f64, i32) {
+        let mut value = 0.0;
+        let top = self.limbs.len().saturating_sub(3);
+        for &limb in self.limbs[top..].iter().rev() {
+            value = value * 18_446_744_073_709_551_616.0 + limb as f64; // 2^64
+        }
+        (value, 64 * top as i32)
     }
 
     /// The sum.
@@ -140,6 +167,16 @@ const fn low_limb(wide: u128) -> u64 {
     wide as u64
 }
 
+/// A number times a power of two; infinite or zero where that is out of range.
+fn times_power_of_two(mut value: f64, mut exponent: i32) -> f64 {
+    while exponent != 0 && value != 0.0 && value.is_finite() {
+        let step = exponent.clamp(-900, 900);
+        value *= f64::from_bits(((1023 + step) as u64) << 52);
+        exponent -= step;
+    }
+    value
+}
+
 /// The magnitude of a finite number as an integer and the power of two that it is multiplied by.
 const fn decompose(value: f64) -> (u64, i32) {
     let bits = value.to_bits();
@@ -166,6 +203,17 @@ mod tests {
                 assert_eq!(sign, 0.cmp(&exact));
                 assert_eq!(one.compare(&two), a.total_cmp(&(b + 0.0)), "{a} and {b}");
             }
+        }
+    }
+
+    #[test]
+    fn roots_of_quotients_are_of_any_size() {
+        for (a, b, exponent, root) in [(9.0, 4.0, 0, 1.5), (2.0, 1.0, 3, 128.0_f64.sqrt()), (0.0, 7.0, 9, 0.0)] {
+            let [a, b] = BigInteger::scaled([a, b]);
+            assert_eq!(a.root_of_quotient(&b, exponent), root);
+            let power = BigInteger::scaled([1.0, 1e-300]).into_iter().next().unwrap();
+            assert_eq!(a.times(&power).root_of_quotient(&b.times(&power), exponent), root);
+            assert_eq!(a.root_of_quotient(&b, 5000) == 0.0, root == 0.0);
         }
     }
 

@@ -14,7 +14,8 @@ use super::integers::common_integers;
 use super::wide::Wide;
 
 /// Squares between these bounds keep every product of four of them a normal number (2^-200, 2^200).
-const SQUARES: core::ops::RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
+pub(super) const SQUARES: core::ops::RangeInclusive<f64> =
+    f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
 /// The order of two segments by length. Exact.
 #[inline]
@@ -158,8 +159,9 @@ impl HeightMeasure {
 
     /// The height, rounded.
     pub(crate) fn length(&self) -> f64 {
-        let [a, b, c] = self.points;
-        super::super::Triangle::new(a, b, c).area() * 2.0 / super::super::Segment::new(b, c).length()
+        let [triangle, _] = big_triangles([self.points; 2]);
+        let exponent = BigInteger::exponent(coordinates([self.points; 2]));
+        triangle.doubled_area().squared().root_of_quotient(&triangle.side_sq(0), exponent)
     }
 
     #[cold]
@@ -172,27 +174,31 @@ impl HeightMeasure {
 }
 
 /// A triangle with integer coordinates.
-struct BigTriangle {
+pub(super) struct BigTriangle {
     x: [BigInteger; 3],
     y: [BigInteger; 3],
 }
 
 /// Two triangles with one common power of two.
-fn big_triangles([[a, b, c], [d, e, f]]: [[Point; 3]; 2]) -> [BigTriangle; 2] {
-    let [ax, ay, bx, by, cx, cy, dx, dy, ex, ey, fx, fy] =
-        BigInteger::scaled([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y, e.x, e.y, f.x, f.y]);
+pub(super) fn big_triangles(triangles: [[Point; 3]; 2]) -> [BigTriangle; 2] {
+    let [ax, ay, bx, by, cx, cy, dx, dy, ex, ey, fx, fy] = BigInteger::scaled(coordinates(triangles));
     [BigTriangle { x: [ax, bx, cx], y: [ay, by, cy] }, BigTriangle { x: [dx, ex, fx], y: [dy, ey, fy] }]
+}
+
+/// The coordinates of two triangles, point by point.
+pub(super) fn coordinates([[a, b, c], [d, e, f]]: [[Point; 3]; 2]) -> [f64; 12] {
+    [a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y, e.x, e.y, f.x, f.y]
 }
 
 impl BigTriangle {
     /// Cross product of two sides.
-    fn doubled_area(&self) -> BigInteger {
+    pub(super) fn doubled_area(&self) -> BigInteger {
         let [u, v] = [self.side(2), self.side(1)];
         u[1].times(&v[0]).minus(&u[0].times(&v[1]))
     }
 
     /// The side opposite a corner, as the corners run.
-    fn side(&self, corner: usize) -> [BigInteger; 2] {
+    pub(super) fn side(&self, corner: usize) -> [BigInteger; 2] {
         let (from, to) = ((corner + 1) % 3, (corner + 2) % 3);
         [self.x[to].minus(&self.x[from]), self.y[to].minus(&self.y[from])]
     }
@@ -204,6 +210,6 @@ impl BigTriangle {
     }
 }
 
-fn dot(u: &[BigInteger; 2], v: &[BigInteger; 2]) -> BigInteger {
+pub(super) fn dot(u: &[BigInteger; 2], v: &[BigInteger; 2]) -> BigInteger {
     u[0].times(&v[0]).plus(&u[1].times(&v[1]))
 }

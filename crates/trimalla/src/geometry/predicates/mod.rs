@@ -22,6 +22,7 @@ mod measures;
 mod orient;
 mod safe_range;
 mod segments;
+mod slope_measure;
 mod tangent;
 mod wide;
 
@@ -37,6 +38,7 @@ pub(crate) use orient::Turn;
 pub use orient::{Orientation, ccw, collinear, left, left_on, orient2d};
 pub(in crate::geometry) use orient::{TWO_PRODUCTS_BOUND, crossing_parameter};
 pub use segments::{SegmentContact, on_segment, segment_contact, segments_cross_properly, strictly_between};
+pub(crate) use slope_measure::SlopeMeasure;
 pub(crate) use tangent::tangent_radii;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.

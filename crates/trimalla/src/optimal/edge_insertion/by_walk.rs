@@ -51,10 +51,9 @@
 use super::cavity::Cavity;
 use super::chain::{Chain, Hand, Progress};
 use super::criteria::{Criterion, LargestAngle, SmallestHeight};
+use super::improve;
 use super::mesh::Mesh;
-use super::worst::Worst;
 use crate::geometry::largest_corner;
-use crate::optimal::input::in_order;
 use crate::optimal::{Optimal, OptimalError, OptimalInput};
 use crate::trace::{Shape, Trace};
 
@@ -63,7 +62,7 @@ pub(in crate::optimal) fn min_max_angle(
     input: &OptimalInput<'_>,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Optimal, OptimalError> {
-    improve(&LargestAngle(input.points), input, trace)
+    improve(&LargestAngle(input.points), input, trace, walk)
 }
 
 /// A triangulation whose smallest height is as large as possible.
@@ -71,46 +70,14 @@ pub(in crate::optimal) fn max_min_height(
     input: &OptimalInput<'_>,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Optimal, OptimalError> {
-    improve(&SmallestHeight(input.points), input, trace)
-}
-
-/// Steps 1 to 6 for a criterion whose anchor is the corner with the largest angle.
-fn improve<C: Criterion>(
-    criterion: &C,
-    input: &OptimalInput<'_>,
-    trace: &mut (impl Trace + ?Sized),
-) -> Result<Optimal, OptimalError> {
-    let start = input.start()?;
-    for &t in &start {
-        trace.add(Shape::Triangle(t), "to begin with");
-    }
-    let mut mesh = Mesh::new(start, input.domain.map_or(&[], |domain| &domain.segments));
-    let mut worst = Worst::new(criterion, &mesh.triangles);
-    let mut value = None;
-    while let Some((slot, bound)) = worst.get() {
-        if trace.is_cancelled() {
-            return Err(OptimalError::Cancelled);
-        }
-        let t = mesh.triangles[slot as usize];
-        trace.look(Shape::Triangle(t), "the worst triangle");
-        if let Some(cavity) = walk(criterion, &mesh, slot, bound, trace) {
-            cavity.apply(criterion, &mut mesh, &mut worst, trace);
-        } else {
-            value = value.or(Some(criterion.value(bound)));
-            trace.look(Shape::Triangle(t), "stays: no triangulation is better here");
-            mesh.seal(slot);
-            worst.retire(criterion, slot);
-        }
-    }
-    Ok(Optimal { triangles: in_order(mesh.triangles), is_proved: true, value: value.unwrap_or(0.0) })
+    improve(&SmallestHeight(input.points), input, trace, walk)
 }
 
 /// Steps 3 to 6 for one triangle: the change that removes it, unless no triangulation is better.
 fn walk<C: Criterion>(
     criterion: &C,
     mesh: &Mesh,
-    slot: u32,
-    bound: &C::Cost,
+    (slot, bound): (u32, &C::Cost),
     trace: &mut (impl Trace + ?Sized),
 ) -> Option<Cavity> {
     let anchor = largest_corner(criterion.corners(mesh.triangles[slot as usize])) as u32;

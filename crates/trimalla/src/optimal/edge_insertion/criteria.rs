@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::geometry::{AngleMeasure, HeightMeasure, Point, largest_corner};
+use crate::geometry::{AngleMeasure, HeightMeasure, Point, SlopeMeasure, largest_corner};
 
 /// What makes a triangle bad.
 pub(super) trait Criterion {
@@ -70,6 +70,34 @@ impl Criterion for SmallestHeight<'_> {
 
     fn point(&self, v: u32) -> Point {
         self.0[v as usize]
+    }
+}
+
+/// The slope of the surface over a triangle.
+pub(super) struct Slope<'a> {
+    pub(super) points: &'a [Point],
+    pub(super) heights: &'a [f64],
+}
+
+impl Criterion for Slope<'_> {
+    type Cost = SlopeMeasure;
+
+    fn cost(&self, mut t: [u32; 3]) -> SlopeMeasure {
+        let first = (0..3).min_by_key(|&k| t[k]).unwrap_or(0);
+        t.rotate_left(first);
+        SlopeMeasure::new(t, self.corners(t), t.map(|v| self.heights[v as usize]))
+    }
+
+    fn compare(&self, a: &SlopeMeasure, b: &SlopeMeasure) -> Ordering {
+        a.compare(b)
+    }
+
+    fn value(&self, cost: &SlopeMeasure) -> f64 {
+        cost.slope()
+    }
+
+    fn point(&self, v: u32) -> Point {
+        self.points[v as usize]
     }
 }
 

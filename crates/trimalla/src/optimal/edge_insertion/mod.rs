@@ -25,12 +25,14 @@
 //! | criterion | file | anchor | cost |
 //! |---|---|---|---|
 //! | largest angle, smallest height | `by_walk.rs` | the corner with the largest angle | O(n² log n) |
+//! | largest slope | `by_trial.rs` | one of the three | O(n³) |
 //!
 //! Edges of the boundary and constrained edges are never crossed, so holes need no care.
 //!
 //! # Source
 //! `[EdelsbrunnerTanWaupotitsch92]` for angles; `[BernEtAl93]` for the paradigm.
 
+mod by_trial;
 mod by_walk;
 mod cavity;
 mod chain;
@@ -38,4 +40,49 @@ mod criteria;
 mod mesh;
 mod worst;
 
+pub(super) use by_trial::min_max_slope;
 pub(super) use by_walk::{max_min_height, min_max_angle};
+
+use criteria::Criterion;
+use mesh::Mesh;
+use worst::Worst;
+
+use super::input::in_order;
+use super::{Optimal, OptimalError, OptimalInput};
+use crate::trace::{Shape, Trace};
+use cavity::Cavity;
+
+/// Improves the worst triangle as long as a search finds how; where it finds nothing, the triangle stays, and the next
+/// one is the worst.
+///
+/// The search is given the mesh, the worst triangle and its cost. It returns `None` only if no triangulation is better.
+fn improve<C: Criterion, T: Trace + ?Sized>(
+    criterion: &C,
+    input: &OptimalInput<'_>,
+    trace: &mut T,
+    mut search: impl FnMut(&C, &Mesh, (u32, &C::Cost), &mut T) -> Option<Cavity>,
+) -> Result<Optimal, OptimalError> {
+    let start = input.start()?;
+    for &t in &start {
+        trace.add(Shape::Triangle(t), "to begin with");
+    }
+    let mut mesh = Mesh::new(start, input.domain.map_or(&[], |domain| &domain.segments));
+    let mut worst = Worst::new(criterion, &mesh.triangles);
+    let mut value = None;
+    while let Some((slot, bound)) = worst.get() {
+        if trace.is_cancelled() {
+            return Err(OptimalError::Cancelled);
+        }
+        let t = mesh.triangles[slot as usize];
+        trace.look(Shape::Triangle(t), "the worst triangle");
+        if let Some(cavity) = search(criterion, &mesh, (slot, bound), trace) {
+            cavity.apply(criterion, &mut mesh, &mut worst, trace);
+        } else {
+            value = value.or(Some(criterion.value(bound)));
+            trace.look(Shape::Triangle(t), "stays: no triangulation is better here");
+            mesh.seal(slot);
+            worst.retire(criterion, slot);
+        }
+    }
+    Ok(Optimal { triangles: in_order(mesh.triangles), is_proved: true, value: value.unwrap_or(0.0) })
+}

@@ -123,6 +123,17 @@ pub(super) fn smallest_height(t: [Point; 3]) -> RBig {
     -(&area * &area / longest)
 }
 
+/// The squared slope of the plane over a triangle.
+pub(super) fn slope_sq(t: [Point; 3], heights: [f64; 3]) -> RBig {
+    let n = number;
+    let part = |along: fn(Point) -> f64| {
+        let term = |k: usize| n(heights[k]) * (n(along(t[(k + 1) % 3])) - n(along(t[(k + 2) % 3])));
+        term(0) + term(1) + term(2)
+    };
+    let (x, y, area) = (part(|p| p.y), part(|p| p.x), doubled_area(t));
+    (&x * &x + &y * &y) / (&area * &area)
+}
+
 /// The worst triangle of a triangulation.
 pub(super) fn worst(triangles: &[[u32; 3]], cost: impl Fn([u32; 3]) -> RBig) -> Option<RBig> {
     triangles.iter().map(|&t| cost(t)).max()

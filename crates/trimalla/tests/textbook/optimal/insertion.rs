@@ -199,8 +199,10 @@ fn a_cancelled_run_ends() {
         }
     }
     let points = point_set(PointSetKind::Uniform, 50, 1);
+    let heights: Vec<f64> = points.iter().map(|p| p.x * p.y).collect();
+    let input = OptimalInput { heights: Some(&heights), ..OptimalInput::of_points(&points) };
     for method in OptimalMethod::ALL {
-        let made = method.triangulate(&OptimalInput::of_points(&points), &mut Never);
+        let made = method.triangulate(&input, &mut Never);
         assert_eq!(made, Err(OptimalError::Cancelled), "{method}");
     }
 }
