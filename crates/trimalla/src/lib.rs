@@ -31,6 +31,8 @@
 //! | refine step by step, and back | [`Refinement`] |
 //! | write a strategy of my own | [`refine::steps`] |
 //! | know whether a mesh is sound, Delaunay, one of its drawing | [`check_mesh`](triangulation::check_mesh), [`check_mesh_delaunay`](triangulation::check_mesh_delaunay), [`against_input`](quality::against_input) |
+//! | draw the Voronoi diagram of points, clip it to a domain | [`dual::Voronoi`] |
+//! | compute heights between vertices, draw contour lines | [`interpolate::interpolate`](interpolate::interpolate()), [`interpolate::Surface`] |
 //! | count angles, areas, degrees | [`quality::Statistics`] |
 //! | decide on which side a point lies, exactly | [`geometry::orient2d`], [`geometry::in_circle`] |
 //! | read and write files | the crate `trimalla-io` |
@@ -48,7 +50,8 @@
 //! * [`constrained`]: segments that must be edges, crossings, subsegments
 //! * [`domain`]: outlines, holes, what is kept of a drawing; [`size`]: how large a triangle may be where
 //! * [`quality`]: statistics, meshes compared with their input; [`optimal`]: triangulations that are best by a
-//!   criterion; [`dual`]: the Voronoi diagram; [`interpolate`]: values between vertices
+//!   criterion
+//! * [`dual`]: Voronoi diagrams, whole and clipped; [`interpolate`]: heights between vertices, contour lines
 //! * [`refine`]: bad triangles made good, in five exchangeable steps
 //!
 //! # Features

@@ -1,6 +1,7 @@
 //! Clipped cells as polygons.
 //!
-//! The triangles of the overlay that belong to one site make up its cell. Its boundary is followed triangle by triangle:
+//! The triangles of the overlay that belong to one site make up its cell. Its boundary is followed triangle by
+//! triangle:
 //!
 //! ```text
 //!            \ other site               h a side with another site, or the outside, beyond.
@@ -11,8 +12,8 @@
 //!    ·────·───────a
 //! ```
 //!
-//! A part of a cell that is connected through edges is a [`Piece`]: one outer ring and the rings of its holes. Where the
-//! boundary touches itself in a point, a ring passes that point several times, or two rings do.
+//! A part of a cell that is connected through edges is a [`Piece`]: one outer ring and the rings of its holes. Where
+//! the boundary touches itself in a point, a ring passes that point several times, or two rings do.
 
 use super::error::VoronoiError;
 use super::overlay::Overlay;
@@ -202,7 +203,7 @@ fn trace_pieces(
     pieces: &mut [Vec<Piece>],
 ) {
     let label = |f: FaceId| if t.is_ghost(f) { None } else { label(f) };
-    let is_border = |h: HalfEdgeId| label(h.face()) != label(t.twin(h).face());
+    let is_side = |h: HalfEdgeId| label(h.face()) != label(t.twin(h).face());
     let mut is_done = vec![false; t.face_slots()];
     let mut is_passed = vec![false; 3 * t.face_slots()];
     let mut open = Vec::new();
@@ -216,12 +217,12 @@ fn trace_pieces(
         while let Some(f) = open.pop() {
             for h in f.half_edges() {
                 let beyond = t.twin(h).face();
-                if !is_border(h) {
+                if !is_side(h) {
                     if !std::mem::replace(&mut is_done[beyond.index()], true) {
                         open.push(beyond);
                     }
                 } else if !is_passed[h.index()] {
-                    rings.push(ring_through(t, h, is_border, &mut is_passed, kept));
+                    rings.push(ring_through(t, h, is_side, &mut is_passed, kept));
                 }
             }
         }
@@ -229,22 +230,22 @@ fn trace_pieces(
     }
 }
 
-/// The ring of border edges through one of them.
+/// The ring of sides through one of them.
 fn ring_through(
     t: &Triangulation,
     first: HalfEdgeId,
-    is_border: impl Fn(HalfEdgeId) -> bool,
+    is_side: impl Fn(HalfEdgeId) -> bool,
     is_passed: &mut [bool],
     kept: &mut Kept,
 ) -> Vec<u32> {
     let mut ring = Vec::new();
     let mut h = first;
-    // Each border edge is passed once, and each turn around a vertex is shorter than the mesh.
+    // Each side is passed once, and each turn around a vertex is shorter than the mesh.
     while !std::mem::replace(&mut is_passed[h.index()], true) {
         ring.push(kept.index(t, t.origin(h)));
         h = h.next();
         for _ in 0..t.face_slots() {
-            if is_border(h) {
+            if is_side(h) {
                 break;
             }
             h = t.twin(h).next();

@@ -1,7 +1,7 @@
 //! The part of an edge in a box.
 //!
-//! A Voronoi vertex may lie as far away as the nearest thing to infinity, and its rounded coordinates say little then. So
-//! the part of an edge in a box is taken from the bisector itself:
+//! A Voronoi vertex may lie as far away as the nearest thing to infinity, and its rounded coordinates say little then.
+//! So the part of an edge in a box is taken from the bisector itself:
 //!
 //! ```text
 //!         ┌─────────box─────────┐        m middle of the two sites
@@ -11,7 +11,8 @@
 //! ```
 //!
 //! On which side of the middle a vertex lies is exact: the center of a triangle lies beyond a side from the opposite
-//! corner if the angle at that corner is obtuse, which is if the corner lies in the disk with that side as its diameter.
+//! corner if the angle at that corner is obtuse, which is if the corner lies in the disk with that side as its
+//! diameter.
 
 use super::voronoi::{Voronoi, VoronoiEdge};
 use crate::geometry::{BoundingBox, CircleSide, Point, Vector, in_diametral_disk};

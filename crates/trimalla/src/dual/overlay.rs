@@ -6,8 +6,8 @@
 //!    through it, as two segments of a drawing are.
 //! 4. *Inside or outside.* Triangles that can be reached from each other without crossing the outline lie both in the
 //!    domain or both outside. The largest of them is asked: is its middle in the domain?
-//! 5. *Nearest site.* Triangles that can be reached from each other without crossing any line have one nearest site. The
-//!    largest of them is asked: which site is nearest to its middle?
+//! 5. *Nearest site.* Triangles that can be reached from each other without crossing any line have one nearest site.
+//!    The largest of them is asked: which site is nearest to its middle?
 //!
 //! So every triangle in the domain belongs to exactly one cell, whatever rounding did to the lines.
 

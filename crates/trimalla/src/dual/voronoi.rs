@@ -18,8 +18,8 @@
 //! 2. *Edges.* Every side between triangles of different vertices has an edge; every side of the hull has a ray.
 //! 3. *Cells.* The edges around a site, counter-clockwise, are those of the sides around it.
 //!
-//! Degenerate cases: sites on one line have parallel bisectors as edges, without vertices; a single site has the plane as
-//! its cell, without edges. A site at the place of another one has no cell; see [`Voronoi::site_of`].
+//! Degenerate cases: sites on one line have parallel bisectors as edges, without vertices; a single site has the plane
+//! as its cell, without edges. A site at the place of another one has no cell; see [`Voronoi::site_of`].
 //!
 //! Coordinates of vertices are rounded. Which vertices, edges and cells there are is exact.
 //!
@@ -178,8 +178,8 @@ impl Voronoi {
         Ok(vertex_of)
     }
 
-    /// Step 2: for each half-edge twice the number of its edge, and one more for the half-edge that has the first site at
-    /// its end.
+    /// Step 2: for each half-edge twice the number of its edge, and one more for the half-edge that has the first site
+    /// at its end.
     fn find_edges(
         &mut self,
         t: &Triangulation,

@@ -24,7 +24,7 @@ fn larger(most: f64, x: f64, y: f64) -> f64 {
 
 /// A frame of reference for one small figure.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// The origin, shrunk.
     origin: Vector,
     shrink: f64,
@@ -48,7 +48,7 @@ impl Frame {
 
     /// The frame with the given origin in which the given points have coordinates whose squares are ordinary numbers.
     #[inline]
-    pub(super) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {
+    pub(crate) fn new<const N: usize>(origin: Point, points: [Point; N]) -> Self {
         let largest = points.iter().chain(core::iter::once(&origin)).fold(0.0, |m, p| larger(m, p.x, p.y));
         let shrink = if largest > LARGE { SHRINK } else { 1.0 };
         let mut frame =
@@ -66,7 +66,7 @@ impl Frame {
 
     /// A point as seen in the frame.
     #[inline]
-    pub(super) fn local(&self, point: Point) -> Vector {
+    pub(crate) fn local(&self, point: Point) -> Vector {
         let x = point.x * self.shrink - self.origin.x;
         let y = point.y * self.shrink - self.origin.y;
         Vector::new(x * self.scale, y * self.scale)
@@ -81,7 +81,7 @@ impl Frame {
 
     /// A length measured in the frame, in the caller's units.
     #[inline]
-    pub(super) fn length(&self, local: f64) -> f64 {
+    pub(crate) fn length(&self, local: f64) -> f64 {
         local * self.unscale / self.shrink
     }
 

@@ -28,6 +28,7 @@ pub use bounding_box::BoundingBox;
 pub(crate) use box_tree::BoxTree;
 pub use circle::Circle;
 pub use containment::Containment;
+pub(crate) use frame::Frame;
 pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};

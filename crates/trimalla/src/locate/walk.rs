@@ -60,11 +60,20 @@ impl Triangulation {
         if self.dimension < 2 {
             return self.locate_low(p);
         }
-        match self.float_walk(start, p).or_else(|near| self.walk(near, p).ok_or(near)).ok() {
+        match self.locate_by_walk(start, p) {
             Some(Locus::Outside(h)) if self.closure == Closure::Domain => self.scan(p).unwrap_or(Locus::Outside(h)),
             Some(locus) => locus,
             None => self.scan_or_outside(p),
         }
+    }
+
+    /// Where `p` lies by a walk alone, in dimension 2; `None` where it takes too many steps.
+    ///
+    /// Of a domain `Outside` says only that the walk came to a boundary edge with `p` beyond: `p` may still lie in the
+    /// domain, on the other side of a bay or a hole.
+    #[inline]
+    pub(crate) fn locate_by_walk(&self, start: FaceId, p: Point) -> Option<Locus> {
+        self.float_walk(start, p).or_else(|near| self.walk(near, p).ok_or(near)).ok()
     }
 
     /// Walks towards `p` without crossing constrained edges, along the straight line from the middle of `start` as far

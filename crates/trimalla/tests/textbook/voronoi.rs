@@ -1,4 +1,5 @@
-//! The Voronoi diagram: its invariants by exact signs and rationals, its cells by brute force, clipped areas in rationals.
+//! The Voronoi diagram: its invariants by exact signs and rationals, its cells by brute force, clipped areas in
+//! rationals.
 
 use std::collections::BTreeSet;
 

@@ -161,6 +161,23 @@ pub(in crate::geometry) fn crossing_parameter([a, b]: [Point; 2], [p, q]: [Point
     1.0 / (1.0 + from_q / from_p * power)
 }
 
+/// The barycentric coordinates of a point of a triangle: its exact areas with the sides, each divided by their sum,
+/// rounded.
+///
+/// # Guarantees
+/// Each is within a few last places of itself, however flat the triangle is; corners run counter-clockwise.
+pub(crate) fn barycentric([a, b, c]: [Point; 3], p: Point) -> [f64; 3] {
+    let areas = [summed(b, c, p), summed(c, a, p), summed(a, b, p)].map(|area| area.magnitude());
+    // A magnitude of 0 has the exponent 0, which says nothing.
+    let exponents = areas.iter().filter(|(area, _)| *area > 0.0).map(|(_, exponent)| *exponent);
+    let Some(largest) = exponents.max() else { return [1.0 / 3.0; 3] };
+    let power =
+        |exponent: i32| f64::from_bits(u64::from((1023 + (exponent - largest).max(-1022)).unsigned_abs()) << 52);
+    let scaled = areas.map(|(area, exponent)| if area > 0.0 { area * power(exponent) } else { 0.0 });
+    let total: f64 = scaled.iter().sum();
+    scaled.map(|area| area / total)
+}
+
 /// Tells whether `a`, `b`, `c` make a strict left turn. Exact.
 #[doc(alias = "orientation")]
 #[must_use]
