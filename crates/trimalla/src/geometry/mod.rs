@@ -33,7 +33,7 @@ pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
 pub(crate) use predicates::{
-    AngleMeasure, HeightMeasure, SlopeMeasure, Turn, angles_of_two, inside_two_circles, largest_corner,
+    AngleMeasure, HeightMeasure, SlopeMeasure, Turn, angles_of_two, barycentric, inside_two_circles, largest_corner,
     sides_angle_excess, tangent_radii,
 };
 pub use predicates::{

@@ -1,6 +1,6 @@
 //! The table of algorithms, and the call of each.
 
-use super::{Optimal, OptimalError, OptimalInput};
+use super::{Optimal, OptimalError, OptimalInput, WeightBudget, minimum_weight};
 use super::{edge_insertion, pairs};
 use crate::trace::Trace;
 
@@ -11,6 +11,7 @@ keyed! {
         MinMaxAngle = "min-max-angle", "the largest angle as small as possible, by edge insertion", "EdelsbrunnerTanWaupotitsch92";
         MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
         MinMaxSlope = "min-max-slope", "the steepest triangle of a surface as flat as possible, by edge insertion", "BernEtAl93";
+        MinWeight = "min-weight", "least sum of edge lengths, proved: diamond test, LMT-skeleton, dynamic programming", "Haas18";
     }
 }
 
@@ -41,6 +42,7 @@ impl OptimalMethod {
         trace: &mut (impl Trace + ?Sized),
     ) -> Result<Optimal, OptimalError> {
         match self {
+            Self::MinWeight => Ok(minimum_weight(input, WeightBudget::default(), trace)?.optimal),
             Self::Pairs => pairs::triangulate(input, trace),
             Self::MinMaxAngle => edge_insertion::min_max_angle(input, trace),
             Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),

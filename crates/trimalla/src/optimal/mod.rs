@@ -2,14 +2,18 @@
 //!
 //! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain
 //! with holes, given by any triangulation of it.
+//! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain with
+//! holes, given by any triangulation of it.
 
 mod edge_insertion;
 mod edge_set;
 mod error;
 mod input;
 mod method;
+mod min_weight;
 mod pairs;
 
 pub use error::OptimalError;
 pub use input::{Optimal, OptimalInput};
 pub use method::OptimalMethod;
+pub use min_weight::{MinimumWeight, WeightBudget, minimum_weight};
