@@ -1,7 +1,6 @@
 //! The table of algorithms, and the call of each.
 
-use super::{Optimal, OptimalError, OptimalInput, WeightBudget, minimum_weight};
-use super::{edge_insertion, pairs};
+use super::{Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, greedy, minimum_weight, pairs};
 use crate::trace::Trace;
 
 keyed! {
@@ -12,6 +11,8 @@ keyed! {
         MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
         MinMaxSlope = "min-max-slope", "the steepest triangle of a surface as flat as possible, by edge insertion", "BernEtAl93";
         MinWeight = "min-weight", "least sum of edge lengths, proved: diamond test, LMT-skeleton, dynamic programming", "Haas18";
+        Greedy = "greedy", "the shortest edges first, found among pairs that pass the diamond test", "DickersonEtAl97";
+        GreedyNaive = "greedy-naive", "the shortest edges first, all pairs compared with all edges: slow, to teach", "DickersonEtAl97";
     }
 }
 
@@ -47,6 +48,8 @@ impl OptimalMethod {
             Self::MinMaxAngle => edge_insertion::min_max_angle(input, trace),
             Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),
             Self::MinMaxSlope => edge_insertion::min_max_slope(input, trace),
+            Self::Greedy => greedy::fast(input, trace),
+            Self::GreedyNaive => greedy::naive(input, trace),
         }
     }
 }

@@ -8,6 +8,7 @@
 mod edge_insertion;
 mod edge_set;
 mod error;
+mod greedy;
 mod input;
 mod method;
 mod min_weight;

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use trimalla::IndexedMesh;
 use trimalla::delaunay::{AlgorithmKey, BuildError};
 use trimalla::geometry::Point;
 use trimalla::optimal::{OptimalError, OptimalInput, OptimalMethod};
 use trimalla::trace::{Act, NoTrace, Shape, Step, Trace};
 use trimalla_testkit::generators::{PointSetKind, point_set};
+use trimalla_testkit::oracles::RBig;
 
 use super::enumerate;
 
@@ -139,4 +141,75 @@ fn the_steps_make_the_triangulation() {
             assert_eq!(made, list, "{key} {name}");
         }
     }
+}
+
+#[test]
+fn greedy_fast_is_greedy_naive() {
+    let greedy = |method: OptimalMethod, points: &[Point]| {
+        method.triangulate(&OptimalInput::of_points(points), &mut NoTrace).unwrap()
+    };
+    for n in [5, 8, 30] {
+        for (name, points) in sets(n, 3) {
+            let fast = greedy(OptimalMethod::Greedy, &points);
+            assert_eq!(fast, greedy(OptimalMethod::GreedyNaive, &points), "{name}");
+            let all = if n <= 8 { enumerate::triangulations(&points) } else { Vec::new() };
+            assert!(all.is_empty() || all.contains(&fast.triangles), "{name}");
+        }
+    }
+    for kind in
+        [PointSetKind::Uniform, PointSetKind::CoarseUniform, PointSetKind::IntegerGrid, PointSetKind::RandomWalk]
+    {
+        for seed in 0..4 {
+            let points = point_set(kind, 150, seed);
+            let fast = greedy(OptimalMethod::Greedy, &points);
+            assert_eq!(fast, greedy(OptimalMethod::GreedyNaive, &points), "{kind:?} {seed}");
+        }
+    }
+}
+
+/// The shortest pairs are there, exactly, and ties go to the lower vertices.
+#[test]
+fn greedy_takes_the_shortest_pair_first() {
+    for n in [5, 9, 16] {
+        for (name, points) in sets(n, 1) {
+            let mut steps: Vec<Step> = Vec::new();
+            OptimalMethod::Greedy.triangulate(&OptimalInput::of_points(&points), &mut steps).unwrap();
+            let edges = steps.iter().filter(|s| s.act == Act::Add).filter_map(|s| match s.shape {
+                Shape::Edge(e) => Some((squared_length(&points, e), e)),
+                _ => None,
+            });
+            assert!(edges.collect::<Vec<_>>().is_sorted(), "{name}");
+        }
+    }
+}
+
+fn squared_length(points: &[Point], [a, b]: [u32; 2]) -> RBig {
+    let number = |x: f64| RBig::try_from(x).expect("a finite number");
+    let [a, b] = [a, b].map(|v| points[v as usize]);
+    let [x, y] = [number(a.x) - number(b.x), number(a.y) - number(b.y)];
+    &x * &x + &y * &y
+}
+
+/// Any triangulation of a frame with a hole, given as a domain, leads to the same greedy triangulation.
+#[test]
+fn domains_keep_their_boundary() {
+    let frame = [[0.0, 0.0], [9.0, 0.0], [9.0, 8.0], [0.0, 8.0], [2.0, 2.0], [3.0, 6.0], [6.0, 4.0]].map(Point::from);
+    let boundary = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]];
+    let all = enumerate::triangulations_within(&frame, &boundary);
+    for &method in OptimalMethod::ALL {
+        let mut made = BTreeSet::new();
+        for triangles in &all {
+            let mesh = IndexedMesh { points: frame.to_vec(), triangles: triangles.clone(), ..IndexedMesh::default() };
+            let input = OptimalInput { domain: Some(&mesh), ..OptimalInput::of_points(&frame) };
+            made.insert(method.triangulate(&input, &mut NoTrace).unwrap().triangles);
+        }
+        assert!(made.iter().all(|triangles| all.contains(triangles)), "{method}");
+        assert_eq!(made.len(), 1, "{method}");
+    }
+    let both = [OptimalMethod::Greedy, OptimalMethod::GreedyNaive].map(|method| {
+        let mesh = IndexedMesh { points: frame.to_vec(), triangles: all[0].clone(), ..IndexedMesh::default() };
+        let input = OptimalInput { domain: Some(&mesh), ..OptimalInput::of_points(&frame) };
+        method.triangulate(&input, &mut NoTrace).unwrap()
+    });
+    assert_eq!(both[0], both[1]);
 }
