@@ -91,6 +91,22 @@ pub(super) fn build(
 /// assert_eq!(flip_to_delaunay(&mut t, &mut NoTrace), Ok(1));
 /// ```
 pub fn flip_to_delaunay(t: &mut Triangulation, trace: &mut (impl Trace + ?Sized)) -> Result<u64, BuildError> {
+    flip_illegal(t, |t, e| !passes_circle_test(t, e), trace)
+}
+
+/// Steps 2 and 3: flips illegal edges until there are none; returns how many flips there were.
+///
+/// # Shape
+/// Only edges without marks between two triangles are asked for. An edge may be illegal only if its quadrilateral is strictly
+/// convex, and if a flip makes something better that never gets worse, so that no triangulation comes twice.
+///
+/// # Errors
+/// Cancelled.
+pub(crate) fn flip_illegal(
+    t: &mut Triangulation,
+    is_illegal: impl Fn(&Triangulation, HalfEdgeId) -> bool,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<u64, BuildError> {
     let mut queue = EdgeQueue::of_inner_edges(t);
     let mut flips = 0;
     while let Some(e) = queue.pop() {
@@ -99,7 +115,7 @@ pub fn flip_to_delaunay(t: &mut Triangulation, trace: &mut (impl Trace + ?Sized)
         }
         let edge = ends(t, e);
         trace.look(Shape::Edge(edge), "is it legal?");
-        if is_legal(t, e) {
+        if !is_illegal(t, e) {
             continue;
         }
         trace.remove(Shape::Edge(edge), "illegal");
@@ -126,9 +142,9 @@ impl EdgeQueue {
         queue
     }
 
-    /// Puts an edge in, if it lies between two triangles.
+    /// Puts an edge in, if it lies between two triangles and has no mark.
     fn push(&mut self, t: &Triangulation, e: HalfEdgeId) {
-        let is_inner = t.is_real(e.face()) && t.is_real(t.twin(e).face());
+        let is_inner = t.is_real(e.face()) && t.is_real(t.twin(e).face()) && !t.is_marked(e);
         let is_waiting = self.is_waiting[e.index()] || self.is_waiting[t.twin(e).index()];
         if is_inner && !is_waiting {
             self.is_waiting[e.index()] = true;
@@ -147,13 +163,9 @@ fn ends(t: &Triangulation, e: HalfEdgeId) -> [u32; 2] {
     [t.origin(e).0, t.dest(e).0]
 }
 
-/// Whether an edge is on the boundary, has a mark, or passes the circle test.
-fn is_legal(t: &Triangulation, e: HalfEdgeId) -> bool {
-    let o = t.twin(e);
-    if t.is_marked(e) || !t.is_real(e.face()) || !t.is_real(o.face()) {
-        return true;
-    }
-    let [a, b, c, d] = [t.origin(e), t.dest(e), t.apex(e), t.apex(o)].map(|v| t.point(v));
+/// Whether the apex on one side of an edge is not inside the circle of the face on the other.
+fn passes_circle_test(t: &Triangulation, e: HalfEdgeId) -> bool {
+    let [a, b, c, d] = [t.origin(e), t.dest(e), t.apex(e), t.apex(t.twin(e))].map(|v| t.point(v));
     in_circle_perturbed(a, b, c, d) != CircleSide::Inside
 }
 
@@ -166,7 +178,10 @@ fn is_legal(t: &Triangulation, e: HalfEdgeId) -> bool {
 ///          ·    /   /
 ///            ·─ a               a is the last vertex
 /// ```
-fn sweep(
+///
+/// # Errors
+/// Cancelled.
+pub(crate) fn sweep(
     points: &[Point],
     subset: Option<&[VertexId]>,
     trace: &mut (impl Trace + ?Sized),

@@ -45,9 +45,9 @@ pub enum OptimalError {
         /// The points of the input.
         expected: usize,
     },
-    /// The triangles of the domain are at fault.
-    #[error("the domain is no triangulation: {0}")]
-    Domain(Box<MeshFault>),
+    /// The triangles of the domain, or of a mesh to be flipped, have these faults.
+    #[error("the triangles of the domain are at fault: {}", .0.first().map(ToString::to_string).unwrap_or_default())]
+    Domain(Vec<MeshFault>),
     /// Somebody has cancelled.
     #[error("cancelled")]
     Cancelled,

@@ -28,7 +28,8 @@ pub struct Optimal {
     pub triangles: Vec<[u32; 3]>,
     /// Whether no triangulation is better by the criterion of the algorithm.
     pub is_proved: bool,
-    /// The value of the criterion, rounded. For `pairs` and greedy algorithms: the sum of the lengths of the edges.
+    /// The value of the criterion, rounded. For `pairs`, greedy algorithms and
+    /// `flip-shortest-diagonal`: the sum of the lengths of the edges; for the other flips an angle in radians.
     pub value: f64,
 }
 
@@ -52,13 +53,14 @@ impl<'a> OptimalInput<'a> {
         if domain.points != self.points {
             return Err(OptimalError::OtherPoints { count: domain.points.len(), expected: self.points.len() });
         }
-        match check_mesh(domain).into_iter().next() {
-            Some(fault) => Err(OptimalError::Domain(Box::new(fault))),
-            None => Ok(()),
+        let faults = check_mesh(domain);
+        if !faults.is_empty() {
+            return Err(OptimalError::Domain(faults));
         }
+        Ok(())
     }
 
-    /// Checks the input, and finds the vertices and the boundary.
+    /// Checks the input, and finds the vertices and the edges that must be kept.
     ///
     /// # Errors
     /// See [`OptimalError`].
@@ -68,12 +70,19 @@ impl<'a> OptimalInput<'a> {
     pub(crate) fn prepare(&self) -> Result<Prepared, OptimalError> {
         self.check()?;
         let Some(domain) = self.domain else {
-            return Ok(Prepared { vertices: distinct(self.points), boundary: Vec::new(), sides: None });
+            return Ok(Prepared {
+                vertices: distinct(self.points),
+                boundary: Vec::new(),
+                segments: Vec::new(),
+                sides: None,
+            });
         };
         let sides = Sides::of(domain);
         let vertices = (0..self.points.len() as u32).filter(|&v| sides.is_used(v)).collect();
         let boundary = sides.boundary().map(|s| [s.origin, s.dest]).collect();
-        Ok(Prepared { vertices, boundary, sides: Some(sides) })
+        let is_inside = |&[a, b]: &[u32; 2]| sides.find(a, b).is_some() && sides.find(b, a).is_some();
+        let segments = domain.segments.iter().copied().filter(is_inside).collect();
+        Ok(Prepared { vertices, boundary, segments, sides: Some(sides) })
     }
 
     /// Triangles to begin with: those of the domain, or the Delaunay triangulation.
@@ -116,11 +125,18 @@ pub(crate) struct Prepared {
     pub(crate) vertices: Vec<u32>,
     /// The boundary of the domain, which lies to the left of each edge; empty without a domain.
     pub(crate) boundary: Vec<[u32; 2]>,
+    /// The constrained edges inside of the domain.
+    segments: Vec<[u32; 2]>,
     /// The sides of the triangles of the domain.
     sides: Option<Sides>,
 }
 
 impl Prepared {
+    /// The edges that must be kept: the boundary of the domain, and its segments.
+    pub(crate) fn fixed(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.boundary.iter().chain(&self.segments).copied()
+    }
+
     /// Whether the way from vertex `u` to vertex `v` starts inside the domain, or along one of its edges with the
     /// domain to the left; always, without a domain.
     ///

@@ -1,6 +1,9 @@
 //! The table of algorithms, and the call of each.
 
-use super::{Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, greedy, minimum_weight, pairs};
+use super::{
+    FlipCriterion, Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, flips, greedy, minimum_weight,
+    pairs,
+};
 use crate::trace::Trace;
 
 keyed! {
@@ -13,6 +16,9 @@ keyed! {
         MinWeight = "min-weight", "least sum of edge lengths, proved: diamond test, LMT-skeleton, dynamic programming", "Haas18";
         Greedy = "greedy", "the shortest edges first, found among pairs that pass the diamond test", "DickersonEtAl97";
         GreedyNaive = "greedy-naive", "the shortest edges first, all pairs compared with all edges: slow, to teach", "DickersonEtAl97";
+        FlipMaxMinAngle = "flip-max-min-angle", "flips while the smallest angle of two triangles grows", "Lawson77";
+        FlipMinMaxAngle = "flip-min-max-angle", "flips while the largest angle of two triangles shrinks", "EdelsbrunnerTanWaupotitsch92";
+        FlipShortestDiagonal = "flip-shortest-diagonal", "flips while the other diagonal of two triangles is shorter", "Triangulaciones";
     }
 }
 
@@ -50,6 +56,9 @@ impl OptimalMethod {
             Self::MinMaxSlope => edge_insertion::min_max_slope(input, trace),
             Self::Greedy => greedy::fast(input, trace),
             Self::GreedyNaive => greedy::naive(input, trace),
+            Self::FlipMaxMinAngle => flips::triangulate(input, FlipCriterion::MaxMinAngle, trace),
+            Self::FlipMinMaxAngle => flips::triangulate(input, FlipCriterion::MinMaxAngle, trace),
+            Self::FlipShortestDiagonal => flips::triangulate(input, FlipCriterion::ShortestDiagonal, trace),
         }
     }
 }

@@ -8,6 +8,7 @@
 mod edge_insertion;
 mod edge_set;
 mod error;
+mod flips;
 mod greedy;
 mod input;
 mod method;
@@ -15,6 +16,7 @@ mod min_weight;
 mod pairs;
 
 pub use error::OptimalError;
+pub use flips::{FlipCriterion, locally_optimal};
 pub use input::{Optimal, OptimalInput};
 pub use method::OptimalMethod;
 pub use min_weight::{MinimumWeight, WeightBudget, minimum_weight};

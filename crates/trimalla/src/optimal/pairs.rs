@@ -61,9 +61,9 @@ pub(super) fn join(
     pairs: impl Iterator<Item = [u32; 2]>,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Optimal, OptimalError> {
-    let mut edges = prepared.boundary.clone();
+    let mut edges: Vec<[u32; 2]> = prepared.fixed().collect();
     for &edge in &edges {
-        trace.add(Shape::Edge(edge), "boundary of the domain");
+        trace.add(Shape::Edge(edge), "an edge of the drawing");
     }
     for pair in pairs {
         if trace.is_cancelled() {

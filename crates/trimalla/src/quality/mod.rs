@@ -4,6 +4,8 @@
 //! * [`below_bound()`] lists the triangles with an angle below a bound, by the exact certificate;
 //! * [`against_input()`] compares a mesh with the drawing it was made from;
 //! * [`aspect_ratio`] measures one triangle;
+//! * [`compare_equiangularity()`] compares two triangulations by all their angles; [`DelaunayMeasures`] and [`max_detour()`]
+//!   measure what a Delaunay triangulation makes best;
 //! * [`angle_ceiling()`] bounds the smallest angle of every mesh of a domain from above; [`angle_floor()`] and
 //!   [`shell_floor`] give the angle that refinement keeps in spite of the [`smallest_input_angle`].
 //!
@@ -15,6 +17,7 @@ mod angle_ceiling;
 mod angle_floor;
 mod below_bound;
 mod cover;
+mod equiangularity;
 mod histogram;
 mod measure;
 mod near_ends;
@@ -27,6 +30,7 @@ pub use against_input::{Comparison, InputFault, against_input};
 pub use angle_ceiling::{AngleCeiling, angle_ceiling};
 pub use angle_floor::{InputAngle, angle_floor, shell_floor, smallest_input_angle};
 pub use below_bound::below_bound;
+pub use equiangularity::{DelaunayMeasures, compare_equiangularity, max_detour};
 pub use histogram::{Classes, Histogram};
 pub use measure::{Spread, aspect_ratio};
 pub(crate) use sectors::for_each_sector;

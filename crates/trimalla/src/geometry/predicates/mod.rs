@@ -13,6 +13,7 @@
 //! predicates*, 1997. The absolute guard against underflow that lets a filter be one comparison: Ozaki et al., 2016.
 mod along;
 mod angle_certificate;
+mod angle_order;
 mod big_integer;
 mod circle;
 mod disk;
@@ -30,6 +31,7 @@ mod wide;
 pub use along::along;
 pub use angle_certificate::{angle_at_least, triangle_angles_at_least};
 pub(crate) use angle_certificate::{angles_of_two, sides_angle_excess};
+pub(crate) use angle_order::compare_angles;
 pub(crate) use circle::inside_two_circles;
 pub use circle::{CircleSide, in_circle, in_circle_perturbed};
 pub use disk::in_diametral_disk;

@@ -120,8 +120,8 @@ fn join(
 ) -> Result<Vec<[u32; 2]>, OptimalError> {
     let most = t.edges().count();
     let mut taken = Crossings::new(t);
-    for &edge in &prepared.boundary {
-        trace.add(Shape::Edge(edge), "boundary of the domain");
+    for edge in prepared.fixed() {
+        trace.add(Shape::Edge(edge), "an edge of the drawing");
         taken.take_edge(edge);
     }
     for &pair in pairs {
