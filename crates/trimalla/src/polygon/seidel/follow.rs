@@ -41,12 +41,19 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
             self.same[j as usize] = self.same[i as usize];
             return Ok(here);
         }
-        let side = Side { lower, upper, inside_is_right: false, is_touched: false, origin: i };
-        let leave =
-            |this: &mut Self, p| this.structure.locate_leaving(ROOT, p, q).map_err(|other| this.crossing(&side, other));
+        let ends = if is_up { [p, q] } else { [q, p] };
+        let side = Side { lower, upper, ends, inside_is_right: false, is_touched: false, origin: i };
+        let leave = |this: &mut Self, vertex: u32, p| {
+            let hint = this.hints[vertex as usize];
+            this.structure.locate_leaving(hint, p, q).map_err(|other| this.crossing(&side, other))
+        };
+        let start = match self.same[i as usize] {
+            NONE => i,
+            vertex => vertex,
+        };
         let mut at = match here {
             Some(at) => at,
-            None => leave(self, p)?,
+            None => leave(self, start, p)?,
         };
         let mut known = [NONE; 2];
         loop {
@@ -71,10 +78,10 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
             if beyond != direction {
                 return Ok(self.arrive(j, at));
             }
-            at = match orient2d(self.structure.point(lower), self.structure.point(upper), w) {
+            at = match orient2d(ends[0], ends[1], w) {
                 Orientation::CounterClockwise => ahead[RIGHT],
                 Orientation::Clockwise => ahead[LEFT],
-                Orientation::Collinear => leave(self, w)?,
+                Orientation::Collinear => leave(self, vertex, w)?,
             };
         }
     }

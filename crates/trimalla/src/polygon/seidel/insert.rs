@@ -1,6 +1,8 @@
 //! Vertices and sides are inserted into the trapezoids, one after the other.
 
-use super::structure::{Cell, LEFT, NONE, Node, Place, RIGHT, ROOT, Side, Structure, replace};
+use std::cmp::Ordering;
+
+use super::structure::{Cell, LEFT, NONE, Node, Place, RIGHT, ROOT, Side, Structure, replace, upwards};
 use crate::geometry::{Orientation, Point, Segment, orient2d, segments_cross_properly};
 use crate::polygon::PolygonError;
 use crate::trace::{Shape, Trace};
@@ -21,6 +23,16 @@ pub(super) struct Inserter<'a, 't, T: ?Sized> {
 }
 
 impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
+    /// Inserts the side that leaves from a point.
+    pub(super) fn insert(&mut self, origin: u32, inside_is_right: bool) -> Result<(), PolygonError> {
+        let [p, q] = [origin, self.next[origin as usize]].map(|v| self.insert_vertex(v));
+        let is_up = upwards(self.structure.point(q), self.structure.point(p)) == Ordering::Greater;
+        let [lower, upper] = if is_up { [p, q] } else { [q, p] };
+        let ends = [lower, upper].map(|v| self.structure.point(v));
+        let inside_is_right = inside_is_right == is_up;
+        self.insert_side(Side { lower, upper, ends, inside_is_right, is_touched: false, origin })
+    }
+
     /// Inserts a point, unless one at its place is there: its trapezoid is divided by a horizontal line. Returns the
     /// vertex that stands for it.
     pub(super) fn insert_vertex(&mut self, i: u32) -> u32 {
@@ -47,6 +59,9 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
             let side = &mut self.structure.sides[sides[hand] as usize];
             side.is_touched = true;
             self.touches.push((side.origin, i));
+        } else {
+            // All around the point is below this node from now on.
+            self.hints[i as usize] = self.structure.cell(cell).node;
         }
         self.divide(cell, i, touched);
         i
@@ -71,7 +86,7 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
         let cell = s.cell_mut(upper);
         (cell.bottom, cell.below) = (vertex, [lower; 2]);
         let (above, below) = (cell.node, s.cell(lower).node);
-        s.nodes[old.node as usize] = Node::Vertex { vertex, below, above };
+        s.nodes[old.node as usize] = Node::Vertex { vertex, at: s.point(vertex), below, above };
         self.trace.add(Shape::Vertex(vertex), "the end of a side");
         for hand in [LEFT, RIGHT] {
             if touched_hand != Some(hand) {
@@ -90,7 +105,7 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
     }
 
     /// Inserts a side, whose ends are inserted, piece by piece between the vertices that it touches.
-    pub(super) fn insert_side(&mut self, side: Side) -> Result<(), PolygonError> {
+    fn insert_side(&mut self, side: Side) -> Result<(), PolygonError> {
         self.trace.look(Shape::Edge([side.lower, side.upper]), "the next side");
         let mut rest = Some(side);
         while let Some(piece) = rest {
@@ -102,7 +117,7 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
 
     /// Inserts a side from its upper end as far as the first vertex on it, and returns what is left.
     fn insert_piece(&mut self, piece: Side) -> Result<Option<Side>, PolygonError> {
-        let [lower, upper] = [piece.lower, piece.upper].map(|v| self.structure.point(v));
+        let [lower, upper] = piece.ends;
         let from = self.hints[piece.upper as usize];
         let first = self.structure.locate_leaving(from, upper, lower).map_err(|other| self.crossing(&piece, other))?;
         let side = self.structure.sides.len() as u32;
@@ -150,8 +165,8 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
         if vertex == side.lower {
             return None;
         }
-        let [lower, upper, p] = [side.lower, side.upper, vertex].map(|v| self.structure.point(v));
-        match orient2d(lower, upper, p) {
+        let [lower, upper] = side.ends;
+        match orient2d(lower, upper, self.structure.point(vertex)) {
             Orientation::CounterClockwise => Some(LEFT),
             Orientation::Clockwise => Some(RIGHT),
             Orientation::Collinear => None,
@@ -231,12 +246,11 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
 
     /// Refuses a side that crosses one of two others.
     pub(super) fn refuse_crossing(&self, side: &Side, others: [u32; 2]) -> Result<(), PolygonError> {
-        let [a, b] = [side.lower, side.upper];
+        let [a, b] = side.ends;
         for other in others.into_iter().filter(|&other| other != NONE) {
-            let Side { lower, upper, .. } = self.structure.sides[other as usize];
-            let share_an_end = a == lower || b == upper;
-            let [c, d] = self.structure.ends(other);
-            if !share_an_end && segments_cross_properly(self.structure.point(a), self.structure.point(b), c, d) {
+            let Side { lower, upper, ends: [c, d], .. } = self.structure.sides[other as usize];
+            let share_an_end = side.lower == lower || side.upper == upper;
+            if !share_an_end && segments_cross_properly(a, b, c, d) {
                 return Err(self.crossing(side, other));
             }
         }
@@ -271,9 +285,10 @@ impl<T: Trace + ?Sized> Inserter<'_, '_, T> {
 impl Structure<'_> {
     /// Cuts the last piece at a vertex on it, and returns what is below.
     fn cut(&mut self, side: u32, vertex: u32) -> Option<Side> {
+        let at = self.point(vertex);
         let piece = &mut self.sides[side as usize];
-        let rest = Side { upper: vertex, ..*piece };
-        piece.lower = vertex;
+        let rest = Side { upper: vertex, ends: [piece.ends[0], at], ..*piece };
+        (piece.lower, piece.ends[0]) = (vertex, at);
         (vertex != rest.lower).then_some(rest)
     }
 }

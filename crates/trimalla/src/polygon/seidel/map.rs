@@ -68,25 +68,19 @@ impl<'a> TrapezoidMap<'a> {
             next: sides.next,
             trace,
         };
-        let order = shuffled(sides.origins, seed);
+        let rounds = Rounds::new(sides.origins, seed);
         let mut is_inserted = vec![false; n];
-        let mut begin = 0;
-        for end in phases(order.len()) {
-            for (count, &i) in order[begin..end].iter().enumerate() {
+        for (round, is_followed) in rounds.all() {
+            for (count, &i) in round.iter().enumerate() {
                 if count % 1024 == 0 && inserter.trace.is_cancelled() {
                     return Err(PolygonError::Cancelled);
                 }
-                let [p, q] = [i, inserter.next[i as usize]].map(|v| inserter.insert_vertex(v));
-                let is_up = upwards(polygon.points()[q as usize], polygon.points()[p as usize]) == Ordering::Greater;
-                let (lower, upper) = if is_up { (p, q) } else { (q, p) };
-                let inside_is_right = sides.inside_is_right[i as usize] == is_up;
-                inserter.insert_side(Side { lower, upper, inside_is_right, is_touched: false, origin: i })?;
+                inserter.insert(i, sides.inside_is_right[i as usize])?;
                 is_inserted[i as usize] = true;
             }
-            if end < order.len() {
+            if is_followed {
                 inserter.follow_rings(polygon, |i| is_inserted[i as usize])?;
             }
-            begin = end;
         }
         inserter.refuse_crossings_at_vertices()?;
         let Inserter { structure, same, touches, .. } = inserter;
@@ -303,28 +297,64 @@ impl Sides {
     }
 }
 
-/// The items in a random order (xorshift, `[Marsaglia03]`).
-fn shuffled(mut items: Vec<u32>, seed: u64) -> Vec<u32> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    for i in (1..items.len()).rev() {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        items.swap(i, ((u128::from(state) * (i as u128 + 1)) >> 64) as usize);
-    }
-    items
+/// Sides in the order in which they are inserted: in rounds, each about twice as large as all before it. Which round a
+/// side is in is random, and the sides of a round are in the order of the rings.
+struct Rounds {
+    order: Vec<u32>,
+    /// Where each round ends.
+    ends: Vec<usize>,
 }
 
-/// Where the phases of step 4 end: at `n / log n`, `n / log log n`, … and `n`.
-fn phases(n: usize) -> Vec<usize> {
-    let mut ends = Vec::new();
-    let mut log = n;
-    while log > 2 {
-        log = log.ilog2() as usize;
-        ends.push(n.div_ceil(log.max(1)));
+/// The most rounds. In each but the first one a side stays for the next round with probability 1/2.
+const ROUNDS: usize = 32;
+
+impl Rounds {
+    /// Puts sides into rounds (xorshift, `[Marsaglia03]`).
+    fn new(sides: Vec<u32>, seed: u64) -> Self {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut sizes = [0; ROUNDS];
+        let mut draw = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            ROUNDS - 1 - (state.leading_zeros() as usize).min(ROUNDS - 1)
+        };
+        let drawn: Vec<u8> = sides.iter().map(|_| draw() as u8).collect();
+        for &round in &drawn {
+            sizes[usize::from(round)] += 1;
+        }
+        let mut ends = Vec::with_capacity(ROUNDS);
+        let mut places = [0; ROUNDS];
+        let mut total = 0;
+        for (place, size) in places.iter_mut().zip(sizes) {
+            *place = total;
+            total += size;
+            if size > 0 {
+                ends.push(total);
+            }
+        }
+        let mut order = vec![0; sides.len()];
+        for (side, round) in sides.into_iter().zip(drawn) {
+            order[places[usize::from(round)]] = side;
+            places[usize::from(round)] += 1;
+        }
+        Self { order, ends }
     }
-    if ends.last() != Some(&n) {
-        ends.push(n);
+
+    /// The rounds, and after which of them the rings are followed: once `n / log n`, `n / log log n`, … sides are
+    /// inserted, and never after all are.
+    fn all(&self) -> impl Iterator<Item = (&[u32], bool)> {
+        let n = self.order.len();
+        let mut log = n.max(1).ilog2() as usize;
+        let mut begin = 0;
+        self.ends.iter().map(move |&end| {
+            let round = &self.order[begin..end];
+            begin = end;
+            let is_followed = log > 2 && end < n && end * log >= n;
+            while log > 2 && end * log >= n {
+                log = log.ilog2() as usize;
+            }
+            (round, is_followed)
+        })
     }
-    ends
 }

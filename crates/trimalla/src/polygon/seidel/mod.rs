@@ -19,7 +19,8 @@
 //! a search tree for points: that is all the algorithm needs.
 //!
 //! # Steps
-//! 1. Shuffle the sides. The plane is one trapezoid.
+//! 1. The plane is one trapezoid. Put the sides into rounds at random, half of them into the last round, half of the
+//!    others into the one before, and so on. Within a round they keep the order of the rings.
 //! 2. Insert the ends of the next side ([`insert`](self)): look the point up in the *query structure*, a graph of the
 //!    questions "above or below this vertex?" and "left or right of this side?" whose leaves are the trapezoids, and
 //!    divide its trapezoid by a horizontal line.
@@ -46,8 +47,8 @@
 //!   as a trapezoid that is inside by one of its sides only.
 //!
 //! # Complexity
-//! Expected O(n log* n) for one ring; a constant times n in practice. Each further ring costs a look-up from the root
-//! for each phase of step 4. Expectation is over the shuffle, which the seed determines, and not over the polygon.
+//! Expected O(n log* n); a constant times n in practice. The expectation is over the rounds, which the seed determines,
+//! and not over the polygon.
 //!
 //! # Why not in linear time
 //! `[Chazelle91]` finds the horizontal visibility map of a simple polygon in O(n) without randomness, and triangles
@@ -59,7 +60,9 @@
 //! # Source
 //! `[Seidel91]`; in the practical form of `[NarkhedeManocha95]`, which keeps trapezoids with neighbours above and
 //! below. Mountains are those of `[FournierMontuno84]`. Departures: any number of sides may meet at a vertex, polygons
-//! may have holes and touch themselves, faulty ones are refused, and the mountains are read off along each side.
+//! may have holes and touch themselves, faulty ones are refused, and the mountains are read off along each side. Sides
+//! are not shuffled one by one but in the rounds of `[AmentaChoiRote03]`: neighbours are inserted one after the other,
+//! and what a step reads was read shortly before.
 
 mod follow;
 mod insert;

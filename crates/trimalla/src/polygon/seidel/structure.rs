@@ -27,6 +27,8 @@ pub(super) fn upwards(p: Point, q: Point) -> Ordering {
 pub(super) struct Side {
     pub(super) lower: u32,
     pub(super) upper: u32,
+    /// Where the lower and the upper end are.
+    pub(super) ends: [Point; 2],
     /// Whether the inside of the polygon is on the right, looking up.
     pub(super) inside_is_right: bool,
     /// Whether it has vertices between its ends.
@@ -57,7 +59,7 @@ pub(super) enum Node {
     /// A trapezoid.
     Leaf(u32),
     /// Is the point below or above this vertex?
-    Vertex { vertex: u32, below: u32, above: u32 },
+    Vertex { vertex: u32, at: Point, below: u32, above: u32 },
     /// Is the point left or right of this side?
     Side { side: u32, children: [u32; 2] },
 }
@@ -85,8 +87,20 @@ pub(super) struct Structure<'a> {
 impl<'a> Structure<'a> {
     /// One trapezoid: the plane.
     pub(super) fn new(points: &'a [Point]) -> Self {
+        let n = points.len();
         let plane = Cell { top: NONE, bottom: NONE, sides: [NONE; 2], above: [NONE; 2], below: [NONE; 2], node: ROOT };
-        Self { points, sides: Vec::new(), cells: vec![plane], nodes: vec![Node::Leaf(0)], steps: 0 }
+        // A vertex adds one trapezoid and two leaves, a side one trapezoid and two leaves and one for each vertex
+        // passed.
+        let mut structure = Self {
+            points,
+            sides: Vec::with_capacity(n),
+            cells: Vec::with_capacity(2 * n + 1),
+            nodes: Vec::with_capacity(8 * n + 1),
+            steps: 0,
+        };
+        structure.cells.push(plane);
+        structure.nodes.push(Node::Leaf(0));
+        structure
     }
 
     #[inline]
@@ -121,8 +135,7 @@ impl<'a> Structure<'a> {
     /// The lower and the upper end of a side.
     #[inline]
     pub(super) fn ends(&self, side: u32) -> [Point; 2] {
-        let Side { lower, upper, .. } = self.sides[side as usize];
-        [self.point(lower), self.point(upper)]
+        self.sides[side as usize].ends
     }
 
     /// Whether a vertex no lower and no higher than a side lies on it.
@@ -130,8 +143,8 @@ impl<'a> Structure<'a> {
         if side == NONE {
             return false;
         }
-        let Side { lower, upper, .. } = self.sides[side as usize];
-        vertex == lower || vertex == upper || collinear(self.point(lower), self.point(upper), self.point(vertex))
+        let Side { lower, upper, ends: [a, b], .. } = self.sides[side as usize];
+        vertex == lower || vertex == upper || collinear(a, b, self.point(vertex))
     }
 
     /// Where a point is, looked up from a node whose part of the plane holds it. A point on a side counts as on the
@@ -142,7 +155,7 @@ impl<'a> Structure<'a> {
             *steps += 1;
             at = match self.nodes[at as usize] {
                 Node::Leaf(cell) => return Place::In { cell, on },
-                Node::Vertex { vertex, below, above } => match upwards(p, self.point(vertex)) {
+                Node::Vertex { vertex, at, below, above } => match upwards(p, at) {
                     Ordering::Less => below,
                     Ordering::Greater => above,
                     Ordering::Equal => return Place::Vertex(vertex),
@@ -171,7 +184,7 @@ impl<'a> Structure<'a> {
             self.steps += 1;
             at = match self.nodes[at as usize] {
                 Node::Leaf(cell) => return Ok(cell),
-                Node::Vertex { vertex, below, above } => match upwards(p, self.point(vertex)) {
+                Node::Vertex { at, below, above, .. } => match upwards(p, at) {
                     Ordering::Less => below,
                     Ordering::Greater => above,
                     Ordering::Equal if is_down => below,
@@ -197,9 +210,8 @@ impl<'a> Structure<'a> {
     /// nothing where nobody draws.
     #[inline]
     pub(super) fn abscissa(&self, side: u32, y: f64) -> Option<f64> {
-        let side = self.sides.get(side as usize)?;
-        let (lower, upper) = (self.points.get(side.lower as usize)?, self.points.get(side.upper as usize)?);
-        Some(abscissa(*lower, *upper, y))
+        let [lower, upper] = self.sides.get(side as usize)?.ends;
+        Some(abscissa(lower, upper, y))
     }
 }
 
