@@ -2,8 +2,8 @@
 //!
 //! # Idea
 //! An edge between two triangles that form a convex quadrilateral is *illegal* if the circle of one triangle holds the
-//! opposite corner of the other. The *positive flip* replaces it by the other diagonal, which is legal then and raises the
-//! smallest angle of the two triangles. A triangulation without illegal edges is Delaunay.
+//! opposite corner of the other. The *positive flip* replaces it by the other diagonal, which is legal then and raises
+//! the smallest angle of the two triangles. A triangulation without illegal edges is Delaunay.
 //!
 //! ```text
 //!         c                      c
@@ -28,8 +28,8 @@
 //!
 //! # Degenerate cases
 //! *Cocircular points*: the tie rule of [`in_circle_perturbed`] says which diagonal is legal, so the result is unique.
-//! *Collinear points*: their chain; nothing is flipped. *Points on the hull's sides* are vertices of the hull from the sweep
-//! on. The quadrilateral of an illegal edge is always strictly convex.
+//! *Collinear points*: their chain; nothing is flipped. *Points on the hull's sides* are vertices of the hull from the
+//! sweep on. The quadrilateral of an illegal edge is always strictly convex.
 //!
 //! # Complexity
 //! O(n log n) for the sweep, O(n²) flips at worst. O(n) memory: an edge is in the queue once.
@@ -63,8 +63,8 @@ pub(super) fn build(
 /// Flips illegal edges of any triangulation until there are none; returns how many flips there were.
 ///
 /// # Shape
-/// Edges of the boundary and edges with marks stay: a triangulation closed by its domain becomes the constrained Delaunay
-/// triangulation of its boundary.
+/// Edges of the boundary and edges with marks stay: a triangulation closed by its domain becomes the constrained
+/// Delaunay triangulation of its boundary.
 ///
 /// # Guarantees
 /// Every other edge passes the circle test of [`in_circle_perturbed`]: the result is unique.
@@ -97,8 +97,8 @@ pub fn flip_to_delaunay(t: &mut Triangulation, trace: &mut (impl Trace + ?Sized)
 /// Steps 2 and 3: flips illegal edges until there are none; returns how many flips there were.
 ///
 /// # Shape
-/// Only edges without marks between two triangles are asked for. An edge may be illegal only if its quadrilateral is strictly
-/// convex, and if a flip makes something better that never gets worse, so that no triangulation comes twice.
+/// Only edges without marks between two triangles are asked for. An edge may be illegal only if its quadrilateral is
+/// strictly convex, and if a flip makes something better that never gets worse, so that no triangulation comes twice.
 ///
 /// # Errors
 /// Cancelled.

@@ -2,8 +2,9 @@
 //!
 //! # Idea
 //! Raise each point (x, y) to (x, y, x² + y²). A plane that is not vertical cuts the paraboloid in a curve whose
-//! projection is a circle; what is below the plane is inside the circle. So a facet of the lower convex hull, below whose
-//! plane no point lies, projects to a triangle whose circle is empty: the lower hull is the Delaunay triangulation.
+//! projection is a circle; what is below the plane is inside the circle. So a facet of the lower convex hull, below
+//! whose plane no point lies, projects to a triangle whose circle is empty: the lower hull is the Delaunay
+//! triangulation.
 //!
 //! ```text
 //!    z │ ╲                        ╱     the plane of a, b, c (a line here) has d above it:
@@ -15,28 +16,30 @@
 //! ```
 //!
 //! The hull is built one point after the other, in random order. The upper hull is of no interest: in its place, the
-//! facets through each edge of the plane's hull are vertical, with one common corner infinitely high, which is the vertex at
-//! infinity of this library.
+//! facets through each edge of the plane's hull are vertical, with one common corner infinitely high, which is the
+//! vertex at infinity of this library.
 //!
 //! # Steps
-//! 1. Drop repeated points. Shuffle the others by a fixed seed; sort each of the rounds 1, 2, 4, 8, … of the result along a
-//!    curve, so that neighbours in time are neighbours in memory.
+//! 1. Drop repeated points. Shuffle the others by a fixed seed; sort each of the rounds 1, 2, 4, 8, … of the result
+//!    along a curve, so that neighbours in time are neighbours in memory.
 //! 2. Begin with the first three points that are not collinear: one facet and three vertical ones.
 //! 3. Note for every other point one facet that is seen from it: the facet's *conflict list* has it.
-//! 4. Take the next point. From the facet that it is noted with, find all facets that are seen from it: they are connected.
+//! 4. Take the next point. From the facet that it is noted with, find all facets that are seen from it: they are
+//!    connected.
 //! 5. Take them off, and join the edges around the gap, the *horizon*, to the point.
 //! 6. Note the points of the conflict lists of what was taken off with new facets. Each of them sees one: it saw a
 //!    facet that is now inside the hull, so what hides that facet is new.
 //!
 //! # Exactness
-//! Nothing is lifted in floating point. The side of the plane of a, b, c on which a lifted point lies is the sign of the
-//! in-circle determinant, which is exact.
+//! Nothing is lifted in floating point. The side of the plane of a, b, c on which a lifted point lies is the sign of
+//! the in-circle determinant, which is exact.
 //!
 //! # Degenerate cases
-//! *Four cocircular points* lie on one plane when they are lifted: the hull has a facet with four corners, or more, and its
-//! triangulation is open. Here the tie rule decides: points are raised by infinitesimal amounts more, of
-//! lexicographically smaller points dominantly, which makes every facet a triangle. *A point on the line of a hull edge* sees
-//! the vertical facet of that edge if it lies between its ends. *Collinear points*: no facet; the result is their chain.
+//! *Four cocircular points* lie on one plane when they are lifted: the hull has a facet with four corners, or more,
+//! and its triangulation is open. Here the tie rule decides: points are raised by infinitesimal amounts more, of
+//! lexicographically smaller points dominantly, which makes every facet a triangle. *A point on the line of a hull
+//! edge* sees the vertical facet of that edge if it lies between its ends. *Collinear points*: no facet; the result is
+//! their chain.
 //!
 //! # Complexity
 //! O(n log n) expected, over the shuffles; O(n) memory. O(n²) for shuffles that almost never happen.
@@ -102,7 +105,8 @@ fn mixed(state: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Step 2: puts three vertices that are not collinear in front, and returns whether they turn left; `None` without such.
+/// Step 2: puts three vertices that are not collinear in front, and returns whether they turn left; `None` without
+/// such.
 fn first_triangle(points: &[Point], names: &mut [u32]) -> Option<Orientation> {
     let at = |v: u32| points[v as usize];
     let &[a, b, ref rest @ ..] = &*names else { return None };
@@ -261,8 +265,8 @@ impl Hull {
         }
     }
 
-    /// Step 5: facets from the horizon to the site, in the slots of those that were seen and two more, which `seen` names
-    /// then.
+    /// Step 5: facets from the horizon to the site, in the slots of those that were seen and two more, which `seen`
+    /// names then.
     fn join_horizon(&mut self, p: u32, scratch: &mut Scratch) {
         let Scratch { seen, horizon, new_at, .. } = scratch;
         while seen.len() < horizon.len() {

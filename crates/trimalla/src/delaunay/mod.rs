@@ -8,9 +8,10 @@
 //! | `flip` | any triangulation, illegal edges flipped | `flip.rs` |
 //! | `voronoi` | Fortune's sweep, its dual then | `voronoi/` |
 //!
-//! The first two are fast; the others are those of the lecture notes, and tell their steps. All give the same [canonical form](crate::triangulation::Triangulation::canonical), also on grids and
-//! circles: ties in the circle test are broken by one symbolic perturbation
-//! ([`in_circle_perturbed`](crate::geometry::in_circle_perturbed)), which makes the triangulation unique.
+//! The first two are fast; the others are those of the lecture notes, and tell their steps. All give the same
+//! [canonical form](crate::triangulation::Triangulation::canonical), also on grids and circles: ties in the circle
+//! test are broken by one symbolic perturbation ([`in_circle_perturbed`](crate::geometry::in_circle_perturbed)), which
+//! makes the triangulation unique.
 //!
 //! [`Delaunay`] owns the invariant: whatever is inserted, removed or moved, every edge passes the circle
 //! test afterwards.

@@ -2,7 +2,8 @@
 //!
 //! # Idea
 //! Two triangles that form a strictly convex quadrilateral can be exchanged for the two on the other side of its other
-//! diagonal. Do so while it makes the quadrilateral better. The result is *locally optimal*: no single flip improves it.
+//! diagonal. Do so while it makes the quadrilateral better. The result is *locally optimal*: no single flip improves
+//! it.
 //!
 //! ```text
 //!       c                 c
@@ -15,28 +16,29 @@
 //! # Steps
 //! 1. Begin with the triangulation that is given, or with a sweep over the points.
 //! 2. Put all inner edges, segments left out, into a queue.
-//! 3. While the queue is not empty, take an edge out of it. If the other diagonal is better, flip it, and put the four sides of the
-//!    quadrilateral into the queue.
+//! 3. While the queue is not empty, take an edge out of it. If the other diagonal is better, flip it, and put the four
+//!    sides of the quadrilateral into the queue.
 //!
 //! # What is reached
-//! *max-min-angle*: the (constrained) Delaunay triangulation, whatever it begins with. No triangulation has a larger smallest angle:
-//! the local optimum is global. *The two others*: a local optimum which depends on the beginning, and may
-//! be far from the global one. `min-max-angle` and `min-weight` are for that.
+//! *max-min-angle*: the (constrained) Delaunay triangulation, whatever it begins with. No triangulation has a larger
+//! smallest angle: the local optimum is global. *The two others*: a local optimum which depends on the beginning, and
+//! may be far from the global one. `min-max-angle` and `min-weight` are for that.
 //!
 //! # Why it ends
-//! Each flip makes a list smaller in lexicographic order that never grows: the largest angles of all triangles, sorted downwards; or
-//! it makes the sum of the lengths smaller. So no triangulation comes twice.
+//! Each flip makes a list smaller in lexicographic order that never grows: the largest angles of all triangles, sorted
+//! downwards; or it makes the sum of the lengths smaller. So no triangulation comes twice.
 //!
 //! # Degenerate cases
-//! *Equal*: an edge stays if the other diagonal is no better, by exact comparison; for `max-min-angle` the tie rule of the
-//! circle test decides, so that the result is unique. *Collinear points*: nothing. *Points that are not used by a given
-//! triangulation* stay unused.
+//! *Equal*: an edge stays if the other diagonal is no better, by exact comparison; for `max-min-angle` the tie rule of
+//! the circle test decides, so that the result is unique. *Collinear points*: nothing. *Points that are not used by a
+//! given triangulation* stay unused.
 //!
 //! # Complexity
 //! O(n²) flips at worst for `max-min-angle`; few flips an edge in practice for all three.
 //!
 //! # Source
-//! `[Triangulaciones]`, part I; `[Lawson77]`; `[EdelsbrunnerTanWaupotitsch92]` for why local optima of the largest angle are not global.
+//! `[Triangulaciones]`, part I; `[Lawson77]`; `[EdelsbrunnerTanWaupotitsch92]` for why local optima of the largest
+//! angle are not global.
 
 use super::input::{Optimal, OptimalInput};
 use super::{OptimalError, edge_set};
@@ -63,7 +65,8 @@ keyed! {
 /// stays where it was.
 ///
 /// # Guarantees
-/// No edge between two triangles, segments left out, has a strictly convex quadrilateral whose other diagonal is better.
+/// No edge between two triangles, segments left out, has a strictly convex quadrilateral whose other diagonal is
+/// better.
 ///
 /// # Errors
 /// [`OptimalError::Domain`] names the first fault of the mesh; cancelled.

@@ -7,12 +7,12 @@ use crate::drawing::{IndexedMesh, is_sound};
 use crate::geometry::math::hypot;
 use crate::geometry::{Orientation, Point, Triangle, compare_angles, orient2d};
 
-/// Compares two triangulations of the same points by their angles: the lists of all angles, each sorted from the smallest on, in
-/// lexicographic order. `Greater` means that the first one is better.
+/// Compares two triangulations of the same points by their angles: the lists of all angles, each sorted from the
+/// smallest on, in lexicographic order. `Greater` means that the first one is better.
 ///
 /// The best triangulation in this order is called *equiangular* (the notes: *equilátera*). It is a Delaunay
-/// triangulation; where four points are cocircular there are several, not all of which are equiangular, and the tie rule
-/// of this library does not ask which is.
+/// triangulation; where four points are cocircular there are several, not all of which are equiangular, and the tie
+/// rule of this library does not ask which is.
 ///
 /// # Shape
 /// Triangles that are not counter-clockwise, or name a vertex that is not there, are passed over. A list that is the
@@ -68,7 +68,8 @@ pub struct DelaunayMeasures {
     pub min_angle: f64,
     /// The largest radius of the smallest circle that holds a triangle; no triangulation has a smaller one `[Rajan94]`.
     pub max_enclosing_radius: f64,
-    /// The largest circumradius. `[Triangulaciones]` says that no triangulation has a smaller one; in our tests none has.
+    /// The largest circumradius. `[Triangulaciones]` says that no triangulation has a smaller one; in our tests none
+    /// has.
     pub max_circumradius: f64,
     /// The sum of the inradii; no triangulation has a larger one `[Lambert94]`.
     pub inradius_sum: f64,
@@ -95,8 +96,8 @@ impl DelaunayMeasures {
     }
 }
 
-/// The radius of the smallest circle that holds a triangle: half of the longest side where the angle opposite is not acute,
-/// else the circumradius.
+/// The radius of the smallest circle that holds a triangle: half of the longest side where the angle opposite is not
+/// acute, else the circumradius.
 fn enclosing_radius(triangle: &Triangle, circumradius: f64) -> f64 {
     let i = triangle.longest_edge();
     let side = triangle.edge(i);
@@ -105,10 +106,11 @@ fn enclosing_radius(triangle: &Triangle, circumradius: f64) -> f64 {
     if is_acute { circumradius } else { 0.5 * side.length() }
 }
 
-/// The largest detour: how much longer the shortest way along edges between two vertices is than their distance, at most.
+/// The largest detour: how much longer the shortest way along edges between two vertices is than their distance, at
+/// most.
 ///
-/// For a Delaunay triangulation it is below 2.42, and below 1.998 by `[Xia13]`. One for fewer than two vertices; infinite where two are
-/// not connected.
+/// For a Delaunay triangulation it is below 2.42, and below 1.998 by `[Xia13]`. One for fewer than two vertices;
+/// infinite where two are not connected.
 ///
 /// # Complexity
 /// O(n² log n).

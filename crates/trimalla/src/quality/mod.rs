@@ -4,8 +4,8 @@
 //! * [`below_bound()`] lists the triangles with an angle below a bound, by the exact certificate;
 //! * [`against_input()`] compares a mesh with the drawing it was made from;
 //! * [`aspect_ratio`] measures one triangle;
-//! * [`compare_equiangularity()`] compares two triangulations by all their angles; [`DelaunayMeasures`] and [`max_detour()`]
-//!   measure what a Delaunay triangulation makes best;
+//! * [`compare_equiangularity()`] compares two triangulations by all their angles; [`DelaunayMeasures`] and
+//!   [`max_detour()`] measure what a Delaunay triangulation makes best;
 //! * [`angle_ceiling()`] bounds the smallest angle of every mesh of a domain from above; [`angle_floor()`] and
 //!   [`shell_floor`] give the angle that refinement keeps in spite of the [`smallest_input_angle`].
 //!

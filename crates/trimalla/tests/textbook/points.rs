@@ -111,7 +111,8 @@ impl Trace for Cancelled {
     }
 }
 
-/// Replaying the triangles that `lift` and `voronoi`, and the edges that `flip`, add and remove, gives the triangulation.
+/// Replaying the triangles that `lift` and `voronoi`, and the edges that `flip`, add and remove, gives the
+/// triangulation.
 #[test]
 fn the_steps_make_the_triangulation() {
     for (name, points) in sets(40, 1) {

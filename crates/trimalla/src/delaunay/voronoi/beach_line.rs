@@ -1,7 +1,7 @@
 //! The beach line: its arcs in order, in a balanced tree.
 //!
-//! A treap: in order from the lowest arc to the highest, and a heap by priorities that look random, so that its expected
-//! depth is logarithmic. The arcs are a doubly linked list besides.
+//! A treap: in order from the lowest arc to the highest, and a heap by priorities that look random, so that its
+//! expected depth is logarithmic. The arcs are a doubly linked list besides.
 
 /// Names no arc.
 pub(super) const NONE: u32 = u32::MAX;

@@ -1,9 +1,10 @@
 //! `voronoi`: the Voronoi diagram first, by Fortune's sweep; its dual then.
 //!
 //! # Idea
-//! A vertical line sweeps over the points from left to right. Of the plane to its left it is known to which site each place
-//! is nearest, if that site is nearer than the line: the border of that part is the *beach line*, arcs of parabolas, each
-//! with a site as focus. Where two arcs meet, the *breakpoint*, an edge of the diagram is drawn as the line moves on.
+//! A vertical line sweeps over the points from left to right. Of the plane to its left it is known to which site each
+//! place is nearest, if that site is nearer than the line: the boundary of that part is the *beach line*, arcs of
+//! parabolas, each with a site as focus. Where two arcs meet, the *breakpoint*, an edge of the diagram is drawn as the
+//! line moves on.
 //!
 //! ```text
 //!      ·  ╲        │          a site event: the line meets s, whose arc, narrow at first, splits the arc of a
@@ -25,21 +26,23 @@
 //! 7. Prove that the triangles tile the hull, and flip what is illegal.
 //!
 //! # What is exact and what is not
-//! *Exact signs*: which arc a site splits (`tangent_radii` of the predicates), and whether three sites turn. So
-//! every triangle is counter-clockwise. *Rounded*: when a circle event comes. Comparing two such times exactly means
-//! to compare sums of square roots of large products. Events that are nearly simultaneous may therefore come in the wrong
+//! *Exact signs*: which arc a site splits (`tangent_radii` of the predicates), and whether three sites turn. So every
+//! triangle is counter-clockwise. *Rounded*: when a circle event comes. Comparing two such times exactly means to
+//! compare sums of square roots of large products. Events that are nearly simultaneous may therefore come in the wrong
 //! order, and triangles arise that are not Delaunay. Step 7 makes the result exact whatever was rounded:
 //!
 //! * The triangles and the beach line are glued along edges like paper: they always are a disc. All triangles being
 //!   counter-clockwise, the disc covers each place as often as its boundary winds around it. So if the beach line, read
 //!   in the end, is the boundary of a convex polygon, passed once, the triangles tile that polygon. Exact signs tell.
 //! * Then illegal edges are flipped until there are none ([`flip_to_delaunay`]).
-//! * If the beach line is no convex polygon, rounding has led the sweep astray, and `divide-and-conquer` does the work. That takes
-//!   distances below the last place of the size of the set; a test counts how often it happens, and for what.
+//! * If the beach line is no convex polygon, rounding has led the sweep astray, and `divide-and-conquer` does the
+//!   work. That takes distances below the last place of the size of the set; a test counts how often it happens, and
+//!   for what.
 //!
 //! # Degenerate cases
-//! *Cocircular points*: circle events in one place, in any order; the flips decide by the tie rule. *Points with one abscissa*:
-//! the line is turned by an infinitesimal angle, so that lower points come first. *Collinear points*: their chain.
+//! *Cocircular points*: circle events in one place, in any order; the flips decide by the tie rule. *Points with one
+//! abscissa*: the line is turned by an infinitesimal angle, so that lower points come first. *Collinear points*: their
+//! chain.
 //!
 //! # Complexity
 //! O(n log n) expected over the priorities of the tree, besides the flips: none but for near ties. O(n) memory.
@@ -93,8 +96,8 @@ pub(super) fn build(
 
 /// Step 7: whether a closed walk from the first site back to it is the boundary of a convex polygon, counter-clockwise.
 ///
-/// It is, if it turns left or goes straight at each site, and goes up in the lexicographic order first, then down: so it
-/// turns once in all.
+/// It is, if it turns left or goes straight at each site, and goes up in the lexicographic order first, then down: so
+/// it turns once in all.
 fn is_convex(points: &[Point], order: &[u32], walk: &[u32]) -> bool {
     let at = |site: u32| points[order[site as usize] as usize];
     let turns_back = walk.windows(3).filter(|w| w[0] < w[1] && w[1] > w[2]).count();

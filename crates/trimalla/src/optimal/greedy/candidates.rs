@@ -1,8 +1,8 @@
 //! Pairs of vertices that may be edges of the greedy triangulation.
 //!
 //! # The diamond test
-//! Draw an isosceles triangle with base angles of 22.5 degrees on either side of a pair. If there is a vertex inside each of the
-//! two, the pair is no edge: some shorter pair crosses it and comes first.
+//! Draw an isosceles triangle with base angles of 22.5 degrees on either side of a pair. If there is a vertex inside
+//! each of the two, the pair is no edge: some shorter pair crosses it and comes first.
 //!
 //! ```text
 //!             ·
@@ -15,11 +15,11 @@
 //! ```
 //!
 //! # Dead sectors
-//! To find the partners of p, divide the directions from p into sectors. A vertex a near p is inside one of the triangles
-//! of every longer pair that starts in a direction within 22.5 degrees of a: of the left one for directions clockwise of
-//! a, of the right one for the others. When a sector has a vertex for either side, it is *dead* from some length on. It
-//! is dead, too, where the hull ends. The vertices are in a tree of boxes; the boxes are searched from the nearest to the
-//! farthest, except those whose vertices could neither be partners of p nor rule out others.
+//! To find the partners of p, divide the directions from p into sectors. A vertex a near p is inside one of the
+//! triangles of every longer pair that starts in a direction within 22.5 degrees of a: of the left one for directions
+//! clockwise of a, of the right one for the others. When a sector has a vertex for either side, it is *dead* from some
+//! length on. It is dead, too, where the hull ends. The vertices are in a tree of boxes; the boxes are searched from
+//! the nearest to the farthest, except those whose vertices could neither be partners of p nor rule out others.
 //!
 //! Everything here is rounded, with margins on the side of keeping a pair: a candidate too many does no harm.
 //!
@@ -45,7 +45,8 @@ const BASE: f64 = std::f64::consts::PI / 8.0;
 const LESS: [f64; 2] = [0.924_061, 0.382_252];
 /// How many sectors there are; a multiple of four.
 const SECTORS: usize = 128;
-/// Within how many sectors the base angle lies: none is narrower than a quarter of its share of the circle times pi / 2.
+/// Within how many sectors the base angle lies: none is narrower than a quarter of its share of the circle times pi /
+/// 2.
 const REACH: usize = 13;
 /// Vertices in a leaf of the tree.
 const LEAF: usize = 8;
@@ -245,7 +246,8 @@ impl Hull {
     }
 }
 
-/// The direction of a vector that is not zero, from 0 to 4 for a whole turn; it grows with the angle, though not evenly.
+/// The direction of a vector that is not zero, from 0 to 4 for a whole turn; it grows with the angle, though not
+/// evenly.
 fn turn(v: Vector) -> f64 {
     let size = v.x.abs() + v.y.abs();
     let (quarter, along) = match (v.x >= 0.0, v.y >= 0.0) {
@@ -285,7 +287,8 @@ fn silhouette(place: Point, around: &BoundingBox) -> Option<[Point; 2]> {
     Some([start, end])
 }
 
-/// The vertices in halves, quarters, … of boxes. Node 0 is the whole, the children of node `i` are `2 i + 1` and `2 i + 2`.
+/// The vertices in halves, quarters, … of boxes. Node 0 is the whole, the children of node `i` are `2 i + 1` and `2 i
+/// + 2`.
 #[derive(Debug)]
 struct Tree {
     sites: Vec<Site>,

@@ -1,7 +1,7 @@
 //! Which of the edges that were taken a pair of vertices crosses.
 //!
-//! Beneath lies a triangulation of the same vertices. An edge that was taken is an edge of it, or it is noted with every
-//! triangle that it passes through. So what crosses a pair is found on the way from one of its vertices to the
+//! Beneath lies a triangulation of the same vertices. An edge that was taken is an edge of it, or it is noted with
+//! every triangle that it passes through. So what crosses a pair is found on the way from one of its vertices to the
 //! other, triangle by triangle.
 //!
 //! ```text

@@ -2,7 +2,8 @@
 //!
 //! # Idea
 //! Take all pairs of vertices from the shortest to the longest, and join each pair that crosses nothing so far. The
-//! edges are short where they can be, and their sum is near the least one possible, though not always within a constant factor of it.
+//! edges are short where they can be, and their sum is near the least one possible, though not always within a
+//! constant factor of it.
 //!
 //! ```text
 //!     ·────────·           ab comes before cd and forbids it, also where cd and other edges together
@@ -15,22 +16,24 @@
 //! # Steps
 //! 1. List the pairs. The naive way lists all. The fast way leaves out what cannot come up: see [`candidates`].
 //! 2. Sort them by length, exactly; ties by the indices of the vertices.
-//! 3. Take one after the other. Refuse a pair if a vertex lies on it, or if it crosses an edge that was taken. The naive
-//!    way compares it with all edges, the fast way with those that are near: see [`crossings`].
+//! 3. Take one after the other. Refuse a pair if a vertex lies on it, or if it crosses an edge that was taken. The
+//!    naive way compares it with all edges, the fast way with those that are near: see [`crossings`].
 //! 4. End when there are as many edges as every triangulation has.
 //! 5. Read the triangles from the edges.
 //!
 //! # Degenerate cases
-//! *Equal lengths*, as in grids: the pair with the lower smaller index first, then the lower larger one, so that the result is
-//! unique. *Collinear vertices*: only neighbours on the line are joined. *Equal points*: the first one is the vertex.
+//! *Equal lengths*, as in grids: the pair with the lower smaller index first, then the lower larger one, so that the
+//! result is unique. *Collinear vertices*: only neighbours on the line are joined. *Equal points*: the first one is
+//! the vertex.
 //!
 //! # Complexity
-//! Naive: O(n³) time, O(n²) memory. Fast: O(n log n) expected for points spread evenly, O(n) memory; O(n²) candidates and
-//! O(n³) time at worst. With a domain, the candidates are all pairs that see each other: O(n²) memory.
+//! Naive: O(n³) time, O(n²) memory. Fast: O(n log n) expected for points spread evenly, O(n) memory; O(n²) candidates
+//! and O(n³) time at worst. With a domain, the candidates are all pairs that see each other: O(n²) memory.
 //!
 //! # Source
-//! `[DickersonEtAl97]` for the plan of the fast way; `[DasJoseph89]` for the diamond test. Their test of crossings needs the
-//! edges around each vertex in order; ours needs the Delaunay triangulation, and takes any set of candidates.
+//! `[DickersonEtAl97]` for the plan of the fast way; `[DasJoseph89]` for the diamond test. Their test of crossings
+//! needs the edges around each vertex in order; ours needs the Delaunay triangulation, and takes any set of
+//! candidates.
 
 mod candidates;
 mod crossings;
