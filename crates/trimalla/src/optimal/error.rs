@@ -48,6 +48,26 @@ pub enum OptimalError {
     /// The triangles of the domain, or of a mesh to be flipped, have these faults.
     #[error("the triangles of the domain are at fault: {}", .0.first().map(ToString::to_string).unwrap_or_default())]
     Domain(Vec<MeshFault>),
+    /// A part of the domain has a hole or a vertex inside.
+    #[error("'{method}' needs parts without holes and without vertices inside; that at vertex {vertex} has some")]
+    NotOneWalk {
+        /// The key of the algorithm.
+        method: &'static str,
+        /// A vertex of the part.
+        vertex: u32,
+    },
+    /// The algorithm takes points only.
+    #[error("'{method}' triangulates points, and no domain")]
+    PointsOnly {
+        /// The key of the algorithm.
+        method: &'static str,
+    },
+    /// The algorithm takes a domain only.
+    #[error("'{method}' triangulates a domain, and there is none")]
+    DomainOnly {
+        /// The key of the algorithm.
+        method: &'static str,
+    },
     /// Somebody has cancelled.
     #[error("cancelled")]
     Cancelled,

@@ -1,8 +1,8 @@
 //! The table of algorithms, and the call of each.
 
 use super::{
-    FlipCriterion, Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, flips, greedy, minimum_weight,
-    pairs,
+    FlipCriterion, Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, flips, greedy, min_max_length,
+    minimum_weight, pairs,
 };
 use crate::trace::Trace;
 
@@ -19,6 +19,8 @@ keyed! {
         FlipMaxMinAngle = "flip-max-min-angle", "flips while the smallest angle of two triangles grows", "Lawson77";
         FlipMinMaxAngle = "flip-min-max-angle", "flips while the largest angle of two triangles shrinks", "EdelsbrunnerTanWaupotitsch92";
         FlipShortestDiagonal = "flip-shortest-diagonal", "flips while the other diagonal of two triangles is shorter", "Triangulaciones";
+        MinMaxLength = "min-max-length", "the longest edge as short as possible, through the relative neighbourhood graph", "EdelsbrunnerTan93";
+        MinMaxLengthByTree = "min-max-length-by-tree", "the longest edge as short as possible, through a minimum spanning tree", "Triangulaciones";
     }
 }
 
@@ -53,6 +55,8 @@ impl OptimalMethod {
             Self::Pairs => pairs::triangulate(input, trace),
             Self::MinMaxAngle => edge_insertion::min_max_angle(input, trace),
             Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),
+            Self::MinMaxLength => min_max_length::by_neighbours(input, trace),
+            Self::MinMaxLengthByTree => min_max_length::by_tree(input, trace),
             Self::MinMaxSlope => edge_insertion::min_max_slope(input, trace),
             Self::Greedy => greedy::fast(input, trace),
             Self::GreedyNaive => greedy::naive(input, trace),

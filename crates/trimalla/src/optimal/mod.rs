@@ -5,13 +5,16 @@
 //! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain with
 //! holes, given by any triangulation of it.
 
+mod decompose;
 mod edge_insertion;
 mod edge_set;
 mod error;
 mod flips;
 mod greedy;
 mod input;
+mod mesh;
 mod method;
+mod min_max_length;
 mod min_weight;
 mod pairs;
 

@@ -1,1 +1,12 @@
+//! The algorithms of the lecture notes: slow oracles beside them, and two algorithms beside each other.
 
+mod enumerate;
+mod gallery;
+mod interpolate;
+mod optimal;
+mod points;
+mod polygon_cases;
+mod polygons;
+mod seidel;
+mod voronoi;
+mod weight;

@@ -2,4 +2,5 @@
 
 mod all;
 mod insertion;
+mod length;
 mod slope;

@@ -11,43 +11,12 @@ use super::ROUNDING;
 use super::big_integer::BigInteger;
 use super::exact::{Difference, ExactSum};
 use super::integers::common_integers;
+use super::lengths::compare_lengths;
 use super::wide::Wide;
 
 /// Squares between these bounds keep every product of four of them a normal number (2^-200, 2^200).
 pub(super) const SQUARES: core::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
-
-/// The order of two segments by length. Exact.
-#[inline]
-pub(crate) fn compare_lengths(a: [Point; 2], b: [Point; 2]) -> Ordering {
-    let [one, two] = [a, b].map(|[p, q]| Point::distance_sq(p, q));
-    // Each square is off by at most 4 roundings of itself.
-    let bound = 8.0 * ROUNDING * (one + two);
-    if SQUARES.contains(&one) && SQUARES.contains(&two) && (one - two).abs() > bound {
-        return if one < two { Ordering::Less } else { Ordering::Greater };
-    }
-    compare_lengths_exactly(a, b)
-}
-
-#[cold]
-#[inline(never)]
-fn compare_lengths_exactly([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Ordering {
-    if let Some(numbers) = common_integers([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y]) {
-        let [ax, ay, bx, by, cx, cy, dx, dy] = numbers.map(i128::from);
-        let square = |x: i128, y: i128| x * x + y * y;
-        return square(ax - bx, ay - by).cmp(&square(cx - dx, cy - dy));
-    }
-    let mut sum = ExactSum::new();
-    for [p, q] in [[a.x, b.x], [a.y, b.y]] {
-        let difference = Difference::new(p, q);
-        sum.add([difference, difference]);
-    }
-    for [p, q] in [[c.x, d.x], [c.y, d.y]] {
-        let difference = Difference::new(p, q);
-        sum.subtract([difference, difference]);
-    }
-    sum.sign()
-}
 
 /// The corner of a counter-clockwise triangle with the largest angle: the first one opposite a longest side. Exact.
 pub(crate) fn largest_corner(t: [Point; 3]) -> usize {

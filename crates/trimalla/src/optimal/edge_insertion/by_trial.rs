@@ -50,8 +50,8 @@ use super::cavity::Cavity;
 use super::chain::{Chain, Hand, Progress};
 use super::criteria::{Criterion, Slope};
 use super::improve;
-use super::mesh::Mesh;
 use crate::geometry::{Orientation, orient2d};
+use crate::optimal::mesh::Mesh;
 use crate::optimal::{Optimal, OptimalError, OptimalInput};
 use crate::trace::{Shape, Trace};
 

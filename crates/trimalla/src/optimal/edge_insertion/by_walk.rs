@@ -52,8 +52,8 @@ use super::cavity::Cavity;
 use super::chain::{Chain, Hand, Progress};
 use super::criteria::{Criterion, LargestAngle, SmallestHeight};
 use super::improve;
-use super::mesh::Mesh;
 use crate::geometry::largest_corner;
+use crate::optimal::mesh::Mesh;
 use crate::optimal::{Optimal, OptimalError, OptimalInput};
 use crate::trace::{Shape, Trace};
 

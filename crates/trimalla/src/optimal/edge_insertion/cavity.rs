@@ -1,8 +1,8 @@
 //! A change to the mesh: some triangles and those that take their place.
 
 use super::criteria::Criterion;
-use super::mesh::Mesh;
 use super::worst::Worst;
+use crate::optimal::mesh::Mesh;
 use crate::trace::{Shape, Trace};
 
 /// The triangles that an edge crosses, and better ones for the same place.

@@ -37,14 +37,13 @@ mod by_walk;
 mod cavity;
 mod chain;
 mod criteria;
-mod mesh;
 mod worst;
 
 pub(super) use by_trial::min_max_slope;
 pub(super) use by_walk::{max_min_height, min_max_angle};
 
+use super::mesh::Mesh;
 use criteria::Criterion;
-use mesh::Mesh;
 use worst::Worst;
 
 use super::input::in_order;
