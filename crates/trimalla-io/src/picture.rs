@@ -25,6 +25,8 @@ pub struct PictureOptions {
     pub title: String,
     /// Whether vertices are dots.
     pub show_vertices: bool,
+    /// Whether in the picture of a drawing only vertices on no segment are dots.
+    pub only_lone_vertices: bool,
     /// Whether scale, histogram and counts stand beside the picture. `.svg` alone.
     pub show_legend: bool,
     /// Bar charts that stand below the picture of a mesh. `.svg` alone.
@@ -33,7 +35,13 @@ pub struct PictureOptions {
 
 impl Default for PictureOptions {
     fn default() -> Self {
-        Self { title: String::new(), show_vertices: false, show_legend: true, charts: Vec::new() }
+        Self {
+            title: String::new(),
+            show_vertices: false,
+            only_lone_vertices: false,
+            show_legend: true,
+            charts: Vec::new(),
+        }
     }
 }
 
@@ -49,6 +57,13 @@ impl PictureOptions {
     #[must_use]
     pub fn with_vertices(mut self, show: bool) -> Self {
         self.show_vertices = show;
+        self
+    }
+
+    /// Shows, of a drawing, as dots only vertices on no segment, or all vertices.
+    #[must_use]
+    pub fn with_only_lone_vertices(mut self, only: bool) -> Self {
+        self.only_lone_vertices = only;
         self
     }
 
@@ -131,8 +146,10 @@ pub(crate) struct Picture<'a> {
     pub(crate) edge_width: f64,
     segments: &'a [[u32; 2]],
     pub(crate) segment_width: f64,
-    /// The size of the dots at all vertices, if there are dots.
+    /// The size of the dots, if there are dots.
     pub(crate) dot_size: Option<f64>,
+    /// Where the dots are: at all vertices, or only at some.
+    dots: Option<Vec<Point>>,
     holes: &'a [Point],
     regions: Vec<Point>,
 }
@@ -158,6 +175,7 @@ impl<'a> Picture<'a> {
             segments: &mesh.segments,
             segment_width: (2.5 * edge_width).max(0.3),
             dot_size: has_dots.then(|| (5.0 * edge_width).max(0.6)),
+            dots: None,
             holes: &[],
             regions: Vec::new(),
         })
@@ -167,7 +185,7 @@ impl<'a> Picture<'a> {
     ///
     /// # Errors
     /// Kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
-    pub(crate) fn of_pslg(pslg: &'a Pslg, space: Space) -> io::Result<Self> {
+    pub(crate) fn of_pslg(pslg: &'a Pslg, only_lone_vertices: bool, space: Space) -> io::Result<Self> {
         Points::of_pslg(pslg).check(0)?;
         Segments::of_pslg(pslg).check(pslg.points.len())?;
         let regions: Vec<Point> = pslg.regions.iter().map(|region| region.seed).collect();
@@ -182,6 +200,7 @@ impl<'a> Picture<'a> {
             segments: &pslg.segments,
             segment_width: 1.5 * edge_width,
             dot_size: Some(5.0 * edge_width),
+            dots: only_lone_vertices.then(|| lone_vertices(pslg)),
             holes: &pslg.holes,
             regions,
         })
@@ -211,8 +230,9 @@ impl<'a> Picture<'a> {
         self.segments.iter().map(|ends| ends.map(|v| self.vertex(v)))
     }
 
+    /// The vertices that are dots.
     pub(crate) fn vertices(&self) -> impl ExactSizeIterator<Item = Place> {
-        self.places(self.points)
+        self.places(self.dots.as_deref().unwrap_or(self.points))
     }
 
     /// The seeds of holes, at which there are crosses.
@@ -232,6 +252,15 @@ impl<'a> Picture<'a> {
     fn vertex(&self, index: u32) -> Place {
         self.frame.place(self.points[index as usize])
     }
+}
+
+/// The vertices on no segment.
+fn lone_vertices(pslg: &Pslg) -> Vec<Point> {
+    let mut is_lone = vec![true; pslg.points.len()];
+    for &v in pslg.segments.as_flattened() {
+        is_lone[v as usize] = false;
+    }
+    pslg.points.iter().zip(is_lone).filter(|(_, is_lone)| *is_lone).map(|(&p, _)| p).collect()
 }
 
 /// The width of edges: 1 up to a thousand elements, then falling with the length of edges to 0.1 at a hundred thousand.

@@ -41,13 +41,14 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &PictureOptio
     draw(out, &Picture::of_mesh(mesh, options.show_vertices, Space::default())?)
 }
 
-/// Draws a drawing: segments, vertices, crosses at hole seeds, rings at region seeds.
+/// Draws a drawing: segments, vertices, crosses at hole seeds, rings at region seeds. Of the options only
+/// `only_lone_vertices` counts.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
-pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg) -> io::Result<()> {
-    draw(out, &Picture::of_pslg(pslg, Space::default())?)
+pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &PictureOptions) -> io::Result<()> {
+    draw(out, &Picture::of_pslg(pslg, options.only_lone_vertices, Space::default())?)
 }
 
 fn draw(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {

@@ -45,13 +45,13 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &PictureOptio
     writeln!(out, "</svg>")
 }
 
-/// Draws a drawing: segments, vertices, crosses at hole seeds, rings at region seeds.
+/// Draws a drawing: segments, vertices (all, or those on no segment), crosses at hole seeds, rings at region seeds.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
 pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &PictureOptions) -> io::Result<()> {
-    let picture = Picture::of_pslg(pslg, space_for(options))?;
+    let picture = Picture::of_pslg(pslg, options.only_lone_vertices, space_for(options))?;
 
     text::open(out, &picture.frame, &options.title, &Strip::of(&[], 0.0))?;
     draw_segments(out, &picture)?;

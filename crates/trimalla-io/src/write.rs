@@ -321,7 +321,7 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
         Format::Poly => poly::write_pslg(out, pslg, options.first_index),
         Format::Node => node::write_points(out, &Points::of_pslg(pslg), options.first_index),
         Format::Svg => svg::draw_pslg(out, pslg, &options.picture),
-        Format::Png => png::draw_pslg(out, pslg),
+        Format::Png => png::draw_pslg(out, pslg, &options.picture),
         Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
         Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu | Format::Off => {
             Err(io::ErrorKind::Unsupported.into())

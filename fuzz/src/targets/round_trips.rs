@@ -95,7 +95,7 @@ fn drawing(pslg: &Pslg, first_index: u32) -> Verdict {
     must(again.segments == pslg.segments, "mesh: another drawing", String::new)?;
     same_bits("mesh", &pslg.points, &again.points)?;
     written("svg", |out| svg::draw_pslg(out, pslg, &PictureOptions::default()))?;
-    written("png", |out| png::draw_pslg(out, pslg)).map(drop)
+    written("png", |out| png::draw_pslg(out, pslg, &PictureOptions::default())).map(drop)
 }
 
 /// A mesh through `.node`, `.ele` and `.poly`.

@@ -24,7 +24,7 @@ fn picture(mesh: &IndexedMesh) -> Pixmap {
 
 fn drawing(pslg: &Pslg) -> Pixmap {
     let mut bytes = Vec::new();
-    draw_pslg(&mut bytes, pslg).unwrap();
+    draw_pslg(&mut bytes, pslg, &PictureOptions::default()).unwrap();
     Pixmap::decode_png(&bytes).unwrap()
 }
 
