@@ -85,3 +85,17 @@ pub(crate) fn read_mesh(path: &Path) -> Result<Input<IndexedMesh>, Failure> {
         _ => read.map(Input::of),
     }
 }
+
+/// Whether a path names a mesh: a file that holds triangles, or the stem of an `.ele` file.
+pub(crate) fn is_mesh(path: &Path) -> bool {
+    let beside = || {
+        let mut name = path.as_os_str().to_owned();
+        name.push(".ele");
+        Path::new(&name).exists()
+    };
+    match Format::from_path(path) {
+        Some(format) => matches!(format, Format::Ele | Format::MeshSuite | Format::Soup),
+        None if Format::of_mesh(path).is_some() => true,
+        None => path != Path::new("-") && beside(),
+    }
+}

@@ -5,6 +5,7 @@
 //! | [`commands`] | the command line, one file a subcommand |
 //! | [`args`] | options that several subcommands share |
 //! | [`input`] | drawings and meshes with the numbering of their files |
+//! | [`terrain`] | a triangulation from a mesh or a drawing, its points and their heights |
 //! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
 //! | [`drawing_faults`] | what may help where a drawing is at fault |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
@@ -36,6 +37,7 @@ mod refining;
 mod repeat;
 mod script_text;
 mod targets;
+mod terrain;
 mod text;
 mod trace;
 

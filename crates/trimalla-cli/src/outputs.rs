@@ -25,6 +25,8 @@ pub(crate) struct Outputs {
     /// The input files, which are never written.
     inputs: Vec<PathBuf>,
     targets: Vec<Target>,
+    /// Files of comma-separated values.
+    tables: Vec<Target>,
     /// The file of the recipe, if it is saved.
     recipe: Option<Target>,
     /// The file of the trace, if there is one.
@@ -58,6 +60,22 @@ impl Outputs {
             self.targets.push(target);
         }
         self.targets.sort_by_key(Target::is_stream); // Streams last: they cannot be taken back.
+        Ok(self)
+    }
+
+    /// Checks where lines and their table go: a file `.csv` gets the table, all others the drawing, in whose pictures only
+    /// vertices on no segment are dots.
+    pub(crate) fn with_lines<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
+        let (tables, output): (Vec<_>, _) = options.output.iter().cloned().partition(|path| is_table(path));
+        self = self.with_results(&OutputOptions { output, format: options.format }, input)?;
+        for target in &mut self.targets {
+            let picture = target.options.picture.clone().with_only_lone_vertices(true);
+            target.options = target.options.clone().with_picture(picture);
+        }
+        for path in &tables {
+            let target = self.checked(Target::of_text(path))?;
+            self.tables.push(target);
+        }
         Ok(self)
     }
 
@@ -111,7 +129,13 @@ impl Outputs {
     }
 
     fn all(&self) -> impl Iterator<Item = &Target> {
-        self.targets.iter().chain(&self.recipe).chain(&self.trace).chain(&self.frames).chain(&self.player)
+        self.targets
+            .iter()
+            .chain(&self.tables)
+            .chain(&self.recipe)
+            .chain(&self.trace)
+            .chain(&self.frames)
+            .chain(&self.player)
     }
 
     /// Writes texts, in the order in which their files were planned; files appear when what is returned is committed.
@@ -154,6 +178,15 @@ impl Outputs {
         self.prepare(io::Outputs::default(), |out, target| out.add_pslg(&target.path, pslg, &target.options))
     }
 
+    /// Writes lines as a drawing and as a table; files appear when what is returned is committed.
+    pub(crate) fn prepare_lines(&self, pslg: &Pslg, table: &str) -> Result<Prepared, Failure> {
+        let mut before = io::Outputs::default();
+        for target in &self.tables {
+            or_reader_left(&target.path, before.add_text(&target.path, table))?;
+        }
+        self.prepare(before, |out, target| out.add_pslg(&target.path, pslg, &target.options))
+    }
+
     fn prepare(
         &self,
         mut outputs: io::Outputs,
@@ -184,6 +217,11 @@ impl Outputs {
             _ => Ok(Stream::Stdout),
         }
     }
+}
+
+/// Whether a path names comma-separated values.
+fn is_table(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
 /// Complete outputs that are not yet in their places. Dropped, they leave nothing behind.

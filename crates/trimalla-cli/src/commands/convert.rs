@@ -1,13 +1,13 @@
 //! `trimalla convert`: from one format to another.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use trimalla_io::Format;
 
 use crate::args::{OutputOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::input::{read_drawing, read_mesh};
+use crate::input::{is_mesh, read_drawing, read_mesh};
 use crate::outputs::{self, Outputs};
 use crate::progress;
 
@@ -64,18 +64,4 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 
 fn output_format(options: &Options) -> Option<Format> {
     Format::from_path(&options.output).or(options.format)
-}
-
-/// Whether a path names a mesh: a file that holds triangles, or the stem of an `.ele` file.
-fn is_mesh(path: &Path) -> bool {
-    let beside = || {
-        let mut name = path.as_os_str().to_owned();
-        name.push(".ele");
-        Path::new(&name).exists()
-    };
-    match Format::from_path(path) {
-        Some(format) => matches!(format, Format::Ele | Format::MeshSuite | Format::Soup),
-        None if Format::of_mesh(path).is_some() => true,
-        None => path != Path::new("-") && beside(),
-    }
 }

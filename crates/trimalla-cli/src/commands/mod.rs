@@ -2,13 +2,16 @@
 
 pub(crate) mod check;
 pub(crate) mod compare;
+pub(crate) mod contour;
 pub(crate) mod convert;
+pub(crate) mod interpolate;
 pub(crate) mod list;
 pub(crate) mod mesh;
 pub(crate) mod refine;
 pub(crate) mod run;
 pub(crate) mod stats;
 pub(crate) mod triangulate;
+pub(crate) mod voronoi;
 
 use clap::{Parser, Subcommand};
 
@@ -30,6 +33,8 @@ Examples:
   trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
                                               refine it further
   trimalla compare key.poly --markdown        all algorithms at all angles, in a table
+  trimalla contour terrain.node --step 10 -o lines.svg
+                                              lines of equal height
   trimalla run session.tri                    a script of commands: draw, triangulate, edit, refine
   trimalla list                               algorithms, steps, rules and formats
 
@@ -44,6 +49,9 @@ enum Command {
     Stats(stats::Options),
     Compare(compare::Options),
     Convert(convert::Options),
+    Voronoi(voronoi::Options),
+    Interpolate(interpolate::Options),
+    Contour(contour::Options),
     Run(run::Options),
     List(list::Options),
 }
@@ -58,6 +66,9 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Stats(options) => stats::run(&options),
         Command::Compare(options) => compare::run(&options),
         Command::Convert(options) => convert::run(&options),
+        Command::Voronoi(options) => voronoi::run(&options),
+        Command::Interpolate(options) => interpolate::run(&options),
+        Command::Contour(options) => contour::run(&options),
         Command::Run(options) => run::run(&options),
         Command::List(options) => list::run(&options),
     }

@@ -27,3 +27,4 @@ mod reports;
 mod run;
 mod small_angles;
 mod spared;
+mod terrain;

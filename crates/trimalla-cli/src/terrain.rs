@@ -1,0 +1,80 @@
+//! Triangulations from meshes and drawings, and heights of their points.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use trimalla::DomainOptions;
+use trimalla::constrained::Crossings;
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::DomainRule;
+use trimalla::drawing::IndexedMesh;
+use trimalla::triangulation::Triangulation;
+use trimalla_workbench::numbers::count;
+
+use crate::args::{CROSSINGS, one_of};
+use crate::drawing_faults;
+use crate::exit::{Failure, Status};
+use crate::input::{Input, is_mesh, read_drawing, read_mesh};
+
+/// A mesh, or a drawing that is triangulated.
+#[derive(Debug, Args)]
+pub(crate) struct SourceOptions {
+    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, or '-' for standard input), which is triangulated
+    pub(crate) input: PathBuf,
+
+    /// What belongs to the domain of a drawing
+    #[arg(long, value_name = "RULE", default_value = DomainRule::default().key(), help_heading = "Drawing",
+          value_parser = one_of(DomainRule::ALL.map(|r| (r.key(), r.summary(), r))))]
+    domain: DomainRule,
+
+    /// What to do where segments of a drawing cross
+    #[arg(long, value_name = "HOW", default_value = "refuse", help_heading = "Drawing", value_parser = one_of(CROSSINGS))]
+    crossings: Crossings,
+}
+
+impl SourceOptions {
+    /// Reads the points alone, as a mesh without triangles where the source is a drawing.
+    pub(crate) fn read_points(&self) -> Result<Input<IndexedMesh>, Failure> {
+        if is_mesh(&self.input) {
+            return read_mesh(&self.input);
+        }
+        let Input { value, first_index, files, notes } = read_drawing(&self.input)?;
+        let points = IndexedMesh { input_points: value.points.len(), points: value.points, ..IndexedMesh::default() };
+        Ok(Input { value: points, first_index, files, notes })
+    }
+
+    /// Reads the mesh, or triangulates the drawing; what is unusual in it is among the notes.
+    pub(crate) fn read_triangles(&self) -> Result<Input<IndexedMesh>, Failure> {
+        if is_mesh(&self.input) {
+            return read_mesh(&self.input);
+        }
+        let drawing = read_drawing(&self.input)?;
+        let options =
+            DomainOptions { rule: self.domain, crossings: self.crossings, algorithm: AlgorithmKey::default() };
+        let names = drawing.numbers();
+        let made = trimalla::triangulate(&drawing.value, &options);
+        let made = made.map_err(|error| drawing_faults::failure(&names, &error))?;
+        let notes = drawing.notes.iter().cloned().chain(made.warnings.iter().map(|w| names.warning(w))).collect();
+        Ok(Input { value: made.mesh, first_index: drawing.first_index, files: drawing.files.clone(), notes })
+    }
+}
+
+/// The triangulation of a mesh that was read.
+pub(crate) fn triangulation(mesh: &Input<IndexedMesh>) -> Result<Triangulation, Failure> {
+    Triangulation::from_indexed(&mesh.value).map_err(|faults| {
+        let first = faults.iter().take(10).map(|fault| format!("{}: {fault}", mesh.name())).collect();
+        Failure::of_many(Status::BadInput, first)
+            .hint(format!("'trimalla check' lists {}", count(faults.len(), "fault")))
+    })
+}
+
+/// The heights of points: the attribute with that number, counted from 1.
+pub(crate) fn heights(mesh: &Input<IndexedMesh>, attribute: usize) -> Result<Vec<f64>, Failure> {
+    let IndexedMesh { points, attributes_per_point: width, point_attributes, .. } = &mesh.value;
+    let has_column = (1..=*width).contains(&attribute) && point_attributes.len() == points.len() * width;
+    if !has_column && !points.is_empty() {
+        let message = format!("{} has {} a point, no attribute {attribute}", mesh.name(), count(*width, "attribute"));
+        return Err(Failure::bad_input(message).hint("heights are an attribute of the points: a column after x and y"));
+    }
+    Ok(point_attributes.iter().skip(attribute.wrapping_sub(1)).step_by((*width).max(1)).copied().collect())
+}
