@@ -201,10 +201,11 @@ impl Voronoi {
             edge_of[sides[0].index()] = 2 * edge + 1;
             edge_of[sides[1].index()] = 2 * edge;
             let apexes = sides.map(|h| is_real(h).then(|| t.apex(h)));
-            self.edges.push(VoronoiEdge { sites: [t.origin(h), t.dest(h)], ends, apexes });
-            if let Some(line) = self.drawn(edge) {
+            let edge = VoronoiEdge { sites: [t.origin(h), t.dest(h)], ends, apexes };
+            if let Some(line) = self.drawn(&edge) {
                 trace.add(Shape::Line(line), "the part of a bisector between two cells");
             }
+            self.edges.push(edge);
         }
         Ok(edge_of)
     }
@@ -225,31 +226,36 @@ impl Voronoi {
             return;
         }
         let before = self.sides.len() as u32;
-        // Of a site on the hull the first side is that with the outside on its right.
-        let first = t.edges_around(site).find(|&h| t.is_ghost(t.twin(h).face())).or_else(|| t.outgoing(site));
-        for h in first.into_iter().flat_map(|h| t.star_from(h)).filter(|&h| t.dest(h).is_finite()) {
+        let mut first = 0;
+        for h in t.star(site).filter(|&h| t.dest(h).is_finite()) {
+            if t.is_ghost(t.twin(h).face()) {
+                first = self.sides.len() - before as usize;
+            }
             let side = edge_of[h.index()];
             if side != NONE {
                 self.sides.push(CellSide { edge: side / 2, is_reversed: side % 2 == 1 });
             }
         }
+        // Of a site on the hull the first side is that with the outside on its right.
+        self.sides[before as usize..].rotate_left(first);
         self.cells[site.index()] = Some(before..self.sides.len() as u32);
     }
 
-    /// An edge for a picture: a ray as long as its sites are apart, a whole bisector twice as long.
-    fn drawn(&self, edge: u32) -> Option<[Point; 2]> {
-        let VoronoiEdge { sites, ends, .. } = self.edges[edge as usize];
-        let [a, b] = sites.map(|v| self.sites[v.index()]);
+    /// An edge for a picture: a ray as long as its sites are apart, a whole bisector twice as long. Without a panic, so
+    /// that nothing is left of it where nobody is told.
+    #[inline]
+    fn drawn(&self, edge: &VoronoiEdge) -> Option<[Point; 2]> {
+        let [a, b] = [*self.sites.get(edge.sites[0].index())?, *self.sites.get(edge.sites[1].index())?];
         let along = Vector::new(a.y - b.y, b.x - a.x);
-        let known = ends.map(|end| end.map(|v| self.vertices[v as usize].point));
-        let [start, end] = match known {
+        let place = |vertex: u32| self.vertices.get(vertex as usize)?.point;
+        let [start, end] = match edge.ends {
             [None, None] => {
                 let middle = Point::midpoint(a, b);
                 [middle + along.scaled(-1.0), middle + along]
             }
-            [Some(start), None] => [start?, start? + along],
-            [None, Some(end)] => [end? + along.scaled(-1.0), end?],
-            [Some(start), Some(end)] => [start?, end?],
+            [Some(start), None] => [place(start)?, place(start)? + along],
+            [None, Some(end)] => [place(end)? + along.scaled(-1.0), place(end)?],
+            [Some(start), Some(end)] => [place(start)?, place(end)?],
         };
         (start.is_finite() && end.is_finite()).then_some([start, end])
     }
