@@ -63,8 +63,8 @@ impl Outputs {
         Ok(self)
     }
 
-    /// Checks where lines and their table go: a file `.csv` gets the table, all others the drawing, in whose pictures only
-    /// vertices on no segment are dots.
+    /// Checks where lines and their table go: a file `.csv` gets the table, all others the drawing, in whose pictures
+    /// only vertices on no segment are dots.
     pub(crate) fn with_lines<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
         let (tables, output): (Vec<_>, _) = options.output.iter().cloned().partition(|path| is_table(path));
         self = self.with_results(&OutputOptions { output, format: options.format }, input)?;
