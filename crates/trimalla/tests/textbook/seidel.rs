@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_ratio::RBig;
 use trimalla::Point;
-use trimalla::geometry::{Containment, Orientation, Ring, math, on_segment, orient2d};
+use trimalla::geometry::{Containment, Orientation, Ring, SegmentContact, math, on_segment, orient2d, segment_contact};
 use trimalla::polygon::{
     Polygon, PolygonError, TrapezoidMap, diagonals, seidel, visible_pairs, visible_pairs_of_graph,
 };
@@ -419,8 +419,8 @@ fn random_rings_are_tiled_or_refused_as_the_oracle_says() {
             let sides: Vec<_> = Ring::new(&rings.points).sides().filter(|(p, q)| p != q).collect();
             let faults = |(i, &(a, b)): (usize, &(Point, Point))| {
                 sides[..i].iter().any(|&(c, d)| {
-                    use trimalla::geometry::SegmentContact::{Crossing, Overlapping};
-                    matches!(trimalla::geometry::segment_contact(a, b, c, d), Crossing | Overlapping)
+                    let contact = segment_contact(a, b, c, d);
+                    matches!(contact, SegmentContact::Crossing | SegmentContact::Overlapping)
                 })
             };
             sides.iter().enumerate().any(faults)
@@ -585,4 +585,48 @@ fn visible_pairs_triangulate_graphs() {
     assert_eq!(error, Err(PolygonError::SegmentEnd { segment: 0, vertex: 2 }));
     let nan = visible_pairs_of_graph(&[Point::new(f64::NAN, 0.0)], &[], &mut NoTrace);
     assert!(matches!(nan, Err(PolygonError::NotFinite { index: 0, .. })));
+}
+
+/// The rings of a drawing whose segments run round one ring after the other.
+fn rings_of(drawing: &trimalla::Pslg) -> Option<Rings> {
+    let mut rings = Rings::default();
+    let mut first = 0;
+    for (k, &[a, b]) in drawing.segments.iter().enumerate() {
+        let is_last = drawing.segments.get(k + 1).is_none_or(|next| next[0] != b) || b == drawing.segments[first][0];
+        let p = drawing.points[a as usize];
+        rings.points.push(p);
+        if is_last {
+            (b == drawing.segments[first][0]).then_some(())?;
+            rings.ends.push(rings.points.len() as u32);
+            first = k + 1;
+        }
+    }
+    (!rings.ends.is_empty()).then_some(rings)
+}
+
+#[test]
+fn real_polygons_are_tiled_or_refused_with_the_place() {
+    let Some(data) = trimalla_testkit::shared::shared_data_or_say() else { return };
+    let mut tiled = 0;
+    for input in trimalla_testkit::readers::all_inputs(&data) {
+        let is_polygon = ["earcut", "poly2tri", "salzburg"].contains(&&*input.family) && input.rings;
+        let Some(rings) = is_polygon.then(|| rings_of(&input.pslg)).flatten() else { continue };
+        match TrapezoidMap::new(rings.polygon(), 1, &mut NoTrace) {
+            Ok(map) => {
+                let triangles = map.triangles(&mut NoTrace).expect("nobody cancels");
+                if triangles.len() < 12_000 {
+                    check(&rings, &triangles);
+                }
+                tiled += 1;
+            }
+            Err(PolygonError::Crossing { sides: [one, two], .. }) => {
+                let [[a, b], [c, d]] = [one, two].map(|side| side.map(|v| rings.points[v as usize]));
+                let contact = segment_contact(a, b, c, d);
+                let is_fault = matches!(contact, SegmentContact::Crossing | SegmentContact::Overlapping);
+                assert!(is_fault, "{}: {one:?} {two:?}", input.name);
+            }
+            Err(error) => assert!(matches!(error, PolygonError::Flat { .. }), "{}: {error}", input.name),
+        }
+    }
+    assert!(tiled >= 22, "{tiled}");
 }

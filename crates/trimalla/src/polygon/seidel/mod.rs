@@ -5,13 +5,13 @@
 //! side on its left and a side on its right:
 //!
 //! ```text
-//!            top                          a
-//!     ------o---------              .    / \
-//!    /                \             .   /   \          The horizontal visibility map
-//!   / left       right \            .  /.....b         of a polygon: five vertices,
-//!  /                    \           . /     /          four trapezoids.
-//!  -----------o----------           .c.....( ..
-//!           bottom                  . \     \  |
+//!            top                            b
+//!     ------o---------                    /   \
+//!    /                \                 c......\     The horizontal visibility map of
+//!   / left       right \                 \      \    a polygon with four vertices: three
+//!  /                    \                 \......d   trapezoids, two of them triangles.
+//!  -----------o----------                  \   /
+//!           bottom                           a
 //! ```
 //!
 //! The trapezoids of *any* segments that do not cross can be built by inserting one segment after the other. In random
