@@ -352,3 +352,24 @@ fn faulty_polygons_have_no_guards_and_steps_are_told() {
     let odd = Gallery::of_triangles(vec![[0, 1, 2], [0, 1, 2], [1, 0, 0]], &mut NoTrace).expect("nobody cancels");
     assert_eq!(odd.unwatched(), None);
 }
+
+#[test]
+fn rings_that_touch_themselves_anyhow_are_looked_at_and_guarded() {
+    let mut rng = SplitMix64::new(59);
+    let mut valid = 0;
+    for _ in 0..6000 {
+        let (size, grid) = (5 + rng.below(6), 3 + rng.below(3));
+        let rings = Rings::of((0..size).map(|_| (rng.below(grid) as f64, rng.below(grid) as f64)));
+        let Ok(visibility) = Visibility::new(rings.polygon(), &mut NoTrace) else { continue };
+        valid += 1;
+        check(&art_gallery(rings.polygon(), &mut NoTrace).expect("a valid polygon"), &rings);
+        let sides = sides(&rings);
+        let (x, y) = (some_point(&rings, &mut rng), some_point(&rings, &mut rng));
+        assert_eq!(visible(rings.polygon(), x, y), sees(&sides, &exact(x), &exact(y)), "{x} {y} in {rings:?}");
+        if place(&sides, &exact(x)) != Containment::Outside {
+            let corners = visibility.seen_from(x, &mut NoTrace).expect("nobody cancels");
+            assert_eq!(doubled_area_of(&corners, &rings, x), doubled_area_seen(&rings, x), "{x} in {rings:?}");
+        }
+    }
+    assert!(valid > 300, "{valid}");
+}
