@@ -23,6 +23,14 @@ pub enum OptimalError {
         /// The most that are possible.
         limit: usize,
     },
+    /// More pairs of points than the memory of the algorithm can take: many see each other, and no other points are near.
+    #[error("{count} pairs of points, or more, may be edges: more than {limit}")]
+    TooManyPairs {
+        /// How many were counted.
+        count: usize,
+        /// The most that are possible.
+        limit: usize,
+    },
     /// The algorithm needs heights, and there are none.
     #[error("'{method}' needs a height for each point")]
     NoHeights {

@@ -11,12 +11,17 @@ use super::verdict::none;
 
 /// Every algorithm gives the same triangles, edges, duplicates and dimension, and a clean check.
 pub(crate) fn agreed(points: &[Point]) -> Result<Triangulation, String> {
-    let mut all = AlgorithmKey::ALL.into_iter().map(|key| checked(key, points));
+    let mut all = algorithms(points.len()).map(|key| checked(key, points));
     let first = all.next().ok_or("there are no algorithms")??;
     for other in all {
         alike(&first, &other?)?;
     }
     Ok(first)
+}
+
+/// The algorithms to be tried with so many points: all, but `flip`, which is quadratic, for few only.
+pub(crate) fn algorithms(points: usize) -> impl Iterator<Item = AlgorithmKey> {
+    AlgorithmKey::ALL.into_iter().filter(move |key| *key != AlgorithmKey::Flip || points <= 2000)
 }
 
 /// What one algorithm builds, checked by itself.

@@ -335,3 +335,29 @@ fn corners_of(points: &[Point], [a, b, c]: [u32; 3]) -> [RBig; 3] {
         -(&u[0] * &v[0] + &u[1] * &v[1]) / (&u[0] * &v[1] - &u[1] * &v[0])
     })
 }
+
+#[test]
+fn inputs_that_are_wrong_are_named() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Point::from);
+    let mut holed = square;
+    holed[2].y = f64::NAN;
+    let mesh = IndexedMesh { points: square.to_vec(), triangles: vec![[0, 1, 2], [0, 2, 1]], ..IndexedMesh::default() };
+    for &method in OptimalMethod::ALL {
+        let refused = |input: &OptimalInput<'_>| method.triangulate(input, &mut NoTrace).unwrap_err();
+        let of_points = OptimalInput::of_points(&holed);
+        assert!(matches!(refused(&of_points), OptimalError::NotFinite { index: 2, .. }), "{method}");
+        let input = OptimalInput { heights: Some(&[0.0, 1.0]), ..OptimalInput::of_points(&square) };
+        assert_eq!(refused(&input), OptimalError::HeightCount { heights: 2, points: 4 }, "{method}");
+        let input = OptimalInput { domain: Some(&mesh), ..OptimalInput::of_points(&square) };
+        assert!(matches!(refused(&input), OptimalError::Domain(_)), "{method}");
+        let input = OptimalInput { domain: Some(&mesh), ..OptimalInput::of_points(&square[..3]) };
+        assert_eq!(refused(&input), OptimalError::OtherPoints { count: 4, expected: 3 }, "{method}");
+    }
+    let many = point_set(PointSetKind::RoundedCircle, 12_000, 1);
+    let made = OptimalMethod::GreedyNaive.triangulate(&OptimalInput::of_points(&many), &mut NoTrace);
+    assert!(matches!(made, Err(OptimalError::TooManyPairs { .. })));
+    assert!(matches!(locally_optimal(&mesh, FlipCriterion::MinMaxAngle, &mut NoTrace), Err(OptimalError::Domain(_))));
+    for key in AlgorithmKey::ALL {
+        assert!(matches!(key.triangulate(&holed, None), Err(BuildError::NotFinite { index: 2, .. })), "{key}");
+    }
+}

@@ -32,6 +32,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::check_pairs;
 use crate::geometry::math::{atan2, cos, power_of_two_scale, sin};
 use crate::geometry::{BoundingBox, Orientation, Point, Vector, orient2d};
 use crate::half_edge::{HalfEdgeId, VertexId};
@@ -72,6 +73,7 @@ pub(super) fn by_diamonds(
         // The sectors know more now than when the first vertices were met.
         let alive = near.iter().filter(|(other, way)| site.vertex < *other && !sectors.is_dead_at(*way));
         found.extend(alive.map(|&(other, _)| [site.vertex, other]));
+        check_pairs(found.len())?;
     }
     Ok(found)
 }
@@ -287,8 +289,8 @@ fn silhouette(place: Point, around: &BoundingBox) -> Option<[Point; 2]> {
     Some([start, end])
 }
 
-/// The vertices in halves, quarters, … of boxes. Node 0 is the whole, the children of node `i` are `2 i + 1` and `2 i
-/// + 2`.
+/// The vertices in halves, quarters, … of boxes. Node 0 is the whole; the children of a node have its double number and
+/// 1, and its double number and 2.
 #[derive(Debug)]
 struct Tree {
     sites: Vec<Site>,
@@ -414,6 +416,7 @@ pub(super) fn by_sight(t: &Triangulation, trace: &(impl Trace + ?Sized)) -> Resu
         while let Some(cone) = cones.pop() {
             cone.look_beyond(t, p, &mut cones, &mut found);
         }
+        check_pairs(found.len())?;
     }
     Ok(found)
 }

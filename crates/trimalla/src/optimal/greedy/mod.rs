@@ -48,10 +48,19 @@ use crate::trace::{Shape, Trace};
 use crate::triangulation::Triangulation;
 use crossings::Crossings;
 
+/// How many pairs may be sorted: 1.6 GB.
+const MAX_PAIRS: usize = 1 << 26;
+
+/// An error if there are too many pairs.
+const fn check_pairs(count: usize) -> Result<(), OptimalError> {
+    if count > MAX_PAIRS { Err(OptimalError::TooManyPairs { count, limit: MAX_PAIRS }) } else { Ok(()) }
+}
+
 /// All pairs in order of length, each compared with all edges.
 pub(super) fn naive(input: &OptimalInput<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<Optimal, OptimalError> {
     let prepared = input.prepare()?;
     let vertices = &prepared.vertices;
+    check_pairs(vertices.len().saturating_mul(vertices.len()) / 2)?;
     let all = vertices.iter().enumerate().flat_map(|(i, &u)| vertices[i + 1..].iter().map(move |&v| [u, v]));
     let mut pairs: Vec<[u32; 2]> = all.collect();
     sort_by_length(input.points, &mut pairs);
