@@ -158,21 +158,17 @@ fn is_apart(around: BoundingBox, c: Point, d: Point) -> bool {
         || c.y.min(d.y) > around.max.y
 }
 
-/// A side or diagonal from a place to a later one.
-#[derive(Clone, Copy)]
-struct Link {
+/// A side or diagonal, seen from one of its places.
+#[derive(Clone)]
+struct Link<V> {
+    /// The other place.
     to: u32,
     /// Its row in the table.
     row: u32,
-}
-
-/// What is known behind a side or diagonal.
-struct Row<V> {
+    /// Whether the polygon behind it can be triangulated.
+    is_filled: bool,
     /// The cost of the best triangulation behind it, and its own if it is a diagonal; `None` for a side.
     value: Option<V>,
-    /// Whether it can be triangulated behind.
-    is_filled: bool,
-    choice: Option<Choice>,
 }
 
 /// The triangle at a side or diagonal.
@@ -185,13 +181,16 @@ struct Choice {
 }
 
 /// All sides and diagonals.
+///
+/// Costs stand in both lists of links, so that the loop over third corners reads memory in order.
 struct Table<'a, V> {
     places: Places<'a>,
     /// From each place to later ones, ascending.
-    up: Vec<Vec<Link>>,
-    /// From each place to earlier ones, descending as they are settled.
-    down: Vec<Vec<Link>>,
-    rows: Vec<Row<V>>,
+    up: Vec<Vec<Link<V>>>,
+    /// From each place to earlier ones, descending as they are settled; only those that are filled.
+    down: Vec<Vec<Link<V>>>,
+    /// The triangle behind each side and diagonal, if there is one.
+    choices: Vec<Option<Choice>>,
 }
 
 impl<'a, V: Clone> Table<'a, V> {
@@ -202,7 +201,7 @@ impl<'a, V: Clone> Table<'a, V> {
         trace: &mut (impl Trace + ?Sized),
     ) -> Result<Self, OptimalError> {
         let k = places.walk.len();
-        let mut table = Self { places, up: vec![Vec::new(); k], down: vec![Vec::new(); k], rows: Vec::new() };
+        let mut table = Self { places, up: vec![Vec::new(); k], down: vec![Vec::new(); k], choices: Vec::new() };
         for i in 0..k {
             if trace.is_cancelled() {
                 return Err(OptimalError::Cancelled);
@@ -222,63 +221,63 @@ impl<'a, V: Clone> Table<'a, V> {
     }
 
     fn add(&mut self, i: usize, j: usize, value: Option<V>) {
-        self.up[i].push(Link { to: j as u32, row: self.rows.len() as u32 });
-        self.rows.push(Row { value, is_filled: j == i + 1, choice: None });
+        self.up[i].push(Link { to: j as u32, row: self.choices.len() as u32, is_filled: j == i + 1, value });
+        self.choices.push(None);
     }
 
     /// Step 2 for the diagonals from one place to later ones; those from later places are settled.
     fn settle_from<O: Objective<Value = V>>(&mut self, i: usize, objective: &O) {
-        for at in 0..self.up[i].len() {
-            let link = self.up[i][at];
-            if !self.rows[link.row as usize].is_filled {
-                self.settle(i, link, objective);
+        let mut up = std::mem::take(&mut self.up[i]);
+        for at in 0..up.len() {
+            let (before, [link, ..]) = up.split_at_mut(at) else { continue };
+            if !link.is_filled {
+                self.settle(i, before, link, objective);
             }
-            if self.rows[link.row as usize].is_filled {
-                self.down[link.to as usize].push(Link { to: i as u32, row: link.row });
+            if link.is_filled {
+                self.down[link.to as usize].push(Link { to: i as u32, ..link.clone() });
             }
         }
+        self.up[i] = up;
     }
 
     /// Step 2 for one diagonal: the best third corner.
-    fn settle<O: Objective<Value = V>>(&mut self, i: usize, Link { to: j, row }: Link, objective: &O) {
+    fn settle<O: Objective<Value = V>>(&mut self, i: usize, before: &[Link<V>], link: &mut Link<V>, objective: &O) {
+        let j = link.to as usize;
+        let is_left_turn = |m: u32| {
+            let [a, b, c] = [i, m as usize, j].map(|place| self.places.at(place));
+            orient2d(a, b, c) == Orientation::CounterClockwise
+        };
         let mut best: Option<(Option<V>, Choice)> = None;
-        let mut down = self.down[j as usize].iter().rev().peekable();
-        for first in self.up[i].iter().take_while(|link| link.to < j) {
-            while down.next_if(|link| link.to < first.to).is_some() {}
-            let Some(second) = down.peek().filter(|link| link.to == first.to) else { continue };
-            let [one, two] = [&self.rows[first.row as usize], &self.rows[second.row as usize]];
-            let [a, b, c] = [i, first.to as usize, j as usize].map(|place| self.places.at(place));
-            if !one.is_filled || orient2d(a, b, c) != Orientation::CounterClockwise {
-                continue;
-            }
-            let value = joined(objective, one.value.as_ref(), two.value.as_ref());
+        let mut down = self.down[j].iter().rev().peekable();
+        for first in before.iter().filter(|first| first.is_filled) {
+            while down.next_if(|second| second.to < first.to).is_some() {}
+            let Some(second) = down.peek().filter(|second| second.to == first.to) else { continue };
+            let value = joined(objective, first.value.as_ref(), second.value.as_ref());
             let is_better = best.as_ref().is_none_or(|(old, _)| compare(objective, &value, old).is_lt());
-            if is_better {
+            if is_better && is_left_turn(first.to) {
                 best = Some((value, Choice { corner: first.to, rows: [first.row, second.row] }));
             }
         }
         if let Some((value, choice)) = best {
-            let row = &mut self.rows[row as usize];
-            row.value = joined(objective, row.value.as_ref(), value.as_ref());
-            row.choice = Some(choice);
-            row.is_filled = true;
+            link.value = joined(objective, link.value.as_ref(), value.as_ref());
+            link.is_filled = true;
+            self.choices[link.row as usize] = Some(choice);
         }
     }
 
     /// Step 3.
     fn best(self) -> Option<Best<V>> {
         let last = self.places.walk.len() - 1;
-        let root =
-            self.up[0].last().filter(|link| link.to as usize == last && self.rows[link.row as usize].is_filled)?;
+        let root = self.up[0].last().filter(|link| link.to as usize == last && link.is_filled)?;
         let mut triangles = Vec::with_capacity(last - 1);
         let mut open = vec![(0, last, root.row)];
         while let Some((i, j, row)) = open.pop() {
-            let Some(Choice { corner, rows: [first, second] }) = self.rows[row as usize].choice else { continue };
+            let Some(Choice { corner, rows: [first, second] }) = self.choices[row as usize] else { continue };
             let m = corner as usize;
             triangles.push([i, m, j].map(|place| self.places.walk[place]));
             open.extend([(i, m, first), (m, j, second)]);
         }
-        Some(Best { triangles, value: self.rows[root.row as usize].value.clone() })
+        Some(Best { triangles, value: root.value.clone() })
     }
 }
 

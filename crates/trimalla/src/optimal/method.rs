@@ -2,7 +2,7 @@
 
 use super::{
     FlipCriterion, Optimal, OptimalError, OptimalInput, WeightBudget, edge_insertion, flips, greedy, min_max_length,
-    minimum_weight, pairs,
+    min_weight_polygon, minimum_weight, pairs,
 };
 use crate::trace::Trace;
 
@@ -21,6 +21,7 @@ keyed! {
         FlipShortestDiagonal = "flip-shortest-diagonal", "flips while the other diagonal of two triangles is shorter", "Triangulaciones";
         MinMaxLength = "min-max-length", "the longest edge as short as possible, through the relative neighbourhood graph", "EdelsbrunnerTan93";
         MinMaxLengthByTree = "min-max-length-by-tree", "the longest edge as short as possible, through a minimum spanning tree", "Triangulaciones";
+        MinWeightPolygon = "min-weight-polygon", "the least total length of a domain without holes, by dynamic programming", "Klincsek80";
     }
 }
 
@@ -57,6 +58,7 @@ impl OptimalMethod {
             Self::MaxMinHeight => edge_insertion::max_min_height(input, trace),
             Self::MinMaxLength => min_max_length::by_neighbours(input, trace),
             Self::MinMaxLengthByTree => min_max_length::by_tree(input, trace),
+            Self::MinWeightPolygon => min_weight_polygon::triangulate(input, trace),
             Self::MinMaxSlope => edge_insertion::min_max_slope(input, trace),
             Self::Greedy => greedy::fast(input, trace),
             Self::GreedyNaive => greedy::naive(input, trace),

@@ -16,6 +16,7 @@ mod mesh;
 mod method;
 mod min_max_length;
 mod min_weight;
+mod min_weight_polygon;
 mod pairs;
 
 pub use error::OptimalError;

@@ -3,4 +3,5 @@
 mod all;
 mod insertion;
 mod length;
+mod polygon;
 mod slope;

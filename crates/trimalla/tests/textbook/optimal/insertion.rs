@@ -200,9 +200,12 @@ fn a_cancelled_run_ends() {
     }
     let points = point_set(PointSetKind::Uniform, 50, 1);
     let heights: Vec<f64> = points.iter().map(|p| p.x * p.y).collect();
-    let input = OptimalInput { heights: Some(&heights), ..OptimalInput::of_points(&points) };
+    let free = OptimalInput { heights: Some(&heights), ..OptimalInput::of_points(&points) };
+    let triangles = some_triangulation(&points[..3]);
+    let domain = IndexedMesh { points: points.clone(), triangles, ..IndexedMesh::default() };
     for method in OptimalMethod::ALL {
-        let made = method.triangulate(&input, &mut Never);
+        let only_domains = *method == OptimalMethod::MinWeightPolygon;
+        let made = method.triangulate(&OptimalInput { domain: only_domains.then_some(&domain), ..free }, &mut Never);
         assert_eq!(made, Err(OptimalError::Cancelled), "{method}");
     }
 }
