@@ -43,6 +43,12 @@ use super::mesh::{Face, Mesh};
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d, segments_cross_properly, strictly_between};
 use crate::trace::{Shape, Trace};
 
+/// The most corners of a polygon of which any two may be joined.
+const MOST_CORNERS: usize = 5792;
+
+/// The most diagonals and sides, which need about 2 GB.
+const MOST_DIAGONALS: usize = MOST_CORNERS * (MOST_CORNERS - 1) / 2;
+
 /// What is minimised over the edges inside a polygon.
 pub(crate) trait Objective {
     /// A cost: of one edge, or of several.
@@ -81,7 +87,7 @@ pub(crate) struct Best<V> {
 /// `None` if no triangulation has allowed edges only. Of equally good third corners the first on the walk is taken.
 ///
 /// # Errors
-/// Cancelled.
+/// Cancelled; more diagonals than memory is meant for: as many as a convex polygon of 5792 corners has.
 pub(crate) fn triangulate<O: Objective>(
     points: &[Point],
     walk: &[u32],
@@ -212,6 +218,9 @@ impl<'a, V: Clone> Table<'a, V> {
                 if is_side {
                     table.add(i, j, None);
                 } else if objective.is_allowed(edge) && places.see(i, j) {
+                    if table.choices.len() >= MOST_DIAGONALS {
+                        return Err(OptimalError::TooMany { count: k, limit: MOST_CORNERS });
+                    }
                     trace.look(Shape::Edge(edge), "a diagonal");
                     table.add(i, j, Some(objective.edge(edge)));
                 }

@@ -42,14 +42,13 @@ mod worst;
 pub(super) use by_trial::min_max_slope;
 pub(super) use by_walk::{max_min_height, min_max_angle};
 
-use super::mesh::Mesh;
-use criteria::Criterion;
-use worst::Worst;
-
 use super::input::in_order;
+use super::mesh::Mesh;
 use super::{Optimal, OptimalError, OptimalInput};
 use crate::trace::{Shape, Trace};
 use cavity::Cavity;
+use criteria::Criterion;
+use worst::Worst;
 
 /// Improves the worst triangle as long as a search finds how; where it finds nothing, the triangle stays, and the next
 /// one is the worst.

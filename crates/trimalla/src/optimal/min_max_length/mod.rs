@@ -24,7 +24,7 @@
 //! 2. Keep those of its edges that are in the graph ([`graph::relative_neighbours`]) or the tree
 //!    ([`graph::spanning_tree`]).
 //! 3. Walk around each face between the kept edges.
-//! 4. Triangulate each face with the longest edge as short as possible ([`decompose`](super::decompose)). First only
+//! 4. Triangulate each face with the longest edge as short as possible ([`decompose`]). First only
 //!    edges up to the length of the longest side are allowed; if they do not suffice, twice that length, and so on.
 //!
 //! # Degenerate cases

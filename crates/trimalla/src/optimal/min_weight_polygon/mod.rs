@@ -15,7 +15,7 @@
 //!
 //! # Steps
 //! 1. Keep the boundary of the domain and its constrained edges, and walk around each face between them.
-//! 2. Find the diagonals of each face, and fill the table: [`decompose`](super::decompose).
+//! 2. Find the diagonals of each face, and fill the table: [`decompose`].
 //! 3. Read the triangles from the table.
 //!
 //! # Degenerate cases
