@@ -105,6 +105,12 @@ pub(crate) const PARTS: &[Part] = &[
                 figures: &[("min-weight", "the sum of all lengths is as small as possible")],
                 file: "optimal/min_weight/mod.rs",
             },
+            Section {
+                title: "Least weight of a polygon",
+                keys: &["min-weight-polygon"],
+                figures: &[("min-weight-polygon", "the outline, with the least sum of lengths")],
+                file: "optimal/min_weight_polygon/mod.rs",
+            },
         ],
     },
     Part {

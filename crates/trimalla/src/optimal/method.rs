@@ -10,17 +10,17 @@ keyed! {
     /// An algorithm that triangulates points, or a drawing, by a criterion.
     OptimalMethod, {
         Pairs = "pairs", "pairs of vertices in the order of their indices, joined if no edge is crossed", "Triangulaciones";
-        MinMaxAngle = "min-max-angle", "the largest angle as small as possible, by edge insertion", "EdelsbrunnerTanWaupotitsch92";
-        MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
-        MinMaxSlope = "min-max-slope", "the steepest triangle of a surface as flat as possible, by edge insertion", "BernEtAl93";
-        MinWeight = "min-weight", "least sum of edge lengths, proved: diamond test, LMT-skeleton, dynamic programming", "Haas18";
         Greedy = "greedy", "the shortest edges first, found among pairs that pass the diamond test", "DickersonEtAl97";
         GreedyNaive = "greedy-naive", "the shortest edges first, all pairs compared with all edges: slow, to teach", "DickersonEtAl97";
         FlipMaxMinAngle = "flip-max-min-angle", "flips while the smallest angle of two triangles grows", "Lawson77";
         FlipMinMaxAngle = "flip-min-max-angle", "flips while the largest angle of two triangles shrinks", "EdelsbrunnerTanWaupotitsch92";
         FlipShortestDiagonal = "flip-shortest-diagonal", "flips while the other diagonal of two triangles is shorter", "Triangulaciones";
+        MinMaxAngle = "min-max-angle", "the largest angle as small as possible, by edge insertion", "EdelsbrunnerTanWaupotitsch92";
+        MaxMinHeight = "max-min-height", "the smallest height of a triangle as large as possible, by edge insertion", "BernEtAl93";
+        MinMaxSlope = "min-max-slope", "the steepest triangle of a surface as flat as possible, by edge insertion", "BernEtAl93";
         MinMaxLength = "min-max-length", "the longest edge as short as possible, through the relative neighbourhood graph", "EdelsbrunnerTan93";
         MinMaxLengthByTree = "min-max-length-by-tree", "the longest edge as short as possible, through a minimum spanning tree", "Triangulaciones";
+        MinWeight = "min-weight", "least sum of edge lengths, proved: diamond test, LMT-skeleton, dynamic programming", "Haas18";
         MinWeightPolygon = "min-weight-polygon", "the least total length of a domain without holes, by dynamic programming", "Klincsek80";
     }
 }

@@ -30,3 +30,4 @@ mod refine_mesh;
 mod regions;
 mod size;
 mod steps;
+mod textbook;
