@@ -4,30 +4,31 @@
 //! polygon with more than three corners has two (`[Meisters75]`), so cutting off any of them never gets stuck.
 //!
 //! ```text
-//!         b                    1. Prove the polygon valid, find its walks, and join holes by bridges (`walks.rs`).
-//!        / \                   2. Go round the walk. A corner b between a and c is an ear if a, b, c turn left, and no
-//!       /   \    .--          corner that is not convex lies in the triangle a b c, border included.
-//!      a - - c--'             3. Cut it off: the triangle is done, and a and c are neighbours now. Go on after c, so that
-//!     /                          the triangles do not all meet in one corner.
+//!         b                    1. Prove the polygon valid, find its loops, and join holes by bridges (`loops.rs`).
+//!        / \                   2. Go round the loop. A corner b between a and c is an ear if a, b, c turn left, and no
+//!       /   \    .--          corner that is not convex lies in the triangle a b c, boundary included.
+//!      a - - c--'             3. Cut it off: the triangle is done, and a and c are neighbours now. Go on after c, so
+//!     /                          that the triangles do not all meet in one corner.
 //!    '---                     4. Stop when two corners are left.
 //! ```
 //!
-//! *Why corners that are not convex suffice in step 2.* Of the corners in the triangle take the one nearest to b. No side
-//! passes between it and b, so the inside is on that side of it, and its angle is a half-turn or more.
+//! *Why corners that are not convex suffice in step 2.* Of the corners in the triangle take the one nearest to b. No
+//! side passes between it and b, so the inside is on that side of it, and its angle is a half-turn or more.
 //!
-//! *Corners at a corner of the triangle* do not count. A walk keeps to one part of the inside, so the sides at such a corner
-//! do not lead into the triangle, unless to a corner inside it, which counts.
+//! *Corners at a corner of the triangle* do not count. A loop keeps to one part of the inside, so the sides at such a
+//! corner do not lead into the triangle, unless to a corner inside it, which counts.
 //!
-//! *Degenerate cases.* A flat corner is not an ear; it becomes a corner of other triangles. The border of the triangle
-//! belongs to it in step 2, so no diagonal passes through a vertex.
+//! *Degenerate cases.* A flat corner is not an ear; it becomes a corner of other triangles. The boundary of the
+//! triangle belongs to it in step 2, so no diagonal passes through a vertex.
 //!
 //! # Complexity
-//! O(n log n) for step 1, O(n²) for the rest at worst. A grid of the corners that are not convex makes most tests short.
+//! O(n log n) for step 1, O(n²) for the rest at worst. A grid of the corners that are not convex makes most tests
+//! short.
 //!
 //! # Source
 //! `[Meisters75]`; `[ORourke98]`, section 1.6, for the algorithm.
 
-use super::walks::Walks;
+use super::loops::Loops;
 use super::{Polygon, PolygonError};
 use crate::geometry::{BoundingBox, Point, ccw, left_on};
 use crate::trace::{Shape, Trace};
@@ -57,63 +58,63 @@ use crate::trace::{Shape, Trace};
 /// # Ok::<(), trimalla::polygon::PolygonError>(())
 /// ```
 pub fn ears(polygon: Polygon<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<Vec<[u32; 3]>, PolygonError> {
-    let mut walks = Walks::of(polygon, trace)?;
-    let grid = Grid::of(&walks);
-    let mut triangles = Vec::with_capacity(walks.points.len());
-    for walk in 0..walks.begins.len() {
-        cut_ears(&mut walks, walk, &grid, &mut triangles, trace)?;
+    let mut loops = Loops::of(polygon, trace)?;
+    let grid = Grid::of(&loops);
+    let mut triangles = Vec::with_capacity(loops.points.len());
+    for which in 0..loops.begins.len() {
+        cut_ears(&mut loops, which, &grid, &mut triangles, trace)?;
     }
     Ok(triangles)
 }
 
-/// Cuts off the ears of a walk until two corners are left.
+/// Cuts off the ears of a loop until two corners are left.
 fn cut_ears(
-    walks: &mut Walks,
-    walk: usize,
+    loops: &mut Loops,
+    which: usize,
     grid: &Grid,
     triangles: &mut Vec<[u32; 3]>,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<(), PolygonError> {
-    let mut at = walks.begins[walk];
+    let mut at = loops.begins[which];
     let mut refused_from = at;
     loop {
-        let [before, after] = [walks.previous[at as usize], walks.next[at as usize]];
+        let [before, after] = [loops.previous[at as usize], loops.next[at as usize]];
         if before == after {
             return Ok(());
         }
         if trace.is_cancelled() {
             return Err(PolygonError::Cancelled);
         }
-        let triangle = [before, at, after].map(|c| walks.vertices[c as usize]);
-        if is_ear(walks, grid, [before, at, after]) {
+        let triangle = [before, at, after].map(|c| loops.vertices[c as usize]);
+        if is_ear(loops, grid, [before, at, after]) {
             trace.add(Shape::Triangle(triangle), "an ear is cut off");
             triangles.push(triangle);
-            walks.link(before, after);
-            walks.previous[at as usize] = at;
-            walks.next[at as usize] = at;
-            at = walks.next[after as usize];
+            loops.link(before, after);
+            loops.previous[at as usize] = at;
+            loops.next[at as usize] = at;
+            at = loops.next[after as usize];
             refused_from = at;
             continue;
         }
         trace.refuse(Shape::Triangle(triangle), "no ear");
         at = after;
         if at == refused_from {
-            // Only a walk that is no valid polygon has no ear.
-            let first = walks.vertices[at as usize];
+            // Only a loop that is no valid polygon has no ear.
+            let first = loops.vertices[at as usize];
             return Err(PolygonError::Flat { ring: 0, first });
         }
     }
 }
 
 /// Whether a corner between two others is an ear.
-fn is_ear(walks: &Walks, grid: &Grid, corners: [u32; 3]) -> bool {
-    let [a, b, c] = corners.map(|c| walks.at(c));
+fn is_ear(loops: &Loops, grid: &Grid, corners: [u32; 3]) -> bool {
+    let [a, b, c] = corners.map(|c| loops.at(c));
     if !ccw(a, b, c) {
         return false;
     }
     let bounds = BoundingBox::around(a).including(b).including(c);
     !grid.any(bounds, |corner| {
-        let p = walks.at(corner);
+        let p = loops.at(corner);
         p.x >= bounds.min.x
             && p.x <= bounds.max.x
             && p.y >= bounds.min.y
@@ -124,7 +125,7 @@ fn is_ear(walks: &Walks, grid: &Grid, corners: [u32; 3]) -> bool {
             && left_on(a, b, p)
             && left_on(b, c, p)
             && left_on(c, a, p)
-            && walks.next[corner as usize] != corner
+            && loops.next[corner as usize] != corner
     })
 }
 
@@ -142,16 +143,16 @@ impl Grid {
     /// How many corners a cell has on average.
     const EACH: usize = 2;
 
-    fn of(walks: &Walks) -> Self {
+    fn of(loops: &Loops) -> Self {
         let turns = |c: u32| {
-            let [before, after] = [walks.previous[c as usize], walks.next[c as usize]];
-            ccw(walks.at(before), walks.at(c), walks.at(after))
+            let [before, after] = [loops.previous[c as usize], loops.next[c as usize]];
+            ccw(loops.at(before), loops.at(c), loops.at(after))
         };
-        let all: Vec<u32> = (0..walks.points.len() as u32).filter(|&c| !turns(c)).collect();
-        let bounds = BoundingBox::of(walks.points.iter().copied()).unwrap_or(BoundingBox::around(Point::default()));
+        let all: Vec<u32> = (0..loops.points.len() as u32).filter(|&c| !turns(c)).collect();
+        let bounds = BoundingBox::of(loops.points.iter().copied()).unwrap_or(BoundingBox::around(Point::default()));
         let side = ((all.len() / Self::EACH) as f64).sqrt().ceil().max(1.0) as usize;
         let mut grid = Self { bounds, side, begins: vec![0; side * side + 1], corners: vec![0; all.len()] };
-        let cell = |c: u32| grid.row(walks.at(c).y) * side + grid.column(walks.at(c).x);
+        let cell = |c: u32| grid.row(loops.at(c).y) * side + grid.column(loops.at(c).x);
         let cells: Vec<usize> = all.iter().map(|&c| cell(c)).collect();
         for &cell in &cells {
             grid.begins[cell + 1] += 1;

@@ -1,15 +1,25 @@
 //! Triangulations of polygons with holes; visibility and guards.
 //!
 //! Every algorithm takes a [`Polygon`], and returns triangles as triples of indices, each counter-clockwise by the
-//! exact test. [`PolygonMethod`] chooses one by its key.
+//! exact test. [`PolygonMethod`] chooses one by its key; [`Triangulator`] is the fastest way, for one polygon and for
+//! many.
+//!
+//! Every algorithm proves the polygon valid first: sides that cross or overlap, and holes that are not inside the
+//! outline, are refused with the place. Rings may touch others and themselves in points.
+//!
+//! Chazelle's algorithm (`[Chazelle91]`) needs linear time. It is not built: as the notes say, it is too complicated to
+//! be of use, and O(n log n) is near enough.
 
 mod adjacency;
 mod angles;
 mod corners;
 mod diagonals;
 mod ears;
+mod easy;
 mod error;
+mod few;
 mod gallery;
+mod loops;
 mod method;
 mod monotone;
 mod rings;
@@ -20,7 +30,6 @@ mod triangulator;
 mod visibility;
 mod visible;
 mod visible_pairs;
-mod walks;
 
 pub use diagonals::diagonals;
 pub use ears::ears;

@@ -1,14 +1,14 @@
 //! `monotone`: a sweep divides the polygon into monotone pieces, and a stack cuts each of them into triangles.
 //!
 //! A chain is *monotone* in a direction if every line across the direction meets it in one piece, and *strictly* so if
-//! that piece is a point. A polygon is monotone if its boundary is two such chains. Monotone polygons are easy: going along
-//! the direction, all that is not yet cut off is a chain that is nowhere convex, on a stack.
+//! that piece is a point. A polygon is monotone if its boundary is two such chains. Monotone polygons are easy: going
+//! along the direction, all that is not yet cut off is a chain that is nowhere convex, on a stack.
 //!
 //! # Into pieces
-//! 1. Sort the corners by x, then by y, and visit them from left to right. An edge between two sides of the polygon that
-//!    the sweep line crosses has a *helper*: the last corner that was visited between them.
-//! 2. A corner is of one of six kinds. Two of them keep the polygon from being monotone: the inside goes on past them, but
-//!    both of their sides end or begin there.
+//! 1. Sort the corners by x, then by y, and visit them from left to right. An edge between two sides of the polygon
+//!    that the sweep line crosses has a *helper*: the last corner that was visited between them.
+//! 2. A corner is of one of six kinds. Two of them keep the polygon from being monotone: the inside goes on past them,
+//!    but both of their sides end or begin there.
 //!
 //! ```text
 //!    start <  both sides right       split  ::<   both sides right,    upper  .-*-.     lower  :::::
@@ -31,15 +31,16 @@
 //! Both happen in one pass here: a piece has its stack from the beginning, and the sweep gives it the corners in order.
 //! [`monotone_pieces`] keeps the pieces, and [`triangulate_monotone`] takes one.
 //!
-//! *Against the notes.* `[Triangulaciones]` sorts by y for the triangles though its sweep goes along x; one order does for
-//! both. A start vertex has an inside angle below 180 degrees, not above, as is printed there. Its diagonals of merge
-//! vertices come from a second sweep from right to left, "essentially the same": a merge vertex seen from the right is a
-//! split vertex. The next corner of step 4 is the helper that this second sweep would find, since no corner lies between
-//! the two; [`Cause`] says which of the two sweeps draws a diagonal. Where both draw the same one, it is drawn once.
+//! *Against the notes.* `[Triangulaciones]` sorts by y for the triangles though its sweep goes along x; one order does
+//! for both. A start vertex has an inside angle below 180 degrees, not above, as is printed there. Its diagonals of
+//! merge vertices come from a second sweep from right to left, "essentially the same": a merge vertex seen from the
+//! right is a split vertex. The next corner of step 4 is the helper that this second sweep would find, since no corner
+//! lies between the two; [`Cause`] says which of the two sweeps draws a diagonal. Where both draw the same one, it is
+//! drawn once.
 //!
 //! *Degenerate cases.* The order by x and y makes vertical sides ordinary. A flat corner is never cut off alone, as its
-//! triangle would have no area; it stays on the stack. Rings that touch, and vertices inside sides, are the matter of the
-//! sweep (`sweep/crowd.rs`).
+//! triangle would have no area; it stays on the stack. Rings that touch, and vertices inside sides, are the matter of
+//! the sweep (`sweep/crowd.rs`).
 //!
 //! # Complexity
 //! O(n log n) for the sweep, of which O(n) for the triangles; O(n) memory.
@@ -68,8 +69,8 @@ pub struct Diagonal {
 /// A polygon in monotone pieces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MonotonePieces {
-    /// The vertices in the order of the sweep, and their kinds. A point in which rings touch comes once for each part of
-    /// the inside around it.
+    /// The vertices in the order of the sweep, and their kinds. A point in which rings touch comes once for each part
+    /// of the inside around it.
     pub kinds: Vec<(u32, VertexKind)>,
     /// The diagonals that divide the polygon.
     pub diagonals: Vec<Diagonal>,

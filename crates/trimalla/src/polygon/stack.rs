@@ -1,7 +1,7 @@
 //! Triangles of monotone pieces, cut off while the sweep finds the corners.
 //!
-//! A piece keeps a stack: the corners that still need triangles. They are the last corner of one chain before the stack's
-//! own, and then a part of the other chain that is nowhere convex, the last corner on top.
+//! A piece keeps a stack: the corners that still need triangles. They are the last corner of one chain before the
+//! stack's own, and then a part of the other chain that is nowhere convex, the last corner on top.
 //!
 //! ```text
 //!        u1 ------.------. v          u1, u2, u3, u4 is the stack, all but u1 of the lower chain.

@@ -1,14 +1,49 @@
 //! Many polygons, one after the other.
 
 use super::corners::Corners;
+use super::few::Few;
 use super::stack::{Stacks, Triangles};
 use super::sweep::Sweep;
-use super::{Polygon, PolygonError};
-use crate::trace::{NoTrace, Trace};
+use super::{Polygon, PolygonError, easy};
+use crate::geometry::Point;
+use crate::trace::NoTrace;
 
-/// Triangulates polygons, and keeps its memory from one to the next.
+/// Triangulates polygons, and keeps its memory from one to the next: the fastest way for any polygon, small or large.
+///
+/// # Guarantees
+/// Exact, for every polygon: triangles are given only if the polygon is proved valid, as
+/// [`monotone`](super::monotone()) proves it, and they are counter-clockwise, do not overlap, and cover the polygon.
+/// Which triangles they are may change between releases. The same polygon gives the same triangles, whatever came
+/// before.
+///
+/// # How
+/// 1. Three or four corners: the signs of two triangles decide.
+/// 2. One ring that is convex, or monotone along x or y, or all of which its middle sees: linear time proves it simple
+///    (`easy.rs`).
+/// 3. One ring of few corners: all sides are compared with all, and ears are cut off (`few.rs`).
+/// 4. All others: the sweep of [`monotone`](super::monotone()).
+///
+/// # Complexity
+/// O(n log n).
+///
+/// # Source
+/// `[GareyEtAl78]`
+///
+/// ```
+/// use trimalla::geometry::Point;
+/// use trimalla::polygon::{Polygon, Triangulator};
+///
+/// let mut triangulator = Triangulator::new();
+/// for size in [1.0, 2.0, 3.0] {
+///     let arrow = [[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [1.0, 2.0]].map(|[x, y]| Point::new(size * x, size * y));
+///     assert_eq!(triangulator.triangulate(Polygon::new(&arrow, &[4])?)?, [[3, 0, 1], [3, 1, 2]]);
+/// }
+/// # Ok::<(), trimalla::polygon::PolygonError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Triangulator {
+    few: Few,
+    left: Vec<(Point, u32)>,
     corners: Corners,
     sweep: Sweep,
     stacks: Stacks,
@@ -16,25 +51,73 @@ pub struct Triangulator {
 }
 
 impl Triangulator {
-    /// A triangulator without memory.
+    /// A triangulator that has no memory yet.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Triangulates a polygon.
+    /// Triangulates a polygon with holes.
+    ///
+    /// # Shape
+    /// Counter-clockwise triangles of indices into [`Polygon::points`], until the next call;
+    /// `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch and no point repeats the one before.
     ///
     /// # Errors
-    /// Sides that cross or overlap.
+    /// Flat rings, sides that cross or overlap, holes outside the outline.
     pub fn triangulate(&mut self, polygon: Polygon<'_>) -> Result<&[[u32; 3]], PolygonError> {
-        self.by_sweep(polygon, &mut NoTrace)?;
+        self.triangles.clear();
+        let mut rings = polygon.rings();
+        let easy = match (rings.next(), rings.next()) {
+            (Some(ring), None) => self.one_ring(&polygon.points()[ring.clone()], ring.start as u32),
+            _ => false,
+        };
+        if !easy {
+            self.triangles.clear();
+            self.by_sweep(polygon)?;
+        }
         Ok(&self.triangles)
     }
 
-    fn by_sweep(&mut self, polygon: Polygon<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<(), PolygonError> {
-        self.triangles.clear();
+    /// Triangulates a ring in a way that is faster than the sweep, if there is one.
+    #[inline]
+    fn one_ring(&mut self, mut ring: &[Point], first: u32) -> bool {
+        if let [rest @ .., last] = ring {
+            if rest.first() == Some(last) {
+                ring = rest;
+            }
+        }
+        if ring.len() < 5 {
+            return self.few.triangulate(ring, first, &mut self.triangles);
+        }
+        easy::convex_ring(ring, first, &mut self.triangles)
+            || self.as_monotone(ring, first)
+            || easy::star_ring(ring, first, &mut self.left, &mut self.few, &mut self.triangles)
+            || (ring.len() <= Few::MOST && self.few.triangulate(ring, first, &mut self.triangles))
+    }
+
+    /// Triangulates a ring that is monotone along x or along y.
+    fn as_monotone(&mut self, ring: &[Point], first: u32) -> bool {
+        let Self { stacks, triangles, .. } = self;
+        let nobody = &mut NoTrace;
+        let mut along_x = Triangles::new(stacks, triangles, nobody);
+        if easy::monotone_ring(ring.len(), first, |i| ring[i], &mut along_x) {
+            return true;
+        }
+        triangles.clear();
+        // Turned by a right angle, which changes no sign.
+        let turned = |i: usize| Point::new(ring[i].y, -ring[i].x);
+        let mut along_y = Triangles::new(stacks, triangles, nobody);
+        let done = easy::monotone_ring(ring.len(), first, turned, &mut along_y);
+        if !done {
+            triangles.clear();
+        }
+        done
+    }
+
+    fn by_sweep(&mut self, polygon: Polygon<'_>) -> Result<(), PolygonError> {
         self.corners.fill(polygon)?;
         self.triangles.reserve(self.corners.count + 2 * self.corners.ring_count);
-        self.sweep.run(&mut self.corners, &mut Triangles::new(&mut self.stacks, &mut self.triangles, trace))
+        self.sweep.run(&mut self.corners, &mut Triangles::new(&mut self.stacks, &mut self.triangles, &mut NoTrace))
     }
 }

@@ -6,6 +6,7 @@ mod interpolate;
 mod optimal;
 mod points;
 mod polygon_cases;
+mod polygon_files;
 mod polygons;
 mod seidel;
 mod voronoi;

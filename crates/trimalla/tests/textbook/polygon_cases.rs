@@ -44,14 +44,15 @@ impl Case {
     /// The sides, split at the points that lie inside them.
     fn split_sides(&self) -> Vec<(Point, Point)> {
         let mut sorted = self.points.clone();
-        sorted.sort_by(|a, b| (a.x, a.y).partial_cmp(&(b.x, b.y)).unwrap());
+        sorted.sort_by(|a, b| (a.x, a.y).partial_cmp(&(b.x, b.y)).expect("finite"));
         sorted.dedup();
         let mut split = Vec::new();
         for (a, b) in self.sides() {
             let (low, high) = if a.x <= b.x { (a.x, b.x) } else { (b.x, a.x) };
             let begin = sorted.partition_point(|p| p.x < low);
             let within = sorted[begin..].iter().take_while(|p| p.x <= high);
-            let mut inner: Vec<Point> = within.copied().filter(|&p| strictly_between(a, b, p)).collect();
+            let beside = |p: &Point| a.y.min(b.y) <= p.y && p.y <= a.y.max(b.y);
+            let mut inner: Vec<Point> = within.copied().filter(|p| beside(p) && strictly_between(a, b, *p)).collect();
             if (a.x, a.y) > (b.x, b.y) {
                 inner.reverse();
             }
@@ -67,7 +68,8 @@ impl Case {
     /// What is wrong with a triangulation.
     ///
     /// Every triangle must turn left. The sides of the triangles, those passed in both directions left out, must be the
-    /// sides of the polygon. Then triangles and polygon wind equally often round every place: once inside, never outside.
+    /// sides of the polygon. Then triangles and polygon wind equally often round every place: once inside, never
+    /// outside.
     pub(crate) fn fault(&self, triangles: &[[u32; 3]]) -> Option<String> {
         for t in triangles {
             let [a, b, c] = t.map(|v| self.points[v as usize]);
@@ -303,18 +305,18 @@ fn outlines(full: &[bool], side: usize) -> Vec<Vec<Point>> {
     let mut rings = Vec::new();
     while let Some((&first, _)) = sides.iter().find(|(_, to)| !to.is_empty()) {
         let mut ring = vec![first];
-        let mut at = sides.get_mut(&first).unwrap().pop().unwrap();
-        while at != first || sides[&at].len() == usize::MAX {
+        let mut at = sides.get_mut(&first).and_then(Vec::pop).expect("a side");
+        while at != first {
             let before = ring[ring.len() - 1];
             ring.push(at);
-            let ways = sides.get_mut(&at).unwrap();
+            let ways = sides.get_mut(&at).expect("a side");
             let turn = |to: &(i32, i32)| (at.0 - before.0) * (to.1 - at.1) - (at.1 - before.1) * (to.0 - at.0);
-            let best = (0..ways.len()).max_by_key(|&i| turn(&ways[i])).unwrap();
+            let best = (0..ways.len()).max_by_key(|&i| turn(&ways[i])).expect("a side");
             at = ways.swap_remove(best);
         }
         rings.push(ring.into_iter().map(|(x, y)| Point::new(f64::from(x), f64::from(y))).collect::<Vec<_>>());
     }
-    rings.sort_by(|a, b| doubled_ring_area(b).cmp(&doubled_ring_area(a)));
+    rings.sort_by_cached_key(|ring| std::cmp::Reverse(doubled_ring_area(ring)));
     rings
 }
 

@@ -83,7 +83,7 @@ fn huge_and_tiny_polygons_are_triangulated() {
     }
 }
 
-/// The kind of a vertex by its two sides alone, the inside on the left of the walk `p`, `v`, `q`.
+/// The kind of a vertex by its two sides alone, the inside on the left of the way `p`, `v`, `q`.
 fn kind_by_sides(p: Point, v: Point, q: Point) -> VertexKind {
     let turns_left = orient(p, v, q) == 1;
     match (lexicographically_less(v, p), lexicographically_less(v, q), turns_left) {
@@ -132,9 +132,9 @@ fn pieces_are_monotone_and_both_sweeps_draw_the_same_diagonals() {
     }
 }
 
-/// The neighbours of a corner in a walk with the inside on its left.
+/// The neighbours of a corner on the way with the inside on its left.
 fn neighbours(case: &Case, v: usize) -> (Point, Point) {
-    let end = case.ring_ends.iter().position(|&e| v < e as usize).unwrap();
+    let end = case.ring_ends.iter().position(|&e| v < e as usize).expect("a ring");
     let begin = if end == 0 { 0 } else { case.ring_ends[end - 1] as usize };
     let ring = &case.points[begin..case.ring_ends[end] as usize];
     let (i, n) = (v - begin, ring.len());

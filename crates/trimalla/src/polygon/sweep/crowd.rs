@@ -169,8 +169,8 @@ impl Sweep {
         crowd.crossing_chords().map_or(Ok(()), |[e, f]| Err(self.crossing(corners, e, f)))
     }
 
-    /// Tells the pieces of the gaps to the left of the point, and removes the edges that end there. Returns the piece of
-    /// the gap above the highest edge that begins here.
+    /// Tells the pieces of the gaps to the left of the point, and removes the edges that end there. Returns the piece
+    /// of the gap above the highest edge that begins here.
     fn end_gaps(
         &mut self,
         corners: &Corners,

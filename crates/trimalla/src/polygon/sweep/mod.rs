@@ -1,8 +1,8 @@
 //! The sweep that proves a polygon valid and divides it into monotone pieces.
 //!
-//! A vertical line sweeps the plane from left to right. It stops at every corner, and keeps the edges that it crosses in
-//! order ([`status`]). The inside of the polygon between two of these edges is a *gap*, and belongs to one piece that is
-//! not finished, or to two that meet in a merge vertex.
+//! A vertical line sweeps the plane from left to right. It stops at every corner, and keeps the edges that it crosses
+//! in order ([`status`]). The inside of the polygon between two of these edges is a *gap*, and belongs to one piece
+//! that is not finished, or to two that meet in a merge vertex.
 //!
 //! 1. Sort the corners by x, then by y. Corners at one point are one stop.
 //! 2. At a stop, find the edges that end there, and those that begin there; all others pass above or below.
@@ -25,20 +25,21 @@
 //! (`[ShamosHoey76]`).
 //!
 //! *Ties.* Points are ordered by x and then by y, which is the order of x after all has been turned by an angle that is
-//! smaller than any positive number. So no edge is vertical, and no two points are at one stop unless they are the same.
+//! smaller than any positive number. So no edge is vertical, and no two points are at one stop unless they are the
+//! same.
 //!
 //! *Degenerate cases.* A corner without a neighbour at its point takes the short way in this file. Everything else (a
-//! point with several corners, a vertex inside a side) is a *crowd*, [`crowd`]: the edges around the point are sorted by
-//! angle, and each part of the inside between two of them gets one corner.
+//! point with several corners, a vertex inside a side) is a *crowd*, [`crowd`]: the edges around the point are sorted
+//! by angle, and each part of the inside between two of them gets one corner.
 //!
 //! # Complexity
 //! Expected O(n log n) time, O(n) memory. Two tests of orientation a corner, where the chain goes on; O(log n) at the
 //! others.
 //!
 //! # Source
-//! `[GareyEtAl78]` for the pieces, `[ShamosHoey76]` for the crossings. The notes `[Triangulaciones]` draw the diagonals of
-//! merge vertices in a second sweep from right to left; here the gap remembers the merge vertex, and the next corner of
-//! the gap draws the same diagonal.
+//! `[GareyEtAl78]` for the pieces, `[ShamosHoey76]` for the crossings. The notes `[Triangulaciones]` draw the
+//! diagonals of merge vertices in a second sweep from right to left; here the gap remembers the merge vertex, and the
+//! next corner of the gap draws the same diagonal.
 
 mod crowd;
 mod order;

@@ -1,8 +1,8 @@
 //! The edges that the sweep line crosses, from the lowest to the highest.
 //!
-//! The edges are the nodes of a search tree, and of a list beside it, so that the edges next to a known one are found at
-//! once. The tree is a treap: a node has a priority that is a hash of its index, and no child has a higher priority than
-//! its parent, which keeps the tree as flat as one that was built in random order.
+//! The edges are the nodes of a search tree, and of a list beside it, so that the edges next to a known one are found
+//! at once. The tree is a treap: a node has a priority that is a hash of its index, and no child has a higher priority
+//! than its parent, which keeps the tree as flat as one that was built in random order.
 //!
 //! ```text
 //!          |           the list:  BOTTOM - a - b - c - d - BOTTOM

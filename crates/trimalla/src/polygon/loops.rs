@@ -1,8 +1,9 @@
-//! The boundary of the inside, as walks with the inside on their left; holes joined to the rest by bridges.
+//! The boundary of the inside, as loops with the inside on their left; holes joined to the rest by bridges.
 //!
-//! Where rings touch, or a vertex lies inside a side, the walk turns so that it keeps to one part of the inside. So a walk
-//! that passes a point twice has a corner for each of the two, and parts of the inside that only touch have walks of their
-//! own. What is still several walks around one part of the inside (an outline and its holes) is joined by *bridges*:
+//! Where rings touch, or a vertex lies inside a side, the loop turns so that it keeps to one part of the inside. So a
+//! loop that passes a point twice has a corner for each of the two, and parts of the inside that only touch have loops
+//! of their own. What is still several loops around one part of the inside (an outline and its holes) is joined by
+//! *bridges*:
 //!
 //! ```text
 //!    .-------------.        .-------------.
@@ -20,20 +21,20 @@ use crate::trace::{Shape, Trace};
 /// No corner.
 const NONE: u32 = u32::MAX;
 
-/// The walks of a polygon. A corner may be missing in all of them only if its walk is no more.
+/// The loops of a polygon. A corner may be missing in all of them only if its loop is no more.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Walks {
+pub(super) struct Loops {
     pub(super) points: Vec<Point>,
     pub(super) vertices: Vec<u32>,
     /// The corners after and before each corner.
     pub(super) next: Vec<u32>,
     pub(super) previous: Vec<u32>,
-    /// A corner of each walk.
+    /// A corner of each loop.
     pub(super) begins: Vec<u32>,
 }
 
-impl Walks {
-    /// Proves a polygon valid and finds its walks.
+impl Loops {
+    /// Proves a polygon valid and finds its loops.
     pub(super) fn of(polygon: Polygon<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<Self, PolygonError> {
         let mut corners = Corners::default();
         corners.fill(polygon)?;
@@ -41,7 +42,7 @@ impl Walks {
         Sweep::default().run(&mut corners, &mut finder)?;
         let Finder { ends, bridges, .. } = finder;
         let count = corners.points.len();
-        let mut walks = Self {
+        let mut loops = Self {
             points: corners.points,
             vertices: corners.vertices,
             next: vec![NONE; count],
@@ -49,10 +50,10 @@ impl Walks {
             begins: Vec::new(),
         };
         for [from, to] in ends {
-            walks.link(from, to);
+            loops.link(from, to);
         }
-        walks.build(&bridges, trace);
-        Ok(walks)
+        loops.build(&bridges, trace);
+        Ok(loops)
     }
 
     /// Links two corners.
@@ -67,39 +68,39 @@ impl Walks {
         self.points[corner as usize]
     }
 
-    /// Draws the bridges that join different walks, and finds where each walk begins.
+    /// Draws the bridges that join different loops, and finds where each loop begins.
     fn build(&mut self, bridges: &[[u32; 2]], trace: &mut (impl Trace + ?Sized)) {
-        let mut walk_of = self.number();
+        let mut loop_of = self.number();
         let mut parents: Vec<u32> = (0..self.points.len() as u32).collect();
         let mut copies = vec![NONE; self.points.len()];
         for &[a, b] in bridges {
-            let [wa, wb] = [a, b].map(|c| root(&mut parents, walk_of[c as usize]));
+            let [wa, wb] = [a, b].map(|c| root(&mut parents, loop_of[c as usize]));
             if wa == wb {
                 continue;
             }
             parents[wa as usize] = wb;
             trace.add(Shape::Edge([a, b].map(|c| self.vertices[c as usize])), "a bridge to a hole");
             self.join(a, b, &mut copies);
-            walk_of.resize(self.points.len(), wb);
+            loop_of.resize(self.points.len(), wb);
         }
-        for c in 0..walk_of.len() as u32 {
-            if root(&mut parents, walk_of[c as usize]) == c {
+        for c in 0..loop_of.len() as u32 {
+            if root(&mut parents, loop_of[c as usize]) == c {
                 self.begins.push(c);
             }
         }
     }
 
-    /// For each corner, the first corner of its walk.
+    /// For each corner, the first corner of its loop.
     fn number(&self) -> Vec<u32> {
-        let mut walk_of = vec![NONE; self.points.len()];
+        let mut loop_of = vec![NONE; self.points.len()];
         for c in 0..self.points.len() as u32 {
             let mut at = c;
-            while walk_of[at as usize] == NONE {
-                walk_of[at as usize] = c;
+            while loop_of[at as usize] == NONE {
+                loop_of[at as usize] = c;
                 at = self.next[at as usize];
             }
         }
-        walk_of
+        loop_of
     }
 
     /// Draws a bridge between two corners, each of which becomes two.
