@@ -15,4 +15,4 @@ pub mod report;
 pub mod results;
 pub mod workloads;
 
-pub use clock::{Measured, Outcome, measure};
+pub use clock::{Measured, Outcome, cpu_seconds, measure};

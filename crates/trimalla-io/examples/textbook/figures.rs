@@ -150,7 +150,7 @@ fn gallery(folder: &Path, points: &[Point], gallery: &Gallery) -> Done {
     );
     let at = |v: u32| (points[v as usize].x, -points[v as usize].y);
     for corners in &gallery.triangles {
-        let [a, b, c] = corners.map(|v| at(v));
+        let [a, b, c] = corners.map(at);
         let _ = writeln!(
             text,
             "<path d=\"M{} {}L{} {}L{} {}Z\" fill=\"#eef2f7\" stroke=\"#445\" stroke-width=\".5\"/>",
