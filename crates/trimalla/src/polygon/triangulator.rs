@@ -36,7 +36,7 @@ use crate::trace::NoTrace;
 /// let mut triangulator = Triangulator::new();
 /// for size in [1.0, 2.0, 3.0] {
 ///     let arrow = [[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [1.0, 2.0]].map(|[x, y]| Point::new(size * x, size * y));
-///     assert_eq!(triangulator.triangulate(Polygon::new(&arrow, &[4])?)?, [[3, 0, 1], [3, 1, 2]]);
+///     assert_eq!(triangulator.triangulate(Polygon::new(&arrow, &[4])?)?, [[1, 2, 3], [1, 3, 0]]);
 /// }
 /// # Ok::<(), trimalla::polygon::PolygonError>(())
 /// ```
