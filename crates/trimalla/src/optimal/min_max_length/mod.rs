@@ -96,7 +96,7 @@ fn shortest(points: &[Point], walk: &[u32], trace: &mut (impl Trace + ?Sized)) -
         let objective = LongestEdge { points, limit_sq };
         let best = decompose::triangulate(points, walk, &objective, trace)?;
         // What is left out is longer than the limit; so is what rounding may confuse with it.
-        let is_within = |edge: [u32; 2]| length_sq(points, edge) <= limit_sq * (1.0 - 1e-12);
+        let is_within = |longest: Measured| longest.square <= limit_sq * (1.0 - 1e-12);
         match best {
             Some(best) if limit_sq == f64::INFINITY || best.value.is_none_or(is_within) => return Ok(best.triangles),
             _ => limit_sq *= 4.0,
@@ -114,19 +114,33 @@ struct LongestEdge<'a> {
     limit_sq: f64,
 }
 
+/// An edge and its squared length, rounded.
+#[derive(Clone, Copy)]
+struct Measured {
+    ends: [u32; 2],
+    square: f64,
+}
+
 impl Objective for LongestEdge<'_> {
-    type Value = [u32; 2];
+    type Value = Measured;
 
-    fn edge(&self, edge: [u32; 2]) -> [u32; 2] {
-        edge
+    fn edge(&self, ends: [u32; 2]) -> Measured {
+        Measured { ends, square: length_sq(self.points, ends) }
     }
 
-    fn join(&self, &a: &[u32; 2], &b: &[u32; 2]) -> [u32; 2] {
-        if by_length(self.points, a, b).is_lt() { b } else { a }
+    fn join(&self, a: &Measured, b: &Measured) -> Measured {
+        if self.compare(a, b).is_lt() { *b } else { *a }
     }
 
-    fn compare(&self, &a: &[u32; 2], &b: &[u32; 2]) -> Ordering {
-        by_length(self.points, a, b)
+    /// By rounded squares, where these are apart by more than their errors; otherwise exactly.
+    #[inline]
+    fn compare(&self, a: &Measured, b: &Measured) -> Ordering {
+        let is_certain =
+            (a.square - b.square).abs() > 2e-15 * (a.square + b.square) && a.square.min(b.square) > LEAST_SQ;
+        if is_certain && a.square.max(b.square) < f64::INFINITY {
+            return a.square.total_cmp(&b.square);
+        }
+        by_length(self.points, a.ends, b.ends)
     }
 
     fn is_allowed(&self, edge: [u32; 2]) -> bool {
