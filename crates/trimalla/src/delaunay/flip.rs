@@ -113,6 +113,10 @@ pub(crate) fn flip_illegal(
         if trace.is_cancelled() {
             return Err(BuildError::Cancelled);
         }
+        // A flip gives half-edges to other edges: what waits may be an edge of the boundary now.
+        if !may_be_flipped(t, e) {
+            continue;
+        }
         let edge = ends(t, e);
         trace.look(Shape::Edge(edge), "is it legal?");
         if !is_illegal(t, e) {
@@ -144,9 +148,8 @@ impl EdgeQueue {
 
     /// Puts an edge in, if it lies between two triangles and has no mark.
     fn push(&mut self, t: &Triangulation, e: HalfEdgeId) {
-        let is_inner = t.is_real(e.face()) && t.is_real(t.twin(e).face()) && !t.is_marked(e);
         let is_waiting = self.is_waiting[e.index()] || self.is_waiting[t.twin(e).index()];
-        if is_inner && !is_waiting {
+        if may_be_flipped(t, e) && !is_waiting {
             self.is_waiting[e.index()] = true;
             self.waiting.push_back(e);
         }
@@ -157,6 +160,11 @@ impl EdgeQueue {
         self.is_waiting[e.index()] = false;
         Some(e)
     }
+}
+
+/// Whether an edge lies between two triangles and has no mark.
+fn may_be_flipped(t: &Triangulation, e: HalfEdgeId) -> bool {
+    t.is_real(e.face()) && t.is_real(t.twin(e).face()) && !t.is_marked(e)
 }
 
 fn ends(t: &Triangulation, e: HalfEdgeId) -> [u32; 2] {

@@ -23,7 +23,8 @@ pub enum OptimalError {
         /// The most that are possible.
         limit: usize,
     },
-    /// More pairs of points than the memory of the algorithm can take: many see each other, and no other points are near.
+    /// More pairs of points than the memory of the algorithm can take: many see each other, and no other points are
+    /// near.
     #[error("{count} pairs of points, or more, may be edges: more than {limit}")]
     TooManyPairs {
         /// How many were counted.

@@ -10,7 +10,7 @@ use trimalla::optimal::{FlipCriterion, OptimalError, OptimalInput, OptimalMethod
 use trimalla::quality::{DelaunayMeasures, compare_equiangularity, max_detour};
 use trimalla::trace::{Act, NoTrace, Shape, Step, Trace};
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
-use trimalla_testkit::oracles::{RBig, in_circle, orient};
+use trimalla_testkit::oracles::{RBig, covers_hull, delaunay_triangle_count, in_circle, orient};
 
 use super::enumerate;
 
@@ -303,6 +303,44 @@ fn flips_end_where_no_flip_improves() {
                         }
                     };
                     assert!(!better, "{criterion} {name}: {a} {b} for {c} {d}");
+                }
+            }
+        }
+    }
+}
+
+/// A flip gives half-edges to other edges: one that waits may be an edge of the boundary when its turn comes.
+#[test]
+fn flips_leave_the_boundary() {
+    for n in [100, 1000] {
+        for seed in 0..60 {
+            let points = point_set(PointSetKind::Uniform, n, seed);
+            let input = OptimalInput::of_points(&points);
+            for method in [OptimalMethod::FlipMinMaxAngle, OptimalMethod::FlipShortestDiagonal] {
+                let made = method.triangulate(&input, &mut NoTrace).unwrap();
+                assert_eq!(made.triangles.len(), delaunay_triangle_count(&points), "{method} {n} {seed}");
+            }
+        }
+    }
+}
+
+/// What flips make of a thousand points tiles the hull, and no shorter diagonal is left.
+#[test]
+fn flips_of_larger_sets_are_sound() {
+    use OptimalMethod as Method;
+    for kind in [PointSetKind::Uniform, PointSetKind::CoarseUniform, PointSetKind::MixedExponents, PointSetKind::Spiral]
+    {
+        for seed in 0..3 {
+            let points = point_set(kind, 1000, seed);
+            for method in [Method::FlipMaxMinAngle, Method::FlipMinMaxAngle, Method::FlipShortestDiagonal] {
+                let made = method.triangulate(&OptimalInput::of_points(&points), &mut NoTrace).unwrap();
+                let mesh = IndexedMesh { points: points.clone(), triangles: made.triangles, ..IndexedMesh::default() };
+                assert_eq!(trimalla::triangulation::check_mesh(&mesh), [], "{method} {kind:?} {seed}");
+                assert!(covers_hull(&points, &mesh.triangles), "{method} {kind:?} {seed}");
+                if method == Method::FlipShortestDiagonal {
+                    for [edge, other] in flippable(&mesh) {
+                        assert!(squared_length(&points, other) >= squared_length(&points, edge), "{kind:?} {seed}");
+                    }
                 }
             }
         }
