@@ -36,6 +36,8 @@ const SLOPE: f64 = 0.813_560_343;
 const ROOM: f64 = 1e-13;
 /// A vertex that has seen so many still looks for others beside its cones.
 const MANY: usize = 48;
+/// At most so many vertices are held against an edge or a cone.
+const MOST: usize = 256;
 
 /// What is seen through a side of a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -244,7 +246,7 @@ impl View<'_> {
     fn fill_both(&self, [one, two]: [Vector; 2], is_full: &mut [bool; 2]) {
         let [mut is_left_full, mut is_right_full] = *is_full;
         let squares = [one.length_sq(), two.length_sq()];
-        for &r in &self.seen {
+        for &r in self.seen.iter().take(MOST) {
             let heights = [one.cross(r), two.cross(r)];
             let is_left = heights[0] > 0.0;
             if is_left != (heights[1] > 0.0) || (if is_left { is_left_full } else { is_right_full }) {

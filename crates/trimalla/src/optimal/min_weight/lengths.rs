@@ -1,6 +1,7 @@
 //! Lengths of edges and sums of them, compared exactly.
 //!
-//! 1. A sum is first an interval of doubles around it, rounded outward. Where two intervals are apart, they decide.
+//! 1. A sum is first an interval of doubles around it, rounded outward, and a sum of two doubles with a bound of its error
+//!    (`weight.rs`). Where two of these are apart, they decide.
 //! 2. Otherwise the edges that both sums have are struck out, also edges of equal length.
 //! 3. Coordinates are integers times a common power of two, so a squared length is an integer `D`. The rest of each sum is
 //!    computed with square roots of 256 binary places. Each is rounded down, so that `k` roots are wrong by less than `k`
@@ -17,6 +18,7 @@
 use std::cmp::Ordering;
 
 use super::natural::Natural;
+use super::weight::{Weight, order_of_ways};
 use crate::geometry::math::power_of_two_scale;
 use crate::geometry::{Point, Vector};
 
@@ -25,28 +27,6 @@ const PLACES: [usize; 3] = [4, 16, 64];
 
 /// Coordinates whose magnitudes are 0 or between these neither overflow nor vanish in what we compute (2^-400, 2^400).
 const ORDINARY: std::ops::RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
-
-/// The relative error of a squared length in doubles is below this.
-const SQUARED_ERROR: f64 = 8.0 * f64::EPSILON;
-
-/// Numbers between which a length or a sum of lengths lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interval {
-    pub(super) low: f64,
-    pub(super) high: f64,
-}
-
-impl Interval {
-    /// The length of nothing.
-    pub(super) const ZERO: Self = Self { low: 0.0, high: 0.0 };
-
-    /// An interval around the sum: each rounding is wrong by a relative 2^-53, and one factor of 2^-51 is worth more than
-    /// the two roundings it makes up for.
-    pub(super) fn plus(self, other: Self) -> Self {
-        let out = 2.0 * f64::EPSILON;
-        Self { low: (self.low + other.low) * (1.0 - out), high: (self.high + other.high) * (1.0 + out) }
-    }
-}
 
 /// The lengths between points.
 #[derive(Clone, Debug)]
@@ -88,13 +68,9 @@ impl<'a> Lengths<'a> {
         self.near[to as usize] - self.near[from as usize]
     }
 
-    /// An interval around the length of an edge, in the scale of all points.
-    pub(super) fn of(&self, [a, b]: [u32; 2]) -> Interval {
-        if !self.is_ordinary {
-            return Interval { low: 0.0, high: f64::INFINITY };
-        }
-        let length = self.way(a, b).length_sq().sqrt();
-        Interval { low: length * (1.0 - SQUARED_ERROR), high: length * (1.0 + SQUARED_ERROR) }
+    /// The length of an edge, in the scale of all points.
+    pub(super) fn of(&self, [a, b]: [u32; 2]) -> Weight {
+        if self.is_ordinary { Weight::of(self.near[a as usize], self.near[b as usize]) } else { Weight::UNKNOWN }
     }
 
     /// The sum of the lengths of edges, rounded, in the caller's units.
@@ -107,12 +83,9 @@ impl<'a> Lengths<'a> {
     /// Compares the lengths of two edges.
     pub(super) fn compare(&self, one: [u32; 2], two: [u32; 2]) -> Ordering {
         if self.is_ordinary {
-            let [a, b] = [one, two].map(|[from, to]| self.way(from, to).length_sq());
-            if a < b * (1.0 - SQUARED_ERROR) {
-                return Ordering::Less;
-            }
-            if b < a * (1.0 - SQUARED_ERROR) {
-                return Ordering::Greater;
+            let order = order_of_ways(self.way(one[0], one[1]), self.way(two[0], two[1]));
+            if let Some(order) = order {
+                return order;
             }
         }
         match (self.small_square(one), self.small_square(two)) {
@@ -127,16 +100,15 @@ impl<'a> Lengths<'a> {
         self.compare(one, two).then_with(|| sorted(one).cmp(&sorted(two)))
     }
 
-    /// Compares two sums of lengths; nothing if 4096 binary places do not tell.
-    pub(super) fn compare_sums(&self, one: &[[u32; 2]], two: &[[u32; 2]]) -> Option<Ordering> {
-        let terms = if self.whole.is_empty() {
+    /// What two sums of lengths do not have in common.
+    pub(super) fn difference(&self, one: &[[u32; 2]], two: &[[u32; 2]]) -> Difference {
+        Difference(if self.whole.is_empty() {
             rest(one.iter().map(|&e| self.square(e)), two.iter().map(|&e| self.square(e)))
         } else {
             let square = |&e: &[u32; 2]| self.small_square(e).unwrap_or(0);
             let small = rest(one.iter().map(square), two.iter().map(square));
             small.into_iter().map(|(square, count)| (Natural::shifted(square, 0), count)).collect()
-        };
-        sign_of_sum(&terms)
+        })
     }
 
     /// The squared length in units, where coordinates are small.
@@ -149,14 +121,14 @@ impl<'a> Lengths<'a> {
     /// The squared length in units.
     fn square(&self, [a, b]: [u32; 2]) -> Natural {
         let (p, q) = (self.points[a as usize], self.points[b as usize]);
-        let (x, y) = (self.difference(p.x, q.x), self.difference(p.y, q.y));
+        let (x, y) = (self.distance(p.x, q.x), self.distance(p.y, q.y));
         let mut square = x.times(&x);
         square.add(&y.times(&y));
         square
     }
 
     /// The distance of two coordinates in units.
-    fn difference(&self, a: f64, b: f64) -> Natural {
+    fn distance(&self, a: f64, b: f64) -> Natural {
         let magnitude = |x: f64| {
             let (digits, exponent) = parts(x);
             Natural::shifted(u128::from(digits), usize::try_from(exponent - self.unit).unwrap_or(0))
@@ -195,6 +167,22 @@ fn small(x: f64, unit: i32) -> i64 {
     let (digits, exponent) = parts(x);
     let magnitude = if digits == 0 { 0 } else { (digits << (exponent - unit)) as i64 };
     if x < 0.0 { -magnitude } else { magnitude }
+}
+
+/// A sum of square roots of integers, each with its count.
+#[derive(Clone, Debug)]
+pub(super) struct Difference(Vec<(Natural, i64)>);
+
+impl Difference {
+    /// The number of different roots.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Its sign, as the order of the sums; nothing if 4096 binary places do not tell.
+    pub(super) fn sign(&self) -> Option<Ordering> {
+        sign_of_sum(&self.0)
+    }
 }
 
 /// Step 2: each number once, with how often the first list has it more often than the second; zeros left out.
@@ -303,8 +291,8 @@ mod tests {
                 for two in [[0, 1], [0, 2], [0, 3], [2, 3]] {
                     let order = lengths.compare(one, two);
                     assert_eq!(order, lengths.square(one).cmp(&lengths.square(two)));
-                    assert_eq!(lengths.compare_sums(&[one], &[two]), Some(order));
-                    assert_eq!(lengths.compare_sums(&[two, [1, 3]], &[[1, 3], one]), Some(order.reverse()));
+                    assert_eq!(lengths.difference(&[one], &[two]).sign(), Some(order));
+                    assert_eq!(lengths.difference(&[two, [1, 3]], &[[1, 3], one]).sign(), Some(order.reverse()));
                 }
             }
         }

@@ -50,6 +50,7 @@ mod natural;
 mod polygon_program;
 mod skeleton;
 mod walks;
+mod weight;
 
 use base::Base;
 use empty_triangles::EmptyTriangles;
@@ -69,14 +70,15 @@ pub struct WeightBudget {
     pub edges: usize,
     /// The most empty triangles of them; if there are more, all candidates count as possible.
     pub triangles: usize,
-    /// The most steps of the dynamic program: pairs of diagonals looked at.
+    /// The most steps of the dynamic program: pairs of diagonals looked at. The skeleton may take an eighth as many pairs of
+    /// triangles; edges that are not looked at then count as possible.
     pub steps: u64,
 }
 
 /// Enough for a million uniform points; the memory stays below some gigabytes.
 impl Default for WeightBudget {
     fn default() -> Self {
-        Self { edges: 40_000_000, triangles: 60_000_000, steps: 10_000_000_000 }
+        Self { edges: 15_000_000, triangles: 20_000_000, steps: 10_000_000_000 }
     }
 }
 
@@ -175,7 +177,9 @@ fn possible(
         is_boundary[fans.edge[h] as usize] = true;
     }
     match EmptyTriangles::new(base.points, fans, is_outside, budget.triangles) {
-        Some(triangles) => skeleton::possible(base.points, lengths, fans, &triangles, &is_boundary, trace),
+        Some(triangles) => {
+            skeleton::possible(base.points, lengths, fans, &triangles, &is_boundary, budget.steps / 8, trace)
+        }
         None => Ok(vec![true; fans.edges.len()]),
     }
 }

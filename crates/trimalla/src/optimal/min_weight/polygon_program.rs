@@ -12,13 +12,13 @@
 //! ```
 //!
 //! Shorter stretches of the walk come first; each corner lists the pairs above and below it that are done, in order, and
-//! `k` runs through what the lists of `i` and `j` share. Weights are intervals; where two overlap, the edges of both parts
-//! are compared exactly.
+//! `k` runs through what the lists of `i` and `j` share. Weights are rounded, with bounds; where these do not decide, the
+//! edges of both parts are compared exactly.
 
 use std::cmp::Ordering;
 
-use super::lengths::Interval;
 use super::walks::{Corner, Plane};
+use super::weight::Weight;
 use crate::geometry::{Orientation, orient2d};
 use crate::trace::Trace;
 
@@ -52,32 +52,37 @@ pub(super) struct Part {
     /// The edges inside that count.
     pub(super) edges: Vec<[u32; 2]>,
     /// Their weight.
-    pub(super) weight: Interval,
+    pub(super) weight: Weight,
 }
 
 /// Whether one set of edges is lighter than another, whose weights are given.
 pub(super) fn is_lighter(
     plane: &Plane<'_>,
-    weights: [Interval; 2],
+    [new, old]: [Weight; 2],
     edges: impl FnOnce() -> [Vec<[u32; 2]>; 2],
     work: &mut Work,
 ) -> Result<bool, Stop> {
-    let [new, old] = weights;
-    if new.high < old.low || new.low > old.high {
-        return Ok(new.high < old.low);
+    if let Some(order) = new.order(old) {
+        return Ok(order == Ordering::Less);
     }
     let [new, old] = edges();
-    work.spend(100 * (new.len() + old.len()) as u64)?;
-    let order = plane.lengths.compare_sums(&new, &old);
+    work.spend(STEPS_PER_EDGE * (new.len() + old.len()) as u64)?;
+    let difference = plane.lengths.difference(&new, &old);
+    work.spend(STEPS_PER_ROOT * difference.len() as u64)?;
+    let order = difference.sign();
     work.is_sure &= order.is_some();
     Ok(order == Some(Ordering::Less))
 }
+
+/// What it costs to strike out an edge, and to compute a root, measured in pairs of diagonals.
+const STEPS_PER_EDGE: u64 = 50;
+const STEPS_PER_ROOT: u64 = 10_000;
 
 /// A diagonal or a side between two corners.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     ends: [u32; 2],
-    weight: Interval,
+    weight: Weight,
     /// The pairs on the other two sides of the triangle; none on a side of the walk.
     parts: Option<[u32; 2]>,
 }
@@ -110,7 +115,7 @@ pub(super) fn lightest(
         Program { plane, corners, pairs: Vec::new(), up: vec![Vec::new(); count], down: vec![Vec::new(); count] };
     let last = count as u32 - 1;
     for i in 0..last {
-        program.push(Pair { ends: [i, i + 1], weight: Interval::ZERO, parts: None });
+        program.push(Pair { ends: [i, i + 1], weight: Weight::ZERO, parts: None });
     }
     for ends in diagonals(plane, corners, corner_of) {
         if trace.is_cancelled() {
@@ -118,7 +123,7 @@ pub(super) fn lightest(
         }
         program.solve(ends, program.length_of(ends), work)?;
     }
-    Ok(program.solve([0, last], Interval::ZERO, work)?.map(|top| program.part(top)))
+    Ok(program.solve([0, last], Weight::ZERO, work)?.map(|top| program.part(top)))
 }
 
 /// The pairs of corners that diagonals join, shorter stretches first.
@@ -142,7 +147,7 @@ impl Program<'_> {
         self.corners[corner as usize].vertex
     }
 
-    fn length_of(&self, ends: [u32; 2]) -> Interval {
+    fn length_of(&self, ends: [u32; 2]) -> Weight {
         self.plane.lengths.of(ends.map(|corner| self.vertex(corner)))
     }
 
@@ -157,9 +162,9 @@ impl Program<'_> {
     }
 
     /// The least weight of a pair, if there is any triangle on it.
-    fn solve(&mut self, ends: [u32; 2], length: Interval, work: &mut Work) -> Result<Option<u32>, Stop> {
+    fn solve(&mut self, ends: [u32; 2], length: Weight, work: &mut Work) -> Result<Option<u32>, Stop> {
         let [i, j] = ends;
-        let mut best: Option<(Interval, [u32; 2])> = None;
+        let mut best: Option<(Weight, [u32; 2])> = None;
         let (up, down) = (&self.up[i as usize], &self.down[j as usize]);
         let (mut a, mut b) = (0, down.len());
         work.spend((up.len() + down.len()) as u64)?;

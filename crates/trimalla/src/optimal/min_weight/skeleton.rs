@@ -42,15 +42,18 @@ struct Search<'a> {
     /// The cursors of each edge, on its left and its right.
     cursors: Vec<[u32; 2]>,
     open: Vec<u32>,
+    /// The pairs that may still be looked at.
+    steps: u64,
 }
 
-/// Tells for each edge whether it is possible; boundary edges are.
+/// Tells for each edge whether it is possible; boundary edges are. After so many steps the other edges count as possible.
 pub(super) fn possible(
     points: &[Point],
     lengths: &Lengths<'_>,
     fans: &Fans,
     triangles: &EmptyTriangles,
     is_boundary: &[bool],
+    steps: u64,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Vec<bool>, OptimalError> {
     let count = fans.edges.len();
@@ -63,8 +66,9 @@ pub(super) fn possible(
         is_dead: vec![false; triangles.sides.len()],
         cursors: vec![[0; 2]; count],
         open: (0..count as u32).rev().filter(|&e| !is_boundary[e as usize]).collect(),
+        steps,
     };
-    while let Some(e) = search.open.pop() {
+    while let Some(e) = search.open.pop().filter(|_| search.steps > 0) {
         if trace.is_cancelled() {
             return Err(OptimalError::Cancelled);
         }
@@ -87,11 +91,11 @@ impl Search<'_> {
     fn has_pair(&mut self, e: u32) -> bool {
         let [mut i, mut j] = self.cursors[e as usize].map(|cursor| cursor as usize);
         let [left, right] = self.sides(e);
-        let mut found = false;
+        let (mut found, mut steps) = (false, 0);
         while i < left.len() && !found {
             if !self.is_dead[left[i] as usize] {
                 while j < right.len() && (self.is_dead[right[j] as usize] || !self.is_minimal(e, left[i], right[j])) {
-                    j += 1;
+                    (j, steps) = (j + 1, steps + 1);
                 }
                 found = j < right.len();
             }
@@ -100,6 +104,7 @@ impl Search<'_> {
             }
         }
         self.cursors[e as usize] = [i as u32, j as u32];
+        self.steps = self.steps.saturating_sub(steps);
         found
     }
 
