@@ -126,7 +126,7 @@ pub(crate) struct Prepared {
     /// The boundary of the domain, which lies to the left of each edge; empty without a domain.
     pub(crate) boundary: Vec<[u32; 2]>,
     /// The constrained edges inside of the domain.
-    segments: Vec<[u32; 2]>,
+    pub(crate) segments: Vec<[u32; 2]>,
     /// The sides of the triangles of the domain.
     sides: Option<Sides>,
 }

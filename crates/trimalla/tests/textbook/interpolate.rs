@@ -56,7 +56,7 @@ fn questions(points: &[Point], rng: &mut SplitMix64) -> Vec<Point> {
     asked
 }
 
-const METHODS: &[InterpolationMethod] = InterpolationMethod::ALL;
+const METHODS: &[InterpolationMethod] = &InterpolationMethod::ALL;
 
 #[test]
 fn planes_are_reproduced_and_outside_is_exact() {

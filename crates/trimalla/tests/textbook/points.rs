@@ -199,7 +199,7 @@ fn domains_keep_their_boundary() {
     let frame = [[0.0, 0.0], [9.0, 0.0], [9.0, 8.0], [0.0, 8.0], [2.0, 2.0], [3.0, 6.0], [6.0, 4.0]].map(Point::from);
     let boundary = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]];
     let all = enumerate::triangulations_within(&frame, &boundary);
-    for &method in OptimalMethod::ALL {
+    for method in OptimalMethod::ALL {
         let mut made = BTreeSet::new();
         for triangles in &all {
             let mesh = IndexedMesh { points: frame.to_vec(), triangles: triangles.clone(), ..IndexedMesh::default() };
@@ -283,7 +283,7 @@ fn flips_end_where_no_flip_improves() {
             let pairs = OptimalMethod::Pairs.triangulate(&OptimalInput::of_points(&points), &mut NoTrace).unwrap();
             let mut mesh = IndexedMesh { points: points.clone(), triangles: pairs.triangles, ..IndexedMesh::default() };
             mesh.segments = mesh.edges().into_iter().step_by(7).collect();
-            for &criterion in FlipCriterion::ALL {
+            for criterion in FlipCriterion::ALL {
                 let made = locally_optimal(&mesh, criterion, &mut NoTrace).unwrap();
                 assert_eq!(trimalla::triangulation::check_mesh(&made), [], "{criterion} {name}");
                 for [[a, b], [c, d]] in flippable(&made) {
@@ -380,7 +380,7 @@ fn inputs_that_are_wrong_are_named() {
     let mut holed = square;
     holed[2].y = f64::NAN;
     let mesh = IndexedMesh { points: square.to_vec(), triangles: vec![[0, 1, 2], [0, 2, 1]], ..IndexedMesh::default() };
-    for &method in OptimalMethod::ALL {
+    for method in OptimalMethod::ALL {
         let refused = |input: &OptimalInput<'_>| method.triangulate(input, &mut NoTrace).unwrap_err();
         let of_points = OptimalInput::of_points(&holed);
         assert!(matches!(refused(&of_points), OptimalError::NotFinite { index: 2, .. }), "{method}");

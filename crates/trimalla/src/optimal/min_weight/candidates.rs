@@ -1,7 +1,7 @@
 //! Step 1: the edges that pass the diamond test.
 //!
-//! Every vertex `p` looks around through the triangles of any triangulation of the points. What it sees through a chain of
-//! triangles is a *cone* between two vertices that it saw before; the next triangle shows one more vertex or none:
+//! Every vertex `p` looks around through the triangles of any triangulation of the points. What it sees through a chain
+//! of triangles is a *cone* between two vertices that it saw before; the next triangle shows one more vertex or none:
 //!
 //! ```text
 //!             left                      w is between the two: p sees w, and the cone is split in two;
@@ -13,11 +13,12 @@
 //!             right
 //! ```
 //!
-//! The edge `p q` fails the diamond test if both of its isosceles triangles, of base angle π/4.6, have vertices inside. Then
-//! no triangulation of least weight has it `[DrysdaleMcElfreshSnoeyink01]`. The vertices that `p` has seen are held against
-//! the triangles on all edges from `p` into a cone at once: if `r` is in the left triangle on the shortest edge that can
-//! come, along the right side of the cone and along the left, it is in those of all edges between. So cones end soon, and
-//! the nearest cone goes first. The test is in doubles with room for their errors: a doubtful edge is kept.
+//! The edge `p q` fails the diamond test if both of its isosceles triangles, of base angle π/4.6, have vertices inside.
+//! Then no triangulation of least weight has it `[DrysdaleMcElfreshSnoeyink01]`. The vertices that `p` has seen are
+//! held against the triangles on all edges from `p` into a cone at once: if `r` is in the left triangle on the shortest
+//! edge that can come, along the right side of the cone and along the left, it is in those of all edges between. So
+//! cones end soon, and the nearest cone goes first. The test is in doubles with room for their errors: a doubtful edge
+//! is kept.
 //!
 //! In a domain a point in the diamond may be hidden by a hole, and the test says nothing: all edges are kept.
 
@@ -91,8 +92,8 @@ struct View<'a> {
     found: Vec<u32>,
 }
 
-/// The edges that pass the test, boundary edges among them, each with its lower vertex first, sorted; nothing if they are
-/// more than `limit`.
+/// The edges that pass the test, boundary edges among them, each with its lower vertex first, sorted; nothing if they
+/// are more than `limit`.
 pub(super) fn candidates(
     base: &Base<'_>,
     lengths: &Lengths<'_>,
@@ -214,8 +215,8 @@ impl View<'_> {
         }
     }
 
-    /// A vertex beside a cone, hidden perhaps, may be in triangles that were empty so far. Without it a narrow cone between
-    /// others that ended would go on through all triangles; most vertices do not need it.
+    /// A vertex beside a cone, hidden perhaps, may be in triangles that were empty so far. Without it a narrow cone
+    /// between others that ended would go on through all triangles; most vertices do not need it.
     fn note_beside(&mut self, v: u32, is_full: bool) {
         if self.may_test && !is_full && self.seen.len() >= MANY {
             self.seen.push(self.way(v));
@@ -242,7 +243,8 @@ impl View<'_> {
         }
     }
 
-    /// Looks for a vertex that is in the left triangles on two edges, given as ways, and for one in the right triangles.
+    /// Looks for a vertex that is in the left triangles on two edges, given as ways, and for one in the right
+    /// triangles.
     fn fill_both(&self, [one, two]: [Vector; 2], is_full: &mut [bool; 2]) {
         let [mut is_left_full, mut is_right_full] = *is_full;
         let squares = [one.length_sq(), two.length_sq()];
@@ -287,8 +289,8 @@ impl View<'_> {
     }
 }
 
-/// Whether a point is surely inside a triangle on an edge: given its height above the edge times the length of the edge, its
-/// place along the edge times that length, and the squared lengths of the edge and of the way to the point.
+/// Whether a point is surely inside a triangle on an edge: given its height above the edge times the length of the
+/// edge, its place along the edge times that length, and the squared lengths of the edge and of the way to the point.
 #[inline(always)]
 fn is_inside(height: f64, along: f64, square: f64, size: f64) -> bool {
     let error = ROOM * (square + size);

@@ -1,7 +1,7 @@
 //! The empty triangles of the candidate edges.
 //!
-//! For a fixed edge from `p` to `q`, apexes `r` are taken counter-clockwise around `p`. The triangle is empty of what `p` is
-//! joined to if `r` lies at a smaller angle at `q` than all apexes before it:
+//! For a fixed edge from `p` to `q`, apexes `r` are taken counter-clockwise around `p`. The triangle is empty of what
+//! `p` is joined to if `r` lies at a smaller angle at `q` than all apexes before it:
 //!
 //! ```text
 //!        r3                 r1 is the first; r2 lies at a larger angle at q than r1, and the triangle p q r2 holds r1;
@@ -10,8 +10,8 @@
 //!      p ─────── q
 //! ```
 //!
-//! A vertex inside that only `q` and `r` are joined to is looked for among their edges. A triangle with a vertex inside that
-//! passes all the same does no harm: fewer edges are then known to be impossible, none is wrongly.
+//! A vertex inside that only `q` and `r` are joined to is looked for among their edges. A triangle with a vertex inside
+//! that passes all the same does no harm: fewer edges are then known to be impossible, none is wrongly.
 
 use super::fans::Fans;
 use crate::geometry::{Orientation, Point, orient2d};

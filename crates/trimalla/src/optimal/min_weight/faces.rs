@@ -1,12 +1,13 @@
 //! Step 3 and 4: the faces of the certain edges, and how those with components inside are connected.
 //!
-//! 1. Certain half-edges are followed into walks; a walk of three corners without diagonals is a triangle of the result.
+//! 1. Certain half-edges are followed into walks; a walk of three corners without diagonals is a triangle of the
+//!    result.
 //! 2. Walks that diagonals join bound one face.
 //! 3. A face with one walk goes to the dynamic program.
-//! 4. In a face with several walks, let `v` be the lexicographically first vertex of an inner one. The face lies on all sides
-//!    of `v`, so each triangulation has an edge from `v` to a vertex that comes before, or there would be an angle of 180° or
-//!    more. Each possible one is tried: it becomes certain, what it crosses becomes impossible, and two walks become one.
-//!    In the trials after that the edge is left out. The lightest result counts.
+//! 4. In a face with several walks, let `v` be the lexicographically first vertex of an inner one. The face lies on all
+//!    sides of `v`, so each triangulation has an edge from `v` to a vertex that comes before, or there would be an
+//!    angle of 180° or more. Each possible one is tried: it becomes certain, what it crosses becomes impossible, and
+//!    two walks become one. In the trials after that the edge is left out. The lightest result counts.
 //!
 //! ```text
 //!      ┌──────────────────┐
@@ -164,8 +165,8 @@ impl<'a> Solver<'a> {
         Ok(if is_new { new } else { old })
     }
 
-    /// The inner walk with the fewest edges from its first vertex to one that comes before, and these; none if there are
-    /// two outlines, that is, if the possible edges do not connect the walks.
+    /// The inner walk with the fewest edges from its first vertex to one that comes before, and these; none if there
+    /// are two outlines, that is, if the possible edges do not connect the walks.
     fn fewest_bridges(&self, walks: &[Vec<Corner>]) -> Option<(usize, Vec<u32>)> {
         let bridges: Vec<Vec<u32>> = walks.iter().map(|walk| self.bridges(walk)).collect();
         if bridges.iter().filter(|found| found.is_empty()).count() != 1 {

@@ -1,4 +1,5 @@
-//! What stands in for faces that the budget does not cover: the constrained Delaunay triangulation, made lighter by flips.
+//! What stands in for faces that the budget does not cover: the constrained Delaunay triangulation, made lighter by
+//! flips.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -9,8 +10,8 @@ use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::geometry::{Point, segments_cross_properly};
 use crate::half_edge::VertexId;
 
-/// Triangles of the faces with these walks, all of whose sides are among the fixed edges; none if they do not fit together,
-/// which would be a fault of ours.
+/// Triangles of the faces with these walks, all of whose sides are among the fixed edges; none if they do not fit
+/// together, which would be a fault of ours.
 pub(super) fn triangulate(plane: &Plane<'_>, fixed: &[[u32; 2]], starts: &[Start]) -> Option<Vec<[u32; 3]>> {
     let made = ConstrainedDelaunay::new(plane.points, fixed, Crossings::Refuse).ok()?;
     let mut is_fixed: Vec<[u32; 2]> = fixed.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();

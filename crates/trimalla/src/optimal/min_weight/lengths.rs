@@ -1,15 +1,15 @@
 //! Lengths of edges and sums of them, compared exactly.
 //!
-//! 1. A sum is first an interval of doubles around it, rounded outward, and a sum of two doubles with a bound of its error
-//!    (`weight.rs`). Where two of these are apart, they decide.
+//! 1. A sum is first an interval of doubles around it, rounded outward, and a sum of two doubles with a bound of its
+//!    error (`weight.rs`). Where two of these are apart, they decide.
 //! 2. Otherwise the edges that both sums have are struck out, also edges of equal length.
-//! 3. Coordinates are integers times a common power of two, so a squared length is an integer `D`. The rest of each sum is
-//!    computed with square roots of 256 binary places. Each is rounded down, so that `k` roots are wrong by less than `k`
-//!    last places; what is farther apart is decided.
-//! 4. What is nearer may be equal. √D and √E are rational multiples of each other if and only if `D E` is a square. Edges
-//!    are put into classes by this test, and `√E = √(D E) / D` counts in multiples of `√D / D`. Square roots of different
-//!    classes are linearly independent over the rationals, so the sums are equal if and only if the counts of each class
-//!    are.
+//! 3. Coordinates are integers times a common power of two, so a squared length is an integer `D`. The rest of each sum
+//!    is computed with square roots of 256 binary places. Each is rounded down, so that `k` roots are wrong by less
+//!    than `k` last places; what is farther apart is decided.
+//! 4. What is nearer may be equal. √D and √E are rational multiples of each other if and only if `D E` is a square.
+//!    Edges are put into classes by this test, and `√E = √(D E) / D` counts in multiples of `√D / D`. Square roots of
+//!    different classes are linearly independent over the rationals, so the sums are equal if and only if the counts of
+//!    each class are.
 //! 5. Sums that are neither equal nor told apart are computed with 1024 and 4096 places. After that nobody knows.
 //!
 //! # Source

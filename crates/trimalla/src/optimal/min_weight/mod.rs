@@ -1,7 +1,7 @@
 //! `min-weight`: a triangulation whose edges are the shortest in all.
 //!
-//! The problem is NP-hard `[MulzerRote08]`, and yet random points are easy: most edges of the optimum are found by looking at
-//! a few points around, and small polygons are left.
+//! The problem is NP-hard `[MulzerRote08]`, and yet random points are easy: most edges of the optimum are found by
+//! looking at a few points around, and small polygons are left.
 //!
 //! ```text
 //!   1 diamond test          2 LMT-skeleton            3 dynamic programming
@@ -11,33 +11,36 @@
 //!                             ·───·───·  edge crosses   ·───·───·   the lightest way
 //! ```
 //!
-//! 1. *Diamond test* (`candidates.rs`): an edge with points in both of its isosceles triangles of base angle π/4.6 is in no
-//!    optimum. About 7 candidates a point are left where points are uniform.
-//! 2. *LMT-skeleton* (`skeleton.rs`): an edge is impossible if no pair of empty triangles makes it locally minimal. This
-//!    makes other edges impossible, until nothing changes. An edge that no possible edge crosses is certain.
-//! 3. *Faces* (`faces.rs`, `polygon_program.rs`): the certain edges bound faces, most of them triangles. Each other face is
-//!    triangulated by dynamic programming over the possible edges in it. In a face with components inside, all ways to
-//!    connect them are tried.
+//! 1. *Diamond test* (`candidates.rs`): an edge with points in both of its isosceles triangles of base angle π/4.6 is
+//!    in no optimum. About 11 candidates a point are left where points are uniform.
+//! 2. *LMT-skeleton* (`skeleton.rs`): an edge is impossible if no pair of empty triangles makes it locally minimal.
+//!    This makes other edges impossible, until nothing changes. An edge that no possible edge crosses is certain.
+//! 3. *Faces* (`faces.rs`, `polygon_program.rs`): the certain edges bound faces, most of them triangles. Each other
+//!    face is triangulated by dynamic programming over the possible edges in it. In a face with components inside, all
+//!    ways to connect them are tried.
 //! 4. *Sums* (`lengths.rs`): sums of lengths are compared as intervals of doubles, then by square roots of 256 and more
 //!    binary places. Sums that are still equal are equal if their roots, class by class, are.
 //!
-//! The budget counts pairs of diagonals that are looked at. Small faces come first. If the budget runs out, or a comparison
-//! is never decided, the result is a triangulation all the same, and `is_proved` is false: a face without its optimum is
-//! triangulated by the constrained Delaunay triangulation and flips.
+//! The budget counts pairs of diagonals that are looked at. Small faces come first. If the budget runs out, or a
+//! comparison is never decided, the result is a triangulation all the same, and `is_proved` is false: a face without
+//! its optimum is triangulated by the constrained Delaunay triangulation and flips.
 //!
-//! Degenerate cases: of equal points the one of lowest index is used. Collinear points have no triangle. An edge never passes
-//! through a point: what is hidden is not seen. Points on circles and grids tie often; ties go to the edge whose vertices
-//! come first, in the skeleton, and then to the apex that comes first along the walk. Where the magnitudes of coordinates
-//! differ by more than 2^400, and in domains, the diamond test is left out and all visible pairs are candidates.
+//! Degenerate cases: of equal points the one of lowest index is used. Collinear points have no triangle. An edge never
+//! passes through a point: what is hidden is not seen. Points on circles and grids tie often; ties go to the edge whose
+//! vertices come first, in the skeleton, and then to the apex that comes first along the walk. Where the magnitudes of
+//! coordinates differ by more than 2^400, and in domains, the diamond test is left out and all visible pairs are
+//! candidates.
 //!
 //! # Complexity
-//! For uniform points linear in practice, besides sorting: 1.1 s for 10,000. In the worst case exponential in the number of
-//! components inside one face, which the budget stops, and cubic in its corners.
+//! For uniform points linear in practice, besides sorting: 1.1 s for 10,000, 15 s for 100,000.
+//! In the worst case exponential in the number of components inside one face, which the budget stops, and cubic in its
+//! corners: 56 s for 1000 points on a circle. Without the diamond test, also in domains, the candidates are quadratic
+//! and their triangles cubic: some hundred vertices.
 //!
 //! # Source
 //! `[DasJoseph89]` and `[DrysdaleMcElfreshSnoeyink01]` for the diamond and its angle; `[DickersonKeilMontague97]` and
-//! `[BeiroutiSnoeyink98]` for the skeleton; `[Klincsek80]` for the polygons; `[Haas18]` for the stack of edges and the proof
-//! that large instances can be solved. The cones of step 1 and step 4 are ours.
+//! `[BeiroutiSnoeyink98]` for the skeleton; `[Klincsek80]` for the polygons; `[Haas18]` for the stack of edges and the
+//! proof that large instances can be solved. The cones of step 1 and step 4 are ours.
 
 mod base;
 mod candidates;
@@ -61,6 +64,7 @@ use polygon_program::{Stop, Work};
 use walks::Plane;
 
 use super::{Optimal, OptimalError, OptimalInput};
+use crate::geometry::{Point, segments_cross_properly};
 use crate::trace::{Shape, Trace};
 
 /// What the search for a triangulation of least weight may cost.
@@ -70,8 +74,8 @@ pub struct WeightBudget {
     pub edges: usize,
     /// The most empty triangles of them; if there are more, all candidates count as possible.
     pub triangles: usize,
-    /// The most steps of the dynamic program: pairs of diagonals looked at. The skeleton may take an eighth as many pairs of
-    /// triangles; edges that are not looked at then count as possible.
+    /// The most steps of the dynamic program: pairs of diagonals looked at. The skeleton may take an eighth as many
+    /// pairs of triangles; edges that are not looked at then count as possible.
     pub steps: u64,
 }
 
@@ -135,18 +139,22 @@ pub fn minimum_weight(
     budget: WeightBudget,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<MinimumWeight, OptimalError> {
-    input.check()?;
+    let segments = input.prepare()?.segments;
     let base = Base::new(input)?;
     let lengths = Lengths::new(base.points);
-    let Some(edges) = candidates::candidates(&base, &lengths, budget.edges, trace)? else {
+    let Some(mut edges) = candidates::candidates(&base, &lengths, budget.edges, trace)? else {
         return Ok(unproved(&base, &lengths));
     };
+    let place = |edge: [u32; 2]| edge.map(|v| base.points[v as usize]);
+    let crosses = |[a, b]: [Point; 2], [c, d]: [Point; 2]| segments_cross_properly(a, b, c, d);
+    edges.retain(|&edge| !segments.iter().any(|&segment| crosses(place(edge), place(segment))));
     for &edge in &edges {
         trace.look(Shape::Edge(edge), "passes the diamond test");
     }
     let fans = Fans::new(base.points, edges);
     let is_outside = outside(&base, &fans);
-    let is_possible = possible(&base, &lengths, &fans, &is_outside, budget, trace)?;
+    let must_stay = must_stay(&fans, &is_outside, &segments);
+    let is_possible = possible(&base, &lengths, &fans, (&is_outside, &must_stay), budget, trace)?;
     let is_certain = skeleton::certain(base.points, &fans, &is_possible);
     let plane = Plane { points: base.points, lengths: &lengths, fans: &fans, is_possible, is_certain };
     solve(plane, &is_outside, budget, trace)
@@ -163,22 +171,29 @@ fn outside(base: &Base<'_>, fans: &Fans) -> Vec<bool> {
     is_outside
 }
 
+/// The edges of the boundary, and those along segments.
+fn must_stay(fans: &Fans, is_outside: &[bool], segments: &[[u32; 2]]) -> Vec<bool> {
+    let mut must_stay = vec![false; fans.edges.len()];
+    let boundary = (0..is_outside.len()).filter(|&h| is_outside[h]);
+    let inside = segments.iter().filter_map(|&[a, b]| fans.between(a, b)).map(|h| h as usize);
+    for h in boundary.chain(inside) {
+        must_stay[fans.edge[h] as usize] = true;
+    }
+    must_stay
+}
+
 /// Step 2: which candidates are possible; all of them, if the budget does not suffice for their triangles.
 fn possible(
     base: &Base<'_>,
     lengths: &Lengths<'_>,
     fans: &Fans,
-    is_outside: &[bool],
+    (is_outside, must_stay): (&[bool], &[bool]),
     budget: WeightBudget,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Vec<bool>, OptimalError> {
-    let mut is_boundary = vec![false; fans.edges.len()];
-    for (h, _) in is_outside.iter().enumerate().filter(|(_, is_outside)| **is_outside) {
-        is_boundary[fans.edge[h] as usize] = true;
-    }
     match EmptyTriangles::new(base.points, fans, is_outside, budget.triangles) {
         Some(triangles) => {
-            skeleton::possible(base.points, lengths, fans, &triangles, &is_boundary, budget.steps / 8, trace)
+            skeleton::possible(base.points, lengths, fans, &triangles, must_stay, budget.steps / 8, trace)
         }
         None => Ok(vec![true; fans.edges.len()]),
     }

@@ -1,7 +1,7 @@
 //! Step 3: the lightest triangulation of a face with one walk, by dynamic programming over its diagonals.
 //!
-//! The corners have numbers along the walk. The part of the face between the diagonal of corners `i` and `j` and the walk
-//! from `i` to `j` is triangulated by the triangle `i k j` and the parts beyond its other two sides:
+//! The corners have numbers along the walk. The part of the face between the diagonal of corners `i` and `j` and the
+//! walk from `i` to `j` is triangulated by the triangle `i k j` and the parts beyond its other two sides:
 //!
 //! ```text
 //!        j ─── …                weight(i, j) = |i j| + the least weight(i, k) + weight(k, j),
@@ -11,9 +11,9 @@
 //!        i ─── …
 //! ```
 //!
-//! Shorter stretches of the walk come first; each corner lists the pairs above and below it that are done, in order, and
-//! `k` runs through what the lists of `i` and `j` share. Weights are rounded, with bounds; where these do not decide, the
-//! edges of both parts are compared exactly.
+//! Shorter stretches of the walk come first; each corner lists the pairs above and below it that are done, in order,
+//! and `k` runs through what the lists of `i` and `j` share. Weights are rounded, with bounds; where these do not
+//! decide, the edges of both parts are compared exactly.
 
 use std::cmp::Ordering;
 

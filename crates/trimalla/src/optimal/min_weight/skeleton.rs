@@ -1,9 +1,9 @@
 //! Step 2: which edges are impossible, and which are certain.
 //!
 //! In a triangulation of least weight each inner edge is *locally minimal*: if the two triangles on it form a strictly
-//! convex quadrilateral, the other diagonal is not shorter, or the exchange would make the triangulation lighter. So an edge
-//! for which no pair of empty triangles, one on each side, is locally minimal is impossible; then triangles that have it are
-//! impossible, too, and pairs of other edges may be lost:
+//! convex quadrilateral, the other diagonal is not shorter, or the exchange would make the triangulation lighter. So an
+//! edge for which no pair of empty triangles, one on each side, is locally minimal is impossible; then triangles that
+//! have it are impossible, too, and pairs of other edges may be lost:
 //!
 //! ```text
 //!           l                 the pair (l, r) of the edge p q is locally minimal
@@ -16,11 +16,11 @@
 //! 1. Each edge has two cursors into the triangles on its left and its right, which stand on a locally minimal pair.
 //! 2. An edge whose cursors find none is removed, and the triangles on it.
 //! 3. The edges whose cursors stood on these triangles are put on a stack, and go on from where they are.
-//! 4. What is left of the edges is *possible*. An edge is *certain* if it crosses no other possible edge: every triangulation
-//!    is maximal, and nothing could be in its place. The certain edges are the LMT-skeleton.
+//! 4. What is left of the edges is *possible*. An edge is *certain* if it crosses no other possible edge: every
+//!    triangulation is maximal, and nothing could be in its place. The certain edges are the LMT-skeleton.
 //!
-//! Ties are decided as if each edge were longer by a symbolic amount, of another order of magnitude for each. One of the
-//! lightest triangulations is the lightest of these, and all that is said here is true of that one.
+//! Ties are decided as if each edge were longer by a symbolic amount, of another order of magnitude for each. One of
+//! the lightest triangulations is the lightest of these, and all that is said here is true of that one.
 
 use std::cmp::Ordering;
 
@@ -46,7 +46,8 @@ struct Search<'a> {
     steps: u64,
 }
 
-/// Tells for each edge whether it is possible; boundary edges are. After so many steps the other edges count as possible.
+/// Tells for each edge whether it is possible; boundary edges are. After so many steps the other edges count as
+/// possible.
 pub(super) fn possible(
     points: &[Point],
     lengths: &Lengths<'_>,

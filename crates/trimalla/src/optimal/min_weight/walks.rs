@@ -1,7 +1,7 @@
 //! The faces that the certain edges leave, as walks along their boundaries.
 //!
-//! A face is bounded by one walk or several: its outline, and one around each component of certain edges inside. A walk may
-//! pass an edge on both of its sides, and a vertex several times; each time is a *corner* of its own:
+//! A face is bounded by one walk or several: its outline, and one around each component of certain edges inside. A walk
+//! may pass an edge on both of its sides, and a vertex several times; each time is a *corner* of its own:
 //!
 //! ```text
 //!      out ↗                    the face lies between `out` and `back`, counter-clockwise;

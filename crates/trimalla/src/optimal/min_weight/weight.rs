@@ -1,7 +1,7 @@
 //! Rounded sums of lengths, with bounds of what rounding does to them.
 //!
-//! A *weight* holds a sum twice: as an interval of doubles, and as the sum of two doubles, which is as good as 100 binary
-//! digits. The interval decides most comparisons and the second form nearly all others; equal sums are left.
+//! A *weight* holds a sum twice: as an interval of doubles, and as the sum of two doubles, which is as good as 100
+//! binary digits. The interval decides most comparisons and the second form nearly all others; equal sums are left.
 
 use std::cmp::Ordering;
 
@@ -11,7 +11,8 @@ use crate::geometry::{Point, Vector};
 const OUT: f64 = 2.0 * f64::EPSILON;
 /// A relative error that a squared length or a length in doubles does not pass.
 pub(super) const LENGTH_ERROR: f64 = 8.0 * f64::EPSILON;
-/// A relative error that sums of up to a million lengths in two doubles do not pass: each operation adds less than 2^-100.
+/// A relative error that sums of up to a million lengths in two doubles do not pass: each operation adds less than
+/// 2^-100.
 const TWOFOLD_ERROR: f64 = f64::from_bits((1023 - 79) << 52);
 
 /// The sum of two doubles, the second of which is at most the rounding error of the first.

@@ -204,7 +204,7 @@ fn a_cancelled_run_ends() {
     let triangles = some_triangulation(&points[..3]);
     let domain = IndexedMesh { points: points.clone(), triangles, ..IndexedMesh::default() };
     for method in OptimalMethod::ALL {
-        let only_domains = *method == OptimalMethod::MinWeightPolygon;
+        let only_domains = method == OptimalMethod::MinWeightPolygon;
         let made = method.triangulate(&OptimalInput { domain: only_domains.then_some(&domain), ..free }, &mut Never);
         assert_eq!(made, Err(OptimalError::Cancelled), "{method}");
     }
