@@ -85,7 +85,7 @@ keyed! {
 ///
 /// let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.0], [4.0, 1.0]].map(Point::from).to_vec();
 /// let mut mesh = IndexedMesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]], ..IndexedMesh::default() };
-/// for &criterion in FlipCriterion::ALL {
+/// for criterion in FlipCriterion::ALL {
 ///     assert_eq!(locally_optimal(&mesh, criterion, &mut NoTrace)?.edges(), [[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]]);
 /// }
 /// mesh.segments = vec![[0, 2]];
@@ -97,17 +97,20 @@ pub fn locally_optimal(
     criterion: FlipCriterion,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<IndexedMesh, OptimalError> {
-    let mut t = match Triangulation::from_indexed(mesh) {
-        Ok(t) => t,
-        Err(faults) => return Err(OptimalError::Domain(faults)),
-    };
+    let mut t = with_segments(mesh)?;
+    flip(&mut t, criterion, trace)?;
+    Ok(IndexedMesh { triangles: triangles_of(&t), ..mesh.clone() })
+}
+
+/// The triangulation of a mesh, its segments marked.
+fn with_segments(mesh: &IndexedMesh) -> Result<Triangulation, OptimalError> {
+    let mut t = Triangulation::from_indexed(mesh).map_err(OptimalError::Domain)?;
     for &[a, b] in &mesh.segments {
         if let Some(h) = t.half_edge_between(VertexId(a), VertexId(b)) {
             t.mesh.set_mark(h, 1, &mut NoJournal);
         }
     }
-    flip(&mut t, criterion, trace)?;
-    Ok(IndexedMesh { triangles: triangles_of(&t), ..mesh.clone() })
+    Ok(t)
 }
 
 /// Triangulates points or a domain: a sweep, or the domain as it is, and flips.
@@ -118,8 +121,7 @@ pub(super) fn triangulate(
 ) -> Result<Optimal, OptimalError> {
     let prepared = input.prepare()?;
     let mut t = match input.domain {
-        // The domain has been checked.
-        Some(domain) => Triangulation::from_indexed(domain).unwrap_or_default(),
+        Some(domain) => with_segments(domain)?,
         None => {
             let vertices: Vec<VertexId> = prepared.vertices.iter().map(|&v| VertexId(v)).collect();
             sweep(input.points, Some(&vertices), trace).map_err(|_| OptimalError::Cancelled)?

@@ -1,9 +1,7 @@
 //! Triangulations of points and polygons that are best by some criterion, and greedy ones.
 //!
-//! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain
-//! with holes, given by any triangulation of it.
-//! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a domain with
-//! holes, given by any triangulation of it.
+//! [`OptimalMethod`] chooses an algorithm by its key; [`OptimalInput`] says what is triangulated: points, or a
+//! domain with holes, given by any triangulation of it.
 
 mod decompose;
 mod edge_insertion;
