@@ -9,7 +9,7 @@ fn main() -> std::process::ExitCode {
     let size = eframe::egui::vec2(1280.0, 860.0);
     let viewport = eframe::egui::ViewportBuilder::default()
         .with_inner_size(size)
-        .with_min_inner_size([720.0, 540.0])
+        .with_min_inner_size([640.0, 480.0])
         .with_title("trimalla");
     let options = eframe::NativeOptions { viewport, ..Default::default() };
     let shown = eframe::run_native(

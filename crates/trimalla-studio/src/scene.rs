@@ -236,10 +236,24 @@ impl Picked {
             neighbours: across.into_iter().filter(|&f| t.is_real(f)).map(named).collect(),
             passes_circle_test: !fails,
             path: path.faces.iter().map(|&f| t.face_points(f)).collect(),
-            shown: path.faces.len(),
+            shown: 1,
             path_names: path.faces.iter().map(|&f| named(f)).collect(),
             terminal_edge: t.edge_points(path.terminal_edge),
             terminal_names: ends.map(|v| document.name(v)),
         })
+    }
+
+    /// With its whole path.
+    pub(crate) fn whole(mut self) -> Self {
+        self.shown = self.path.len();
+        self
+    }
+
+    /// With as much of its path as was shown of the same triangle before.
+    pub(crate) fn shown_as(mut self, before: Option<&Self>) -> Self {
+        if let Some(before) = before.filter(|before| before.names == self.names) {
+            self.shown = before.shown.min(self.path.len());
+        }
+        self
     }
 }

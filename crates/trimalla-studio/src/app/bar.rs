@@ -1,7 +1,7 @@
 //! The rows of buttons on top.
 
 use eframe::egui::{self, TextEdit, Ui};
-use trimalla_workbench::{Document, script};
+use trimalla_workbench::{Document, MessageKind};
 
 use super::{Page, Studio};
 
@@ -22,7 +22,7 @@ impl Studio {
                 ui.ctx().set_theme(if is_dark { egui::Theme::Light } else { egui::Theme::Dark });
             }
             ui.separator();
-            commands.extend(self.show_files(ui));
+            self.show_files(ui);
             ui.separator();
             for (name, help) in [
                 ("Triangulate", "triangulates the drawing"),
@@ -55,7 +55,8 @@ impl Studio {
             }
             Page::Draw => {}
         }
-        ui.horizontal_wrapped(|ui| self.tools.show(ui));
+        let said = ui.horizontal_wrapped(|ui| self.tools.show(ui)).inner;
+        self.console.add(said.into_iter().map(|text| (MessageKind::Information, text)).collect());
         let document = self.worker.document();
         let played = self.control.show(ui, document, self.worker.is_busy());
         commands.extend(played.command);
@@ -67,8 +68,7 @@ impl Studio {
     }
 
     /// Shows the file, and what is done with it.
-    fn show_files(&mut self, ui: &mut Ui) -> Option<String> {
-        let mut command = None;
+    fn show_files(&mut self, ui: &mut Ui) {
         let label = ui.label("File");
         let edit = TextEdit::singleline(&mut self.path).desired_width(200.0).hint_text("name.poly");
         let field = ui.add(edit).labelled_by(label.id);
@@ -78,49 +78,6 @@ impl Studio {
             let path = self.path.trim().to_owned();
             self.open(&path);
         }
-        ui.menu_button("Write …", |ui| {
-            let stem = self.stem();
-            for (name, word, ending, help) in WRITTEN {
-                let file = format!("{stem}{ending}");
-                if ui.button(format!("{name}: {file}")).on_hover_text(help).clicked() {
-                    command = Some(format!("{word} {}", script::word(&file)));
-                    ui.close();
-                }
-            }
-            ui.separator();
-            let named = ui.button("In the format of the name above").on_hover_text("by its ending");
-            if named.clicked() {
-                command = Some(format!("Export {}", script::word(self.path.trim())));
-                ui.close();
-            }
-        });
-        command
-    }
-
-    /// The name above without its ending, to which others are put.
-    fn stem(&self) -> String {
-        let path = std::path::Path::new(self.path.trim());
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        let stem = path.with_extension("");
-        let stem = stem.to_string_lossy();
-        // What is read is not replaced.
-        let is_input = ["poly", "node", "ele", "mesh", "soup", "txt"].contains(&&*ending);
-        match (stem.is_empty(), is_input) {
-            (true, _) => "mesh".to_owned(),
-            (false, true) => format!("{stem}.1"),
-            (false, false) => stem.into_owned(),
-        }
+        ui.menu_button("Write …", |ui| self.show_write(ui));
     }
 }
-
-/// What can be written: its name, the command, the ending, the help.
-const WRITTEN: [(&str, &str, &str, &str); 8] = [
-    ("Picture", "Export", ".svg", "lines that scale"),
-    ("Picture", "Export", ".png", "pixels"),
-    ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
-    ("Mesh", "Export", ".ele", "with .node and .poly, as Triangle writes them"),
-    ("Mesh", "Export", ".vtu", "for ParaView"),
-    ("Mesh", "Export", ".mesh", "as MeshSuite writes it"),
-    ("Script", "Save", ".tri", "the commands that led here"),
-    ("Recipe", "SaveRecipe", ".toml", "the options on the right"),
-];

@@ -2,10 +2,13 @@
 
 mod bar;
 mod control;
+mod keys;
+mod side;
+mod write;
 
 use std::collections::VecDeque;
 
-use eframe::egui::{self, CentralPanel, Key, Panel, Ui};
+use eframe::egui::{self, CentralPanel, Panel, Ui};
 use eframe::wgpu::TextureFormat;
 use trimalla_io::Files;
 use trimalla_workbench::{Document, MessageKind, script};
@@ -14,7 +17,7 @@ use self::control::Control;
 use crate::compare::Compare;
 use crate::learn;
 use crate::panels::console::Console;
-use crate::panels::{configuration, information, inspector, plan, step};
+use crate::panels::{information, missed};
 use crate::scene::Picked;
 use crate::tools::{Asked, Tool, Tools};
 use crate::viewer::switches::{self, Switches};
@@ -37,11 +40,15 @@ pub struct Studio {
     view: View,
     /// Whether the next frame shows everything.
     fits: bool,
-    /// Whether everything is to be shown when the command at work is done.
-    fits_when_done: bool,
+    /// What is to be done when the commands at work are done.
+    then: Then,
+    /// Whether something went wrong since they began.
+    has_failed: bool,
+    /// Whether nothing was drawn before them.
+    was_empty: bool,
     switches: Switches,
-    /// The smallest angle that the options ask for.
-    asked_deg: Option<f64>,
+    /// How far the last refinement has missed its bounds.
+    missed: Option<String>,
     tools: Tools,
     control: Control,
     course: information::Course,
@@ -49,6 +56,25 @@ pub struct Studio {
     lesson: Option<learn::Playing>,
     page: Page,
     path: String,
+    /// How high the window is.
+    room: f32,
+}
+
+/// How wide the panel on the right is.
+const SIDE: f32 = 320.0;
+
+/// With more points than these a drawing did not come by clicks.
+const FEW: usize = 2;
+
+/// What is to be done when the commands at work are done.
+#[derive(Debug, Default)]
+struct Then {
+    /// Everything is shown, also where they failed.
+    fits: bool,
+    /// Something was opened: everything is shown, and the first tool is taken, unless they failed.
+    has_opened: bool,
+    /// A file was written: this is said, unless they failed.
+    says: Option<String>,
 }
 
 /// What the middle of the window shows.
@@ -82,9 +108,11 @@ impl Studio {
             viewer: Viewer { number: 0, format },
             view: View::default(),
             fits: true,
-            fits_when_done: false,
+            then: Then::default(),
+            has_failed: false,
+            was_empty: true,
             switches: Switches::default(),
-            asked_deg: None,
+            missed: None,
             tools: Tools::default(),
             control: Control::default(),
             course: information::Course::default(),
@@ -92,6 +120,7 @@ impl Studio {
             lesson: None,
             page: Page::default(),
             path: String::new(),
+            room: 0.0,
         }
     }
 
@@ -112,21 +141,22 @@ impl Studio {
         self.console.add(vec![(kind, text)]);
     }
 
-    /// Opens a drawing or a mesh, takes a recipe (`.toml`), or runs a script (`.tri`).
+    /// Opens a drawing or a mesh, takes a recipe (`.toml`), or runs a script (`.tri`). What cannot be opened leaves the
+    /// tool in hand and the view.
     pub fn open(&mut self, path: &str) {
         self.path = path.to_owned();
-        (self.fits, self.page) = (true, Page::Draw);
-        self.tools.take(Tool::Pick);
-        if path.ends_with(".tri") {
+        let text = if path.ends_with(".tri") {
             match script::read_in(self.worker.files(), path) {
-                Ok(text) => self.run(text, None),
-                Err(error) => self.console.add(vec![(MessageKind::Error, error.to_string())]),
+                Ok(text) => text,
+                Err(error) => return self.say(MessageKind::Error, error.to_string()),
             }
         } else if path.ends_with(".toml") {
-            self.run(format!("Recipe {}", script::word(path)), None);
+            format!("Recipe {}", script::word(path))
         } else {
-            self.run(format!("Load {}", script::word(path)), None);
-        }
+            format!("Load {}", script::word(path))
+        };
+        self.page = Page::Draw;
+        self.run_then(text, Then { has_opened: true, ..Then::default() });
     }
 
     /// The document, unless a command is at work on it.
@@ -148,8 +178,17 @@ impl Studio {
             return self.console.add(vec![(MessageKind::Command, text), (MessageKind::Error, busy)]);
         }
         self.worker.run(&text, false, context.cloned());
+        self.has_failed = false;
         self.told = text;
         self.poll_shortly();
+    }
+
+    /// Runs commands, and does something when they are done.
+    fn run_then(&mut self, text: String, then: Then) {
+        if !self.worker.is_busy() {
+            self.then = then;
+        }
+        self.run(text, None);
     }
 
     /// Shows in the drawing what a command has told of: `Show I J K` picks the triangle, `Plan I J` plans the edge.
@@ -160,7 +199,9 @@ impl Studio {
             let name = words.next().unwrap_or_default();
             let names: Vec<u32> = words.map_while(|word| word.parse().ok()).collect();
             match names[..] {
-                [i, j, k] if name.eq_ignore_ascii_case("Show") => self.picked = Picked::of(document, [i, j, k]),
+                [i, j, k] if name.eq_ignore_ascii_case("Show") => {
+                    self.picked = Picked::of(document, [i, j, k]).map(Picked::whole);
+                }
                 [i, j] if name.eq_ignore_ascii_case("Plan") => self.tools.edge.plan(document, [i, j]),
                 _ => {}
             }
@@ -221,57 +262,43 @@ impl Studio {
         self.take((Vec::new(), is_back));
     }
 
-    fn take(&mut self, (messages, is_back): (Vec<Message>, bool)) {
+    fn take(&mut self, (mut messages, is_back): (Vec<Message>, bool)) {
+        self.has_failed |= messages.iter().any(|(kind, _)| *kind == MessageKind::Error);
+        if self.lesson.is_some() {
+            // What a lesson tests of itself is not of interest.
+            let is_test = |(kind, text): &Message| *kind == MessageKind::Command && text.starts_with("Expect ");
+            messages.retain(|message| !is_test(message));
+        }
         self.console.add(messages);
-        if let Some(document) = self.worker.document().filter(|_| is_back) {
-            let names = document.selection().first().copied();
-            self.picked = names.and_then(|names| Picked::of(document, names));
-            self.fits |= std::mem::take(&mut self.fits_when_done);
-            self.course.note(document, &self.worker.scene().figures);
-            // What is asked is what is bad, until one drags the threshold.
-            let asked = document.options().min_angle_deg;
-            if self.asked_deg != asked {
-                self.switches.threshold_deg = asked.unwrap_or(self.switches.threshold_deg);
-                self.asked_deg = asked;
-            }
-            self.show_told();
+        if is_back {
+            self.end();
         }
     }
 
-    /// The panel on the right; a command.
-    fn show_side(&mut self, ui: &mut Ui) -> Option<String> {
-        let planned = self.worker.document().and_then(|document| plan::show(ui, &mut self.tools.edge, document));
-        if self.tools.is_begun() {
-            ui.separator();
+    /// Takes what the commands have done that came to their end.
+    fn end(&mut self) {
+        let Some(document) = self.worker.document() else { return };
+        let names = document.selection().first().copied();
+        let before = self.picked.take();
+        self.picked =
+            names.and_then(|names| Picked::of(document, names)).map(|picked| picked.shown_as(before.as_ref()));
+        self.course.note(document, &self.worker.scene().figures);
+        self.switches.follow(document.options());
+        self.missed = missed::of(document);
+        let then = std::mem::take(&mut self.then);
+        let vertices = self.worker.scene().vertices.len();
+        // One who draws keeps the view in which the first corners were clicked.
+        let is_filled = self.was_empty && vertices > 0 && (vertices > FEW || !self.tools.draws());
+        self.was_empty = vertices == 0;
+        let has_opened = then.has_opened && !self.has_failed;
+        self.fits |= then.fits || is_filled || has_opened;
+        if has_opened {
+            self.tools.take(Tool::Pick);
         }
-        if let Some(document) = self.worker.document().filter(|document| document.last_step().is_some()) {
-            step::show(ui, document);
-            ui.separator();
+        if let Some(says) = then.says.filter(|_| !self.has_failed) {
+            self.say(MessageKind::Information, says);
         }
-        let mut command = inspector::show(ui, self.picked.as_mut()).or(planned);
-        ui.separator();
-        if let Some(document) = self.worker.document() {
-            let drawn = (&**self.worker.scene(), self.worker.growth());
-            information::show(ui, document, drawn, &self.course, self.switches.threshold_deg);
-            ui.separator();
-            command = configuration::show(ui, document.options()).or(command);
-        } else {
-            self.show_progress(ui);
-        }
-        command
-    }
-
-    /// What there is to see of the command at work.
-    fn show_progress(&self, ui: &mut Ui) {
-        ui.heading("At work");
-        let growth = self.worker.growth();
-        if let Some(last) = growth.last() {
-            let figures = &last.figures;
-            ui.label(format!("{:.1} s: {} triangles", last.seconds, figures.triangles));
-            ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
-            ui.label(format!("smallest angle {:.2}°", figures.min_angle_deg));
-            information::show_growth(ui, growth);
-        }
+        self.show_told();
     }
 
     /// The drawing; what the tool in hand asks for.
@@ -279,7 +306,7 @@ impl Studio {
         let fits = std::mem::take(&mut self.fits);
         let scene = self.worker.scene().clone();
         // What is loaded now comes with the command at work.
-        self.fits = fits && (self.worker.is_busy() || scene.bounds.is_none());
+        self.fits = fits && self.worker.is_busy();
         let mut view = self.view;
         let shown = self.viewer.show(ui, (&scene, "Drawing"), &mut view, &self.switches, fits);
         let document = self.worker.document();
@@ -291,56 +318,13 @@ impl Studio {
             overlay::draw_picked(&shown.painter, picked, &self.switches);
         }
         let asked = self.tools.work(&shown, &mut view, (document, &scene));
-        if scene.vertices.is_empty() && !self.worker.is_busy() {
+        if scene.vertices.is_empty() && !self.worker.is_busy() && self.lesson.is_none() {
             let text =
                 "Nothing is drawn yet. Take 'Outline' and click corners, the first one again to close; or open a file.";
             shown.painter.hint(text);
         }
         self.view = view;
         asked
-    }
-
-    /// Keys that work wherever the pointer is, but not while one types.
-    fn take_keys(&mut self, ui: &Ui) -> Vec<String> {
-        if ui.ctx().egui_wants_keyboard_input() {
-            return Vec::new();
-        }
-        let pressed = |key: Key| ui.input(|i| i.key_pressed(key) && i.modifiers.is_none());
-        let with_command = |key: Key| ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND, key));
-        let mut commands = Vec::new();
-        if ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND | egui::Modifiers::SHIFT, Key::Z))
-            || with_command(Key::Y)
-        {
-            commands.push("Redo".to_owned());
-        }
-        if with_command(Key::Z) {
-            commands.push("Undo".to_owned());
-        }
-        if pressed(Key::Escape) {
-            self.tools.drop_begun();
-            self.control.stop();
-            self.worker.cancel();
-        }
-        if pressed(Key::F) {
-            self.fits = true;
-        }
-        if pressed(Key::ArrowRight) {
-            let has_future = self.worker.document().is_some_and(|document| document.undoable().1 > 0);
-            commands.push(if has_future { "Redo" } else { "Step" }.to_owned());
-        }
-        if pressed(Key::ArrowLeft) {
-            commands.push("Undo".to_owned());
-        }
-        for (number, (tool, ..)) in
-            [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8]
-                .into_iter()
-                .zip(Tool::ALL)
-        {
-            if pressed(number) {
-                self.tools.take(tool);
-            }
-        }
-        commands
     }
 
     /// Does what was chosen on the welcome page.
@@ -352,6 +336,7 @@ impl Studio {
             learn::Welcomed::Run(commands) => self.run(commands, Some(context)),
             learn::Welcomed::Draw => {
                 self.tools.take(Tool::Outline);
+                self.view = View::default();
                 self.run("Clear".to_owned(), Some(context));
             }
             learn::Welcomed::Lesson(number) => {
@@ -373,12 +358,17 @@ impl Studio {
         if self.worker.is_busy() {
             context.request_repaint_after(self.worker.pause());
         }
+        self.room = ui.available_height();
         let mut commands = self.take_keys(ui);
         for file in ui.input(|i| i.raw.dropped_files.clone()) {
             self.open(&file.path().to_string_lossy());
         }
-        Panel::top("bar").show(ui, |ui| commands.extend(self.show_bar(ui)));
-        let most = (0.5 * ui.available_height()).max(60.0);
+        Panel::top("bar").show(ui, |ui| {
+            // In a small window one scrolls.
+            let rows = egui::ScrollArea::vertical().max_height(0.4 * self.room).min_scrolled_height(0.4 * self.room);
+            rows.show(ui, |ui| commands.extend(self.show_bar(ui)));
+        });
+        let most = (self.room / 3.0).max(60.0);
         Panel::bottom("console").resizable(true).default_size(170.0).max_size(most).show(ui, |ui| {
             commands.extend(self.console.show(ui));
         });
@@ -412,8 +402,11 @@ impl Studio {
 
     fn show_document(&mut self, ui: &mut Ui, mut commands: Vec<String>) {
         commands.extend(self.show_lesson(ui));
-        Panel::right("side").resizable(true).default_size(310.0).max_size(500.0).show(ui, |ui| {
-            egui::ScrollArea::vertical().show(ui, |ui| commands.extend(self.show_side(ui)));
+        // Always as wide, so that nothing moves under the pointer.
+        let width = SIDE.min(0.45 * ui.available_width());
+        Panel::right("side").resizable(false).exact_size(width).show(ui, |ui| {
+            let all = egui::ScrollArea::both().auto_shrink(false);
+            all.show(ui, |ui| commands.extend(self.show_side(ui)));
         });
         let mut asked = Vec::new();
         CentralPanel::default().show(ui, |ui| {
@@ -429,7 +422,7 @@ impl Studio {
         let lesson = self.lesson.as_mut()?;
         let mut asked = None;
         Panel::top("lesson").show(ui, |ui| asked = lesson.show(ui, self.worker.document()));
-        self.fits_when_done |= asked.is_some();
+        self.then.fits |= asked.is_some();
         match asked? {
             learn::Asked::Run(text) => Some(text),
             learn::Asked::End(before) => {

@@ -1,5 +1,6 @@
 //! Recipes side by side: each refines a copy of the document, in viewers that show the same part of the plane.
 
+mod base;
 mod slot;
 mod table;
 
@@ -7,6 +8,7 @@ use eframe::egui::{self, Panel, Ui};
 use eframe::wgpu::TextureFormat;
 use trimalla_workbench::{Document, MessageKind};
 
+use self::base::{Base, Made, state_of};
 use self::slot::Slot;
 use crate::viewer::switches::Switches;
 use crate::viewer::view::View;
@@ -26,12 +28,24 @@ pub(crate) struct Compare {
     format: Option<TextureFormat>,
     /// Viewers get numbers of their own; the first one is that of the main page.
     next: u64,
+    /// What the recipes wait for.
+    base: Option<Base>,
+    /// The version of the document, and the number of what it holds.
+    state: (Option<u64>, u64),
 }
 
 impl Compare {
     /// The page as it is at first: the document as it is, and two recipes.
     pub(crate) fn new(format: Option<TextureFormat>) -> Self {
-        let mut compare = Self { slots: Vec::new(), view: View::default(), fits: true, format, next: 1 };
+        let mut compare = Self {
+            slots: Vec::new(),
+            view: View::default(),
+            fits: true,
+            format,
+            next: 1,
+            base: None,
+            state: (None, 0),
+        };
         compare.add(None);
         compare.add(Some("off-center"));
         compare.add(Some("lepp-centroid"));
@@ -46,40 +60,72 @@ impl Compare {
     /// Shows the page; messages to the user.
     pub(crate) fn show(&mut self, ui: &mut Ui, worker: &Worker, switches: &Switches) -> Vec<Message> {
         let mut said = Vec::new();
+        self.note(worker);
         Panel::top("compare").show(ui, |ui| {
             ui.horizontal_wrapped(|ui| said.extend(self.show_buttons(ui, worker)));
+            // Below each other, so that one that is added moves no field of the others.
+            ui.horizontal_wrapped(|ui| self.slots.iter_mut().for_each(|slot| slot.show_recipe(ui)));
         });
         let most = (0.6 * ui.available_height()).max(40.0);
         Panel::bottom("results").resizable(true).default_size(220.0).max_size(most).show(ui, |ui| {
-            egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table::show(ui, &self.slots, switches));
+            egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| table::show(ui, &self.slots, switches));
         });
+        said.extend(self.begin(worker, ui.ctx()));
         self.slots.iter_mut().for_each(|slot| said.extend(slot.poll()));
-        if self.slots.iter().any(Slot::is_busy) {
+        if self.is_busy() {
             ui.ctx().request_repaint_after(std::time::Duration::from_millis(50));
         }
         self.show_viewers(ui, switches);
         said
     }
 
+    /// Notes what the document holds now.
+    fn note(&mut self, worker: &Worker) {
+        if let Some(document) = worker.document().filter(|document| self.state.0 != Some(document.version())) {
+            self.state = (Some(document.version()), state_of(document));
+        }
+        let state = self.state.1;
+        self.slots.iter_mut().for_each(|slot| slot.note(worker.scene(), state));
+    }
+
+    fn is_busy(&self) -> bool {
+        self.base.is_some() || self.slots.iter().any(Slot::is_busy)
+    }
+
+    /// Begins the recipes, once there is what they wait for.
+    fn begin(&mut self, worker: &Worker, context: &egui::Context) -> Option<Message> {
+        let (made, said) = self.base.as_mut()?.poll(worker, context);
+        match made {
+            Made::NotYet => return said,
+            Made::Ready(ready) => self.run(&ready, context),
+            Made::Failed => {}
+        }
+        self.base = None;
+        said
+    }
+
+    fn run(&mut self, from: &Worker, context: &egui::Context) {
+        let state = self.state.1;
+        self.slots.iter_mut().for_each(|slot| slot.run(from, state, context));
+        self.fits = true;
+    }
+
     fn show_buttons(&mut self, ui: &mut Ui, worker: &Worker) -> Option<Message> {
         let mut said = None;
-        if ui.button("Run all").on_hover_text("refines a copy of the document by each recipe").clicked() {
-            match worker.document().and_then(Document::triangulation) {
-                Some(_) => {
-                    self.slots.iter_mut().for_each(|slot| slot.run(worker, ui.ctx()));
-                    self.fits = true;
+        let run = ui.add_enabled(self.base.is_none(), egui::Button::new("Run all"));
+        if run.on_hover_text("refines a copy of the document by each recipe").clicked() {
+            match worker.document().map(Document::triangulation) {
+                Some(Some(_)) => {
+                    self.base = Base::before_steps(worker, ui.ctx());
+                    if self.base.is_none() {
+                        self.run(worker, ui.ctx());
+                    }
                 }
-                None => said = Some((MessageKind::Error, "there is no triangulation to refine yet".to_owned())),
+                Some(None) => said = Some((MessageKind::Error, "there is no triangulation to refine yet".to_owned())),
+                None => said = Some((MessageKind::Error, "a command is at work on the document".to_owned())),
             }
         }
-        let is_busy = self.slots.iter().any(Slot::is_busy);
-        if is_busy {
-            ui.spinner();
-            if ui.button("Cancel all").clicked() {
-                self.slots.iter_mut().for_each(Slot::cancel);
-            }
-        }
-        ui.separator();
+        let is_busy = self.is_busy();
         let add = ui.add_enabled(self.slots.len() < MOST, egui::Button::new("Add recipe"));
         if add.on_hover_text("one more, up to four").clicked() {
             self.add(Some("lepp-midpoint"));
@@ -90,6 +136,14 @@ impl Compare {
         }
         if ui.button("Fit all").on_hover_text("shows everything").clicked() {
             self.fits = true;
+        }
+        // At the end, so that it moves nothing where it comes and goes.
+        if is_busy {
+            if ui.button("Cancel all").clicked() {
+                self.base = None;
+                self.slots.iter_mut().for_each(Slot::cancel);
+            }
+            ui.spinner();
         }
         said
     }

@@ -1,6 +1,6 @@
 //! What came of the recipes: figures in a table, angles as curves.
 
-use eframe::egui::{Grid, Ui};
+use eframe::egui::{Grid, Ui, Vec2};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
 use super::slot::Slot;
@@ -42,9 +42,13 @@ fn show_figures(ui: &mut Ui, slots: &[Slot], switches: &Switches) {
 /// The share of triangles by their smallest angle.
 fn show_angles(ui: &mut Ui, slots: &[Slot]) {
     let plot = Plot::new("angles").legend(Legend::default()).x_axis_label("smallest angle, degrees");
-    plot.y_axis_label("% of triangles").include_y(0.0).include_x(0.0).include_x(60.0).allow_scroll(false).show(
-        ui,
-        |plot| {
+    plot.y_axis_label("% of triangles")
+        .include_y(0.0)
+        .include_x(0.0)
+        .include_x(60.0)
+        .set_margin_fraction(Vec2::ZERO)
+        .allow_scroll(false)
+        .show(ui, |plot| {
             for slot in slots {
                 let angles = &slot.scene().angles;
                 let share = |(bin, &count): (usize, &usize)| {
@@ -56,6 +60,5 @@ fn show_angles(ui: &mut Ui, slots: &[Slot]) {
                     plot.line(Line::new(slot.title(), PlotPoints::from(points)));
                 }
             }
-        },
-    );
+        });
 }

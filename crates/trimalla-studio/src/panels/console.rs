@@ -37,7 +37,12 @@ impl Console {
         let is_dark = ui.visuals().dark_mode;
         ScrollArea::vertical().stick_to_bottom(true).auto_shrink(false).show(ui, |ui| {
             for (kind, text) in &self.lines {
-                ui.label(RichText::new(text).monospace().color(colour(*kind, is_dark)));
+                let (text, colour) = match kind {
+                    MessageKind::Information if has_missed(text) => (rounded(text), ui.visuals().warn_fg_color),
+                    MessageKind::Information => (rounded(text), colour(*kind, is_dark)),
+                    _ => (text.clone(), colour(*kind, is_dark)),
+                };
+                ui.label(RichText::new(text).monospace().color(colour));
             }
             if std::mem::take(&mut self.is_new) {
                 ui.scroll_to_cursor(Some(Align::BOTTOM));
@@ -97,5 +102,53 @@ fn colour(kind: MessageKind, is_dark: bool) -> Color32 {
         (MessageKind::Information, false) => Color32::from_rgb(0, 60, 200),
         (MessageKind::Error, true) => Color32::from_rgb(255, 120, 110),
         (MessageKind::Error, false) => Color32::from_rgb(200, 0, 0),
+    }
+}
+
+/// Whether a message tells of a refinement that has missed its bounds.
+fn has_missed(text: &str) -> bool {
+    text.ends_with(" below the bounds") && !text.ends_with(" 0 below the bounds")
+}
+
+/// A text whose long numbers are rounded to eight digits: no picture shows more.
+pub(crate) fn rounded(text: &str) -> String {
+    let is_of_number = |c: char| c.is_ascii_digit() || ".-+e".contains(c);
+    let mut short = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit() || c == '-') {
+        let (before, from) = rest.split_at(start);
+        let (number, after) = from.split_at(from.find(|c| !is_of_number(c)).unwrap_or(from.len()));
+        short.push_str(before);
+        let is_long = number.contains('.') && number.chars().filter(char::is_ascii_digit).count() > 9;
+        match number.parse::<f64>() {
+            Ok(value) if is_long => short.push_str(&eight_digits(value)),
+            _ => short.push_str(number),
+        }
+        rest = after;
+    }
+    short + rest
+}
+
+fn eight_digits(value: f64) -> String {
+    let scientific = format!("{value:.7e}");
+    scientific.parse::<f64>().map_or(scientific, |value| value.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn long_numbers_are_rounded_and_all_else_stays() {
+        for (text, wanted) in [
+            ("vertex 9 at (0.12345678901234567, -3.5)", "vertex 9 at (0.12345679, -3.5)"),
+            ("area 12.000000000000002.", "area 12.000000000000002."),
+            ("area 12.000000000000002 in all", "area 12 in all"),
+            ("mesh-2.svg written, 1234567890123 steps - all", "mesh-2.svg written, 1234567890123 steps - all"),
+            ("1.2345678901234e-7", "0.00000012345679"),
+            ("", ""),
+        ] {
+            assert_eq!(rounded(text), wanted);
+        }
     }
 }

@@ -1,46 +1,16 @@
 //! The inspector: the picked triangle, and what can be done with it.
+//!
+//! It takes the same room whatever is picked: buttons first, then one line for each fact, cut where it is long.
 
-use eframe::egui::{Slider, Ui};
+use eframe::egui::{Button, Label, Slider, Ui};
 use trimalla::quality::aspect_ratio;
 
 use crate::scene::Picked;
 
 /// Shows the picked triangle; the command of a button that was clicked.
-pub(crate) fn show(ui: &mut Ui, picked: Option<&mut Picked>) -> Option<String> {
+pub(crate) fn show(ui: &mut Ui, mut picked: Option<&mut Picked>) -> Option<String> {
     ui.heading("Triangle");
-    let Some(picked) = picked else {
-        ui.label("Click a triangle to see its angles, its circle and its longest-edge path.");
-        return None;
-    };
-    let [i, j, k] = picked.names;
-    ui.label(format!("vertices {i} {j} {k}"));
-    let angles = picked.triangle.angles().map(|angle| format!("{:.2}°", angle.degrees()));
-    ui.label(format!("angles {}", angles.join("  ")));
-    ui.label(format!("area {:.6}", picked.triangle.area()));
-    ui.label(format!("aspect ratio {:.4}", aspect_ratio(&picked.triangle)));
-    ui.label(format!("circle test: {}", if picked.passes_circle_test { "passed" } else { "an edge fails it" }));
-    let list = |all: &[[u32; 3]]| {
-        let names = all.iter().map(|[i, j, k]| format!("{i}-{j}-{k}"));
-        names.collect::<Vec<_>>().join(", ")
-    };
-    ui.label(format!("neighbours {}", list(&picked.neighbours)));
-    ui.label(format!("path of {} triangles", picked.path.len())).on_hover_text(list(&picked.path_names));
-    let [p, q] = picked.terminal_names;
-    ui.label(format!("terminal edge {p}-{q}"));
-    if picked.path.len() > 1 {
-        let all = picked.path.len();
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().slider_width = 60.0;
-            if ui.button("Previous triangle").on_hover_text("one step back along the path").clicked() {
-                picked.shown = picked.shown.saturating_sub(1).max(1);
-            }
-            if ui.button("Next triangle").on_hover_text("walks the path across longest edges").clicked() {
-                // After the last one the walk begins again.
-                picked.shown = if picked.shown == all { 1 } else { picked.shown + 1 };
-            }
-            ui.add(Slider::new(&mut picked.shown, 1..=all)).on_hover_text("how much of the path is shown");
-        });
-    }
+    let [i, j, k] = picked.as_ref().map_or([0; 3], |picked| picked.names);
     let mut command = None;
     ui.horizontal_wrapped(|ui| {
         for (name, help, line) in [
@@ -50,10 +20,70 @@ pub(crate) fn show(ui: &mut Ui, picked: Option<&mut Picked>) -> Option<String> {
             ("Until destroyed", "treats it until it is gone", format!("Treat {i} {j} {k} destroyed")),
             ("Show", "tells about it in the console", format!("Show {i} {j} {k}")),
         ] {
-            if ui.button(name).on_hover_text(help).clicked() {
+            if ui.add_enabled(picked.is_some(), Button::new(name)).on_hover_text(help).clicked() {
                 command = Some(line);
             }
         }
     });
+    show_walk(ui, picked.as_deref_mut());
+    let facts = picked.as_deref().map_or_else(nothing_picked, facts);
+    for (text, help) in facts {
+        let label = ui.add(Label::new(text).truncate());
+        if !help.is_empty() {
+            label.on_hover_text(help);
+        }
+    }
     command
+}
+
+/// Shows the buttons that walk the path.
+fn show_walk(ui: &mut Ui, picked: Option<&mut Picked>) {
+    let all = picked.as_ref().map_or(1, |picked| picked.path.len());
+    let mut none = 1;
+    let shown = picked.map_or(&mut none, |picked| &mut picked.shown);
+    ui.add_enabled_ui(all > 1, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            if ui.button("Previous triangle").on_hover_text("one step back along the path").clicked() {
+                *shown = shown.saturating_sub(1).max(1);
+            }
+            if ui.button("Next triangle").on_hover_text("walks the path across longest edges").clicked() {
+                // After the last one the walk begins again.
+                *shown = if *shown == all { 1 } else { *shown + 1 };
+            }
+            ui.spacing_mut().slider_width = 60.0;
+            ui.add(Slider::new(shown, 1..=all)).on_hover_text("how much of the path is shown");
+        });
+    });
+}
+
+const FACTS: usize = 8;
+
+fn nothing_picked() -> [(String, String); FACTS] {
+    let mut lines: [(String, String); FACTS] = Default::default();
+    lines[0].0 = "Click a triangle: here are its angles,".to_owned();
+    lines[1].0 = "its circle and its longest-edge path.".to_owned();
+    lines
+}
+
+/// What there is to know of a triangle, each with what stands under the pointer.
+fn facts(picked: &Picked) -> [(String, String); FACTS] {
+    let [i, j, k] = picked.names;
+    let angles = picked.triangle.angles().map(|angle| format!("{:.2}°", angle.degrees()));
+    let list = |all: &[[u32; 3]]| {
+        let names = all.iter().map(|[i, j, k]| format!("{i}-{j}-{k}"));
+        names.collect::<Vec<_>>().join(", ")
+    };
+    let [p, q] = picked.terminal_names;
+    let area = picked.triangle.area();
+    let plain = |text: String| (text, String::new());
+    [
+        plain(format!("vertices {i} {j} {k}")),
+        plain(format!("angles {}", angles.join("  "))),
+        (format!("area {area:.6}"), area.to_string()),
+        plain(format!("aspect ratio {:.4}", aspect_ratio(&picked.triangle))),
+        plain(format!("circle test: {}", if picked.passes_circle_test { "passed" } else { "an edge fails it" })),
+        plain(format!("neighbours {}", list(&picked.neighbours))),
+        (format!("path of {} triangles", picked.path.len()), list(&picked.path_names)),
+        plain(format!("terminal edge {p}-{q}")),
+    ]
 }

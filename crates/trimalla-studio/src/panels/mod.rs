@@ -4,5 +4,6 @@ pub(crate) mod configuration;
 pub(crate) mod console;
 pub(crate) mod information;
 pub(crate) mod inspector;
+pub(crate) mod missed;
 pub(crate) mod plan;
 pub(crate) mod step;

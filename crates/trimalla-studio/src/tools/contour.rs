@@ -18,6 +18,20 @@ impl Contour {
         self.ring.is_empty()
     }
 
+    pub(super) fn len(&self) -> usize {
+        self.ring.len()
+    }
+
+    /// Whether a drawing has all its vertices, where they were clicked. One that was moved is where it is.
+    pub(super) fn is_in(&mut self, document: &Document) -> bool {
+        let points = &document.drawing().points;
+        self.ring.iter_mut().all(|(name, at)| {
+            let place = document.vertex(*name).and_then(|v| points.get(v.index()));
+            *at = place.copied().unwrap_or(*at);
+            place.is_some()
+        })
+    }
+
     /// Takes a vertex, or inserts one; the first one again closes the contour and gives it to a command.
     pub(super) fn click(&mut self, hit: &Hit, command: &str, document: Option<&Document>, scene: &Scene) -> Vec<Asked> {
         if document.is_some_and(|document| document.triangulation().is_some()) {

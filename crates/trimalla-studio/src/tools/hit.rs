@@ -50,7 +50,8 @@ impl fmt::Display for Hit {
 impl Hit {
     /// What lies at a place of the screen.
     pub(crate) fn at((place, rect): (Pos2, Rect), view: View, document: Option<&Document>, scene: &Scene) -> Self {
-        let at = view.to_plane(place, rect);
+        let digits = math::log10(view.scale).clamp(0.0, 17.0).ceil() as usize + 1;
+        let at = rounded(view.to_plane(place, rect), digits);
         let reach = f64::from(REACH) / view.scale;
         let near = scene.vertices.iter().filter(|v| (v.at.x - at.x).abs() < reach && (v.at.y - at.y).abs() < reach);
         let distance_sq = |p: Point| Point::distance_sq(at, p);
@@ -60,7 +61,7 @@ impl Hit {
             vertex: vertex.map(|v| v.name),
             vertex_at: vertex.map(|v| v.at),
             edge: None,
-            digits: math::log10(view.scale).clamp(0.0, 15.0).ceil() as usize + 1,
+            digits,
             face: None,
         };
         if let Some((document, t)) = document.and_then(|d| Some((d, d.triangulation()?))).filter(|_| at.is_finite()) {
@@ -81,4 +82,10 @@ impl Hit {
         }
         hit
     }
+}
+
+/// A place with so many digits behind the point: no click is more exact, and commands are shorter.
+fn rounded(at: Point, digits: usize) -> Point {
+    let round = |x: f64| format!("{x:.digits$}").parse().unwrap_or(x);
+    Point::new(round(at.x), round(at.y))
 }

@@ -8,7 +8,8 @@ mod hit;
 use eframe::egui::{PointerButton, Ui};
 use trimalla_workbench::Document;
 
-pub(crate) use self::edge::EdgeTool;
+use self::contour::Contour;
+pub(crate) use self::edge::{EdgeTool, Planned};
 pub(crate) use self::hit::Hit;
 use crate::scene::Scene;
 use crate::viewer::Shown;
@@ -63,7 +64,8 @@ pub(crate) enum Asked {
 #[derive(Debug, Default)]
 pub(crate) struct Tools {
     tool: Tool,
-    contour: contour::Contour,
+    outline: Contour,
+    hole: Contour,
     pub(crate) edge: EdgeTool,
     drag: drag::Drag,
     /// What lies under the pointer, in words.
@@ -71,21 +73,52 @@ pub(crate) struct Tools {
 }
 
 impl Tools {
-    /// Takes a tool; what was begun with another is dropped.
+    /// Takes a tool for another drawing: what was begun is dropped.
     pub(crate) fn take(&mut self, tool: Tool) {
         *self = Self { tool, ..Self::default() };
     }
 
-    /// Shows the row of tools.
-    pub(crate) fn show(&mut self, ui: &mut Ui) {
-        for (tool, name, help) in Tool::ALL {
-            if ui.selectable_label(self.tool == tool, name).on_hover_text(help).clicked() {
-                self.take(tool);
+    /// Changes the tool. A contour that was begun waits; what there is to say of it.
+    pub(crate) fn change(&mut self, tool: Tool) -> Option<String> {
+        if tool == self.tool {
+            return None;
+        }
+        let (name, contour) = match self.tool {
+            Tool::Outline => ("Outline", std::mem::take(&mut self.outline)),
+            Tool::Hole => ("Hole", std::mem::take(&mut self.hole)),
+            _ => ("", Contour::default()),
+        };
+        let (outline, hole) = (std::mem::take(&mut self.outline), std::mem::take(&mut self.hole));
+        self.take(tool);
+        (self.outline, self.hole) = (outline, hole);
+        if contour.is_empty() {
+            return None;
+        }
+        let count = contour.len();
+        *(if name == "Outline" { &mut self.outline } else { &mut self.hole }) = contour;
+        let text =
+            format!("the contour of {count} vertices waits: '{name}' goes on with it, 'Drop' or Escape drops it");
+        Some(text)
+    }
+
+    /// Whether the tool in hand makes vertices where one clicks.
+    pub(crate) fn draws(&self) -> bool {
+        matches!(self.tool, Tool::Insert | Tool::Outline | Tool::Hole)
+    }
+
+    /// Shows the row of tools; what there is to say.
+    pub(crate) fn show(&mut self, ui: &mut Ui) -> Option<String> {
+        let mut said = None;
+        for (number, (tool, name, help)) in (1..).zip(Tool::ALL) {
+            let label = ui.selectable_label(self.tool == tool, name);
+            if label.on_hover_text(format!("{help} (key {number})")).clicked() {
+                said = self.change(tool);
             }
         }
         if self.is_begun() && ui.button("Drop").on_hover_text("drops what was begun (Escape)").clicked() {
-            self.take(self.tool);
+            said = self.drop_begun();
         }
+        said
     }
 
     /// What lies under the pointer, in words.
@@ -95,12 +128,28 @@ impl Tools {
 
     /// Whether something was begun.
     pub(crate) fn is_begun(&self) -> bool {
-        !self.contour.is_empty() || self.edge.is_begun()
+        !self.outline.is_empty() || !self.hole.is_empty() || self.edge.is_begun()
     }
 
-    /// Drops what was begun.
-    pub(crate) fn drop_begun(&mut self) {
+    /// Drops what was begun; what there is to say of it.
+    pub(crate) fn drop_begun(&mut self) -> Option<String> {
+        let count = self.outline.len() + self.hole.len();
         self.take(self.tool);
+        (count > 0).then(|| "the contour is dropped; its vertices stay, and 'Undo' takes them back".to_owned())
+    }
+
+    /// Drops contours whose vertices are gone, or that come too late; what there is to say of it.
+    fn drop_lost(&mut self, document: &Document) -> Option<Asked> {
+        let is_late = document.triangulation().is_some();
+        let mut lost = 0;
+        for contour in [&mut self.outline, &mut self.hole] {
+            if !contour.is_empty() && (is_late || !contour.is_in(document)) {
+                lost += contour.len();
+                *contour = Contour::default();
+            }
+        }
+        let why = if is_late { "it was not closed before 'Triangulate'" } else { "a vertex of it is gone" };
+        (lost > 0).then(|| Asked::Say(format!("the contour of {lost} vertices is dropped: {why}")))
     }
 
     /// Lets the pointer work on what a viewer shows, and draws what was begun.
@@ -116,16 +165,18 @@ impl Tools {
         let place = pressed.or_else(|| response.interact_pointer_pos()).or_else(|| response.hover_pos());
         let hit = place.map(|at| Hit::at((at, response.rect), *view, document, scene)).filter(|hit| hit.at.is_finite());
         self.hovered = hit.as_ref().map(Hit::to_string);
-        let mut asked = Vec::new();
+        let mut asked: Vec<Asked> = document.and_then(|document| self.drop_lost(document)).into_iter().collect();
         if self.tool == Tool::Move {
-            asked.extend(self.drag.work(response, hit.as_ref()));
+            asked.extend(self.drag.work(response, hit.as_ref(), document));
         } else if response.dragged_by(PointerButton::Primary) {
             view.pan(response.drag_delta());
         }
         if let Some(hit) = hit.as_ref().filter(|_| response.clicked()) {
             asked.extend(self.click(hit, document, scene));
         }
-        self.contour.draw(&shown.painter, hit.as_ref());
+        for (tool, contour) in [(Tool::Outline, &self.outline), (Tool::Hole, &self.hole)] {
+            contour.draw(&shown.painter, hit.as_ref().filter(|_| self.tool == tool));
+        }
         self.edge.draw(&shown.painter, hit.as_ref(), document);
         asked
     }
@@ -147,8 +198,8 @@ impl Tools {
                 run(Some(format!("Select {i} {j} {k}")))
             }
             Tool::Insert => run(Some(format!("Insert {} {}", hit.at.x, hit.at.y))),
-            Tool::Outline => self.contour.click(hit, "Outer", document, scene),
-            Tool::Hole => self.contour.click(hit, "Inner", document, scene),
+            Tool::Outline => self.outline.click(hit, "Outer", document, scene),
+            Tool::Hole => self.hole.click(hit, "Inner", document, scene),
             Tool::Edge => self.edge.click(hit, document),
             Tool::Flip => match hit.edge {
                 Some([i, j]) => run(Some(format!("Flip {i} {j}"))),

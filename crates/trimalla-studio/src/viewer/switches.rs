@@ -1,6 +1,10 @@
 //! What is shown, and how.
 
 use eframe::egui::{Color32, ComboBox, DragValue, Slider, Ui};
+use trimalla::geometry::math;
+use trimalla::refine::{Criteria, NamedOptions};
+
+use crate::panels::console;
 
 /// What the colours of triangles stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,6 +31,8 @@ pub(crate) struct Switches {
     pub(crate) colours: Colours,
     /// Triangles with an angle below this are bad.
     pub(crate) threshold_deg: f64,
+    /// Whether the user has moved it.
+    is_own: bool,
     pub(crate) edges: bool,
     pub(crate) constraints: bool,
     pub(crate) vertices: bool,
@@ -47,7 +53,8 @@ impl Default for Switches {
     fn default() -> Self {
         Self {
             colours: Colours::default(),
-            threshold_deg: 30.0,
+            threshold_deg: Criteria::DEFAULT_MIN_ANGLE_DEG,
+            is_own: false,
             edges: true,
             constraints: true,
             vertices: true,
@@ -63,6 +70,13 @@ impl Default for Switches {
 }
 
 impl Switches {
+    /// What is asked is what is bad, until the user moves the threshold.
+    pub(crate) fn follow(&mut self, options: &NamedOptions) {
+        if !self.is_own {
+            self.threshold_deg = options.min_angle_deg.unwrap_or(Criteria::DEFAULT_MIN_ANGLE_DEG);
+        }
+    }
+
     /// Shows the switches.
     pub(crate) fn show(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
@@ -74,8 +88,10 @@ impl Switches {
                 }
             });
             let _ = shown.response.labelled_by(label.id);
-            ui.add(Slider::new(&mut self.threshold_deg, 0.0..=60.0).text("Bad below"))
-                .on_hover_text("triangles with an angle below this many degrees are red");
+            let before = self.threshold_deg;
+            let bad = ui.add(Slider::new(&mut self.threshold_deg, 0.0..=60.0).text("Bad below"));
+            self.is_own |= self.threshold_deg != before;
+            bad.on_hover_text("triangles with an angle below this many degrees are red; 'min-angle' until it is moved");
             ui.separator();
             for (is_on, name, help) in [
                 (&mut self.edges, "Edges", "edges of triangles"),
@@ -135,17 +151,23 @@ impl Palette {
 
 /// Shows scale and centre of the view as numbers, and what lies under the pointer.
 pub(crate) fn show_view(ui: &mut Ui, view: &mut super::view::View, hovered: Option<&str>) {
-    ui.horizontal(|ui| {
+    // As many digits as places of the screen have.
+    let digits = math::log10(view.scale).clamp(0.0, 15.0).ceil() as usize + 1;
+    ui.horizontal_wrapped(|ui| {
         for (name, value) in [("Center x", &mut view.center.x), ("y", &mut view.center.y)] {
             let label = ui.label(name);
             let speed = 1.0 / view.scale;
-            ui.add(DragValue::new(value).speed(speed).max_decimals(17)).labelled_by(label.id);
+            let number = DragValue::new(value).speed(speed).max_decimals(digits).update_while_editing(false);
+            ui.add(number).labelled_by(label.id);
         }
         let label = ui.label("Scale");
         let scale = view.scale;
         let mut shown = scale;
-        ui.add(DragValue::new(&mut shown).speed(scale / 100.0).max_decimals(17)).labelled_by(label.id);
-        view.set_scale(shown);
+        let rounded = |scale: f64, _| console::rounded(&scale.to_string());
+        let number = DragValue::new(&mut shown).speed(scale / 100.0).custom_formatter(rounded);
+        if ui.add(number.update_while_editing(false)).labelled_by(label.id).changed() {
+            view.set_scale(shown);
+        }
         ui.checkbox(&mut view.is_y_down, "y down");
         if let Some(hovered) = hovered {
             ui.label(hovered);

@@ -87,6 +87,13 @@ impl Worker {
         Some(Self { document: Some(Box::new(document)), has_slices, files, ..Self::new() })
     }
 
+    /// A worker of the same kind with an empty document.
+    pub(crate) fn empty(&self) -> Self {
+        let (has_slices, files) = (self.has_slices, self.files.clone());
+        let document = Document::new().with_files(files.clone());
+        Self { document: Some(Box::new(document)), has_slices, files, ..Self::new() }
+    }
+
     /// The files that commands read and write.
     pub(crate) fn files(&self) -> &Files {
         &self.files

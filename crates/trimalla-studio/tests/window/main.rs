@@ -5,6 +5,7 @@ mod learn;
 mod panels;
 mod steps;
 mod tools;
+mod trial;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
@@ -99,4 +100,27 @@ fn press(harness: &mut Harness<'_, Studio>, name: &str) {
 /// The document, which no command is at work on.
 fn document<'a>(harness: &'a Harness<'_, Studio>) -> &'a trimalla_workbench::Document {
     harness.state().document().expect("nothing is at work")
+}
+
+/// Drags from one place to another one.
+fn drag(harness: &mut Harness<'_, Studio>, from: Pos2, to: Pos2) {
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    harness.event(Event::PointerMoved(from));
+    harness.event(button(from, true));
+    harness.run_steps(1);
+    for i in 1..=10 {
+        harness.event(Event::PointerMoved(from + 0.1 * i as f32 * (to - from)));
+        harness.run_steps(1);
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    harness.event(button(to, false));
+    harness.run_steps(2);
+    settle(harness);
+    harness.run_steps(4);
+    settle(harness);
 }

@@ -139,3 +139,42 @@ fn a_long_refinement_is_cancelled() {
     settle(&mut harness);
     assert_eq!(figures(&harness).vertices, 3000);
 }
+
+/// Clicks a number of the options, types over it and ends with a key.
+fn type_number(harness: &mut Harness<'_, Studio>, name: &str, text: &str, key: Key) {
+    let at = harness.get_by_role_and_label(Role::SpinButton, name).rect().center();
+    click_at(harness, at);
+    for letter in text.chars() {
+        harness.event(Event::Text(letter.to_string()));
+        harness.run_steps(2);
+    }
+    harness.key_press(key);
+    harness.run_steps(2);
+    settle(harness);
+}
+
+#[test]
+fn numbers_of_the_options_are_typed() {
+    let mut harness = harness();
+    let min_angle = |harness: &Harness<'_, Studio>| document(harness).options().min_angle_deg;
+    type_number(&mut harness, "min-angle", "28.5", Key::Enter);
+    assert_eq!(min_angle(&harness), Some(28.5));
+    type_number(&mut harness, "max-area", "0.25", Key::Enter);
+    assert_eq!(document(&harness).options().max_area, Some(0.25));
+    type_number(&mut harness, "max-vertices", "1234", Key::Tab);
+    assert_eq!(document(&harness).options().max_vertices, Some(1234));
+    type_number(&mut harness, "min-angle", "31", Key::Escape);
+    assert_eq!(min_angle(&harness), Some(28.5), "Escape leaves it");
+    assert_eq!(document(&harness).undoable().0, 3, "one command for each number");
+}
+
+#[test]
+fn a_number_that_is_dragged_is_set_once() {
+    let mut harness = harness();
+    let from = harness.get_by_role_and_label(Role::SpinButton, "min-angle").rect().center();
+    drag(&mut harness, from, from + Vec2::new(-60.0, 0.0));
+    let angle = document(&harness).options().min_angle_deg.expect("it is set");
+    assert!(angle < 28.0, "{angle}");
+    let script = document(&harness).script();
+    assert_eq!(script.lines().count(), 1, "{script}");
+}

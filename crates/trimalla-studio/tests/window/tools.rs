@@ -88,29 +88,6 @@ fn a_corner_that_cannot_be_dragged_leaves_everything() {
     harness.get_by_label_contains("on the boundary");
 }
 
-/// Drags from one place to another one.
-fn drag(harness: &mut Harness<'_, Studio>, from: Pos2, to: Pos2) {
-    let button = |pos, pressed| Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    harness.event(Event::PointerMoved(from));
-    harness.event(button(from, true));
-    harness.run_steps(1);
-    for i in 1..=10 {
-        harness.event(Event::PointerMoved(from + 0.1 * i as f32 * (to - from)));
-        harness.run_steps(1);
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    harness.event(button(to, false));
-    harness.run_steps(2);
-    settle(harness);
-    harness.run_steps(4);
-    settle(harness);
-}
-
 #[test]
 fn an_edge_shows_its_two_phases_before_it_is_inserted() {
     let mut harness = harness();

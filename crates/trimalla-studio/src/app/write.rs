@@ -1,0 +1,98 @@
+//! What is written, and under which names.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::Ui;
+use trimalla_io::Files;
+use trimalla_workbench::{MessageKind, script};
+
+use super::{Studio, Then};
+
+/// What can be written: its name, the command, the ending, the help.
+const WRITTEN: [(&str, &str, &str, &str); 8] = [
+    ("Picture", "Export", ".svg", "lines that scale"),
+    ("Picture", "Export", ".png", "pixels"),
+    ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
+    ("Mesh", "Export", ".ele", "with .node and .poly, as Triangle writes them"),
+    ("Mesh", "Export", ".vtu", "for ParaView"),
+    ("Mesh", "Export", ".mesh", "as MeshSuite writes it"),
+    ("Script", "Save", ".tri", "the commands that led here"),
+    ("Recipe", "SaveRecipe", ".toml", "the options on the right"),
+];
+
+impl Studio {
+    /// Shows what can be written; writes what was chosen.
+    pub(super) fn show_write(&mut self, ui: &mut Ui) {
+        let mut chosen = None;
+        for (name, word, ending, help) in WRITTEN {
+            let file = self.name_for(ending);
+            if ui.button(format!("{name}: {file}")).on_hover_text(help).clicked() {
+                chosen = Some((word, file));
+                ui.close();
+            }
+        }
+        ui.separator();
+        if ui.button("In the format of the name above").on_hover_text("by its ending").clicked() {
+            chosen = Some(("Export", self.path.trim().to_owned()));
+            ui.close();
+        }
+        if let Some(folder) = self.whole_path("").filter(|_| matches!(self.worker.files(), Files::Disk)) {
+            ui.weak(format!("into {}", folder.display()));
+        }
+        if let Some((word, file)) = chosen {
+            self.write(word, &file);
+        }
+    }
+
+    fn write(&mut self, word: &str, file: &str) {
+        let refuse = |studio: &mut Self, text: &str| studio.say(MessageKind::Error, text.to_owned());
+        if file.is_empty() {
+            return refuse(self, "there is no name: type one into the field 'File'");
+        }
+        let document = self.worker.document();
+        if word != "SaveRecipe" && document.is_some_and(|d| d.figures().vertices == 0) {
+            return refuse(self, "there is nothing to write: the drawing is empty");
+        }
+        let says = match self.worker.files() {
+            Files::Disk => self.whole_path(file).map(|path| format!("it is in {}", path.display())),
+            _ => None,
+        };
+        self.run_then(format!("{word} {}", script::word(file)), Then { says, ..Then::default() });
+    }
+
+    /// The path of a file of this name, from the root.
+    fn whole_path(&self, file: &str) -> Option<PathBuf> {
+        let folder = Path::new(self.path.trim()).parent().filter(|_| file.is_empty());
+        let path = folder.map_or_else(|| PathBuf::from(file), |folder| folder.join("."));
+        std::path::absolute(if path.as_os_str().is_empty() { Path::new(".") } else { &path }).ok()
+    }
+
+    /// The name under which something with this ending is written: the one above as it was given, else one that is
+    /// free.
+    fn name_for(&self, ending: &str) -> String {
+        let (stem, is_given) = self.stem(ending);
+        let files = self.worker.files();
+        let together: &[&str] = if ending == ".ele" { &[".ele", ".node", ".poly"] } else { &[ending] };
+        let is_free = |stem: &str| !together.iter().any(|ending| files.is_there(Path::new(&format!("{stem}{ending}"))));
+        if is_given || is_free(&stem) {
+            return format!("{stem}{ending}");
+        }
+        let numbered = (2..10_000).map(|number| format!("{stem}-{number}")).find(|stem| is_free(stem));
+        format!("{}{ending}", numbered.unwrap_or(stem))
+    }
+
+    /// The name above without its ending, to which others are put; and whether the user gave it for this one.
+    fn stem(&self, wanted: &str) -> (String, bool) {
+        let path = Path::new(self.path.trim());
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        let stem = path.with_extension("");
+        let stem = stem.to_string_lossy();
+        // What is read is not replaced.
+        let is_input = ["poly", "node", "ele", "mesh", "soup", "txt"].contains(&&*ending);
+        match (stem.is_empty(), is_input) {
+            (true, _) => ("mesh".to_owned(), false),
+            (false, true) => (format!("{stem}.1"), false),
+            (false, false) => (stem.into_owned(), ending.is_empty() || wanted[1..] == ending),
+        }
+    }
+}
