@@ -5,6 +5,7 @@
 //! | `app` | the window: which panel is where, and what its buttons run |
 //! | `worker` | commands at work on a thread of their own or slice by slice, which can be cancelled |
 //! | `scene` | what is drawn of the document, as plain arrays |
+//! | `told` | what an algorithm has told until one of its steps |
 //! | `viewer` | the drawing: triangles by the graphics card, all else above them |
 //! | `tools` | what clicks and drags into the drawing do |
 //! | `panels` | inspector, options, console |
@@ -21,6 +22,7 @@ mod learn;
 pub mod link;
 mod panels;
 mod scene;
+mod told;
 mod tools;
 mod viewer;
 #[cfg(target_arch = "wasm32")]

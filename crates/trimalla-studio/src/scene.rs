@@ -8,6 +8,8 @@ use trimalla::quality::Histogram;
 use trimalla::refine::LeppRule;
 use trimalla_workbench::{Document, Figures};
 
+use crate::told::places;
+
 /// A vertex: where it is, its name, and whether it was added.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vertex {
@@ -107,6 +109,30 @@ impl Scene {
     pub(crate) fn growing(t: &ConstrainedTriangulation) -> Self {
         let mut scene = Self::of_triangulation(t, t.input_points(), |v| v.0);
         scene.figures = figures_of(t);
+        scene.measure();
+        scene
+    }
+
+    /// What is drawn of a triangulation while its algorithm is at work: all vertices, and these triangles.
+    pub(crate) fn told(document: &Document, triangles: impl Iterator<Item = [u32; 3]>) -> Self {
+        let Some(t) = document.triangulation() else { return Self::of_drawing(document) };
+        let input = document.drawing().points.len();
+        let vertex = |v: VertexId| Vertex { at: t.point(v), name: document.name(v), is_steiner: v.index() >= input };
+        let face = |corners: [u32; 3]| {
+            let places = places(t.points(), corners)?;
+            let triangle = Triangle { corners: places };
+            // The order of the corners is not told.
+            let corners = if triangle.area() < 0.0 { [corners[0], corners[2], corners[1]] } else { corners };
+            let triangle = Triangle { corners: corners.map(|v| t.points()[v as usize]) };
+            let facts = Facts::new([false; 3], quality(&triangle), 0);
+            Some(Face { corners, min_angle_deg: min_angle_deg(&triangle), facts })
+        };
+        let mut scene = Self {
+            points: t.points().to_vec(),
+            vertices: t.used_vertices().map(vertex).collect(),
+            faces: triangles.filter_map(face).collect(),
+            ..Self::of_drawing(document)
+        };
         scene.measure();
         scene
     }

@@ -1,6 +1,7 @@
 //! The rows of buttons on top.
 
-use eframe::egui::{self, TextEdit, Ui};
+use eframe::egui::{self, RichText, TextEdit, Ui};
+use trimalla::Method;
 use trimalla_workbench::{Document, MessageKind};
 
 use super::{Page, Studio};
@@ -41,6 +42,12 @@ impl Studio {
                 if ui.add_enabled(is_possible, egui::Button::new(name)).on_hover_text(help).clicked() {
                     commands.push(name.to_owned());
                 }
+                if name == "Triangulate" {
+                    let menu = ui.menu_button("by …", |ui| self.show_methods(ui));
+                    let chosen = menu.inner.flatten();
+                    commands.extend(chosen);
+                    menu.response.on_hover_text("triangulates by another algorithm, whose steps can be played");
+                }
             }
             ui.separator();
             if ui.button("Fit").on_hover_text("shows everything (F)").clicked() {
@@ -60,11 +67,31 @@ impl Studio {
         let document = self.worker.document();
         let played = self.control.show(ui, document, self.worker.is_busy());
         commands.extend(played.command);
+        let speed = self.control.speed();
+        commands.extend(document.and_then(|document| self.watch.show(ui, document, speed)));
         if played.cancels {
             self.worker.cancel();
         }
         self.switches.show(ui);
         commands
+    }
+
+    /// Shows the algorithms, each with what it does; the commands of the one that was chosen.
+    fn show_methods(&self, ui: &mut Ui) -> Option<String> {
+        let mut chosen = None;
+        egui::ScrollArea::vertical().max_height(0.7 * self.room).show(ui, |ui| {
+            for method in Method::all().filter(|&method| method != Method::Conforming) {
+                let row = method.row();
+                let text = RichText::new(format!("{}: {}", row.key, row.summary));
+                if ui.button(text).on_hover_text(format!("source: {}", row.source)).clicked() {
+                    chosen = Some(method);
+                    ui.close();
+                }
+            }
+        });
+        let command = format!("Triangulate {}", chosen?.key());
+        let again = self.worker.document().and_then(since_triangulated);
+        Some(again.map_or_else(|| command.clone(), |done| format!("Undo {done}\n{command}")))
     }
 
     /// Shows the file, and what is done with it.
@@ -80,4 +107,14 @@ impl Studio {
         }
         ui.menu_button("Write …", |ui| self.show_write(ui));
     }
+}
+
+/// How many commands lead back to before 'Triangulate', where nothing but looking has come after it.
+fn since_triangulated(document: &Document) -> Option<usize> {
+    let script = document.script();
+    let names: Vec<&str> = script.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let is = |name: &str, other: &str| name.eq_ignore_ascii_case(other);
+    let looks = names.iter().rev().take_while(|name| is(name, "Watch") || is(name, "Select")).count();
+    let last = names.len().checked_sub(looks + 1).map(|last| names[last])?;
+    (is(last, "Triangulate") && document.undoable().0 > looks).then_some(looks + 1)
 }

@@ -37,6 +37,11 @@ impl Default for Control {
 }
 
 impl Control {
+    /// Steps a second while something plays.
+    pub(super) fn speed(&self) -> f64 {
+        self.speed
+    }
+
     /// Ends playing.
     pub(super) fn stop(&mut self) {
         self.plays = None;

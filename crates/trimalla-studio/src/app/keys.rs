@@ -27,6 +27,7 @@ impl Studio {
             let said = self.tools.drop_begun();
             self.console.add(said.into_iter().map(|text| (MessageKind::Information, text)).collect());
             self.control.stop();
+            self.watch.stop();
             self.worker.cancel();
         }
         if pressed(Key::F) {

@@ -4,6 +4,7 @@ mod bar;
 mod control;
 mod keys;
 mod side;
+mod watch;
 mod write;
 
 use std::collections::VecDeque;
@@ -14,11 +15,13 @@ use trimalla_io::Files;
 use trimalla_workbench::{Document, MessageKind, script};
 
 use self::control::Control;
+use self::watch::Watch;
 use crate::compare::Compare;
 use crate::learn;
 use crate::panels::console::Console;
 use crate::panels::{information, missed};
 use crate::scene::Picked;
+use crate::told::Told;
 use crate::tools::{Asked, Tool, Tools};
 use crate::viewer::switches::{self, Switches};
 use crate::viewer::view::View;
@@ -33,8 +36,8 @@ pub struct Studio {
     /// Commands that wait for the one at work; whether quietly.
     waiting: VecDeque<(String, bool)>,
     picked: Option<Picked>,
-    /// The commands at work, which may tell of something that is drawn.
-    told: String,
+    /// The commands at work, which may show something.
+    asked: String,
     console: Console,
     viewer: Viewer,
     view: View,
@@ -51,6 +54,9 @@ pub struct Studio {
     missed: Option<String>,
     tools: Tools,
     control: Control,
+    watch: Watch,
+    /// The steps of an algorithm, until the one that is shown.
+    told: Told,
     course: information::Course,
     compare: Compare,
     lesson: Option<learn::Playing>,
@@ -103,7 +109,7 @@ impl Studio {
             worker: Worker::new(),
             waiting: VecDeque::new(),
             picked: None,
-            told: String::new(),
+            asked: String::new(),
             console: Console::default(),
             viewer: Viewer { number: 0, format },
             view: View::default(),
@@ -115,6 +121,8 @@ impl Studio {
             missed: None,
             tools: Tools::default(),
             control: Control::default(),
+            watch: Watch::default(),
+            told: Told::default(),
             course: information::Course::default(),
             compare: Compare::new(format),
             lesson: None,
@@ -179,7 +187,7 @@ impl Studio {
         }
         self.worker.run(&text, false, context.cloned());
         self.has_failed = false;
-        self.told = text;
+        self.asked = text;
         self.poll_shortly();
     }
 
@@ -194,7 +202,7 @@ impl Studio {
     /// Shows in the drawing what a command has told of: `Show I J K` picks the triangle, `Plan I J` plans the edge.
     fn show_told(&mut self) {
         let Some(document) = self.worker.document() else { return };
-        for line in std::mem::take(&mut self.told).lines() {
+        for line in std::mem::take(&mut self.asked).lines() {
             let mut words = line.split_whitespace();
             let name = words.next().unwrap_or_default();
             let names: Vec<u32> = words.map_while(|word| word.parse().ok()).collect();
@@ -308,8 +316,16 @@ impl Studio {
         // What is loaded now comes with the command at work.
         self.fits = fits && self.worker.is_busy();
         let mut view = self.view;
-        let shown = self.viewer.show(ui, (&scene, "Drawing"), &mut view, &self.switches, fits);
         let document = self.worker.document();
+        let construction = document.and_then(|d| Some((d, d.construction()?)));
+        let watched = construction.and_then(|(d, c)| Some((d, c, self.watch.shown(d, c)?)));
+        let drawn = watched.map_or_else(|| scene.clone(), |(d, c, shown)| self.told.scene(d, c, shown));
+        let shown = self.viewer.show(ui, (&drawn, "Drawing"), &mut view, &self.switches, fits);
+        if let Some((d, c, at)) = watched {
+            let step = at.checked_sub(1).and_then(|last| c.steps().get(last));
+            let points = d.triangulation().map_or(&[][..], |t| t.points());
+            overlay::draw_told(&shown.painter, &self.told, step, points);
+        }
         let stepped = document.and_then(|d| Some((d.last_step()?, d.triangulation()?)));
         if let Some((event, t)) = stepped.filter(|_| self.switches.step) {
             overlay::draw_step(&shown.painter, event, t);

@@ -50,8 +50,8 @@ fn show_walk(ui: &mut Ui, picked: Option<&mut Picked>) {
                 // After the last one the walk begins again.
                 *shown = if *shown == all { 1 } else { *shown + 1 };
             }
-            ui.spacing_mut().slider_width = 60.0;
-            ui.add(Slider::new(shown, 1..=all)).on_hover_text("how much of the path is shown");
+            ui.spacing_mut().slider_width = 56.0;
+            ui.add(Slider::new(shown, 1..=all).show_value(false)).on_hover_text("how much of the path is shown");
         });
     });
 }

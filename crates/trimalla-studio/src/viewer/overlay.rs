@@ -1,12 +1,15 @@
 //! What lies above the triangles: vertices, the picked triangle, what the last step did.
 
-use eframe::egui::Align2;
+use eframe::egui::{Align2, Color32};
 use trimalla::constrained::ConstrainedTriangulation;
+use trimalla::geometry::Point;
 use trimalla::refine::{Event, Name};
+use trimalla::trace::{Act, Shape, Step};
 
 use super::plane_painter::PlanePainter;
 use super::switches::Switches;
 use crate::scene::{Face, Picked, Scene};
+use crate::told::{Told, places};
 
 /// Names are written at so many vertices at most.
 const LABELLED: usize = 200;
@@ -14,6 +17,8 @@ const LABELLED: usize = 200;
 const MARKED: usize = 3000;
 /// So many circles are drawn at most.
 const CIRCLES: usize = 1000;
+/// So many shapes of an algorithm are drawn at most.
+const SHAPES: usize = 20_000;
 
 /// Draws segments that are not triangulated yet, vertices, seeds of holes and circles.
 pub(super) fn draw(painter: &PlanePainter, scene: &Scene, switches: &Switches) {
@@ -76,6 +81,45 @@ pub(crate) fn draw_picked(painter: &PlanePainter, picked: &Picked, switches: &Sw
     }
     if switches.circle {
         painter.circumcircle(picked.triangle.corners, 1.5, palette.picked);
+    }
+}
+
+/// Draws what an algorithm has told: the shapes that it has added, and what its present step is about.
+pub(crate) fn draw_told(painter: &PlanePainter, told: &Told, step: Option<&Step>, points: &[Point]) {
+    let palette = &painter.palette;
+    // Of many shapes most are not seen.
+    for shape in told.shapes().take(SHAPES) {
+        draw_shape(painter, shape, points, (1.8, palette.constrained));
+    }
+    if let Some(step) = step {
+        let colour = match step.act {
+            Act::Look | Act::Add => palette.picked,
+            Act::Remove | Act::Refuse => palette.refused,
+        };
+        draw_shape(painter, &step.shape, points, (3.5, colour));
+    }
+}
+
+fn draw_shape(painter: &PlanePainter, shape: &Shape, points: &[Point], (width, colour): (f32, Color32)) {
+    match *shape {
+        Shape::Vertex(v) => {
+            if let Some([at]) = places(points, [v]) {
+                painter.ring(at, 3.0 + 1.5 * width, colour);
+            }
+        }
+        Shape::Edge(ends) => {
+            if let Some(ends) = places(points, ends) {
+                painter.line(ends, width, colour);
+            }
+        }
+        Shape::Triangle(corners) => {
+            if let Some([a, b, c]) = places(points, corners) {
+                painter.fill([a, b, c], colour, 60);
+                [[a, b], [b, c], [c, a]].into_iter().for_each(|ends| painter.line(ends, width, colour));
+            }
+        }
+        Shape::Line(ends) => painter.dashed(ends, width, colour),
+        Shape::Circle(circle) => painter.circle(circle, width, colour),
     }
 }
 

@@ -1,7 +1,7 @@
 //! A painter that takes coordinates of the plane.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
-use trimalla::geometry::{Point, Triangle};
+use trimalla::geometry::{Circle, Point, Triangle};
 
 use super::switches::Palette;
 use super::view::View;
@@ -114,7 +114,16 @@ impl PlanePainter {
     pub(crate) fn circumcircle(&self, corners: [Point; 3], width: f32, colour: Color32) {
         let [a, b, c] = corners;
         let Some(center) = Triangle::new(a, b, c).circumcenter() else { return };
-        let (center, corner) = (self.at(center), self.at(a));
+        self.circle_through(center, a, width, colour);
+    }
+
+    pub(crate) fn circle(&self, circle: Circle, width: f32, colour: Color32) {
+        let corner = Point::new(circle.center.x + circle.radius, circle.center.y);
+        self.circle_through(circle.center, corner, width, colour);
+    }
+
+    fn circle_through(&self, center: Point, corner: Point, width: f32, colour: Color32) {
+        let (center, corner) = (self.at(center), self.at(corner));
         let radius = center.distance(corner);
         // A circle that looks like a line has no business here, and its outline would take many points.
         if radius < 50_000.0 {

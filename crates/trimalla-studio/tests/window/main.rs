@@ -6,6 +6,7 @@ mod panels;
 mod steps;
 mod tools;
 mod trial;
+mod watch;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
