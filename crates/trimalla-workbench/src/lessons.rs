@@ -79,17 +79,25 @@ pub struct Lesson {
 
 /// The lessons of `data/scripts/learn`.
 pub const LEARN: &[Lesson] = &[
-    Lesson { title: "Delaunay by flips", text: include_str!("../../../data/scripts/learn/1-flips.tri") },
-    Lesson { title: "Incremental insertion", text: include_str!("../../../data/scripts/learn/2-incremental.tri") },
-    Lesson { title: "Divide and conquer", text: include_str!("../../../data/scripts/learn/3-divide-and-conquer.tri") },
+    Lesson { title: "Delaunay by flips", text: include_str!("../../../data/scripts/learn/01-flips.tri") },
+    Lesson { title: "Incremental insertion", text: include_str!("../../../data/scripts/learn/02-incremental.tri") },
+    Lesson { title: "Divide and conquer", text: include_str!("../../../data/scripts/learn/03-divide-and-conquer.tri") },
     Lesson {
         title: "A segment in two phases",
-        text: include_str!("../../../data/scripts/learn/4-segment-in-two-phases.tri"),
+        text: include_str!("../../../data/scripts/learn/04-segment-in-two-phases.tri"),
     },
-    Lesson { title: "A longest-edge path", text: include_str!("../../../data/scripts/learn/5-longest-edge-path.tri") },
+    Lesson { title: "A longest-edge path", text: include_str!("../../../data/scripts/learn/05-longest-edge-path.tri") },
     Lesson {
         title: "Five places for a point",
-        text: include_str!("../../../data/scripts/learn/6-five-places-for-a-point.tri"),
+        text: include_str!("../../../data/scripts/learn/06-five-places-for-a-point.tri"),
     },
-    Lesson { title: "Why 36 degrees is hard", text: include_str!("../../../data/scripts/learn/7-why-36-is-hard.tri") },
+    Lesson { title: "Why 36 degrees is hard", text: include_str!("../../../data/scripts/learn/07-why-36-is-hard.tri") },
+    Lesson { title: "Joining pairs", text: include_str!("../../../data/scripts/learn/08-pairs.tri") },
+    Lesson { title: "Greedy", text: include_str!("../../../data/scripts/learn/09-greedy.tri") },
+    Lesson { title: "Flips to the end", text: include_str!("../../../data/scripts/learn/10-flip.tri") },
+    Lesson { title: "Lifting to a paraboloid", text: include_str!("../../../data/scripts/learn/11-lift.tri") },
+    Lesson { title: "Monotone pieces", text: include_str!("../../../data/scripts/learn/12-monotone.tri") },
+    Lesson { title: "Seidel's trapezoids", text: include_str!("../../../data/scripts/learn/13-seidel.tri") },
+    Lesson { title: "Ears", text: include_str!("../../../data/scripts/learn/14-ears.tri") },
+    Lesson { title: "The art gallery", text: include_str!("../../../data/scripts/learn/15-art-gallery.tri") },
 ];
