@@ -108,6 +108,9 @@ fn a_step_and_the_row_that_drives() {
 fn the_path_of_a_triangle() {
     let mut harness = after("Generate random 60 8\nTriangulate");
     click(&mut harness, [-120.0, 90.0]);
+    for _ in 0..2 {
+        press(&mut harness, "Next triangle");
+    }
     picture(harness, "path");
 }
 
@@ -150,6 +153,7 @@ fn an_edge_that_was_inserted() {
 fn a_path_among_constrained_edges() {
     let mut harness = after("Example plate\nTriangulate\nSet preset lepp-centroid\nSet min-angle 20\nRefine");
     click(&mut harness, [-60.0, -30.0]);
+    press(&mut harness, "Show");
     harness.get_by_label("The five steps").click();
     harness.run_steps(10);
     picture(harness, "constrained-path");
@@ -168,6 +172,15 @@ fn original_beside_refined() {
         }
     }
     picture(harness, "compare");
+}
+
+/// A polygon whose sweep has starts, a merge and a split.
+const SWEPT: &str = "V 0 0 0\nV 1 6 0\nV 2 8 3\nV 3 5 2\nV 4 6 6\nV 5 3 3\nV 6 1 6\nV 7 2 2\nOuter 8 0 1 2 3 4 5 6 7";
+
+#[test]
+#[ignore = "needs software Vulkan"]
+fn what_an_algorithm_has_told() {
+    picture(after(&format!("{SWEPT}\nTriangulate seidel\nWatch 38")), "algorithm");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The page that one sees first.
 
-use eframe::egui::{RichText, ScrollArea, Ui};
+use eframe::egui::{Grid, RichText, ScrollArea, Ui};
 use trimalla_workbench::EXAMPLES;
 use trimalla_workbench::script::{LEARN, scenes};
 
@@ -51,20 +51,29 @@ pub(crate) fn show(ui: &mut Ui) -> Option<Welcomed> {
         });
         ui.add_space(12.0);
         ui.heading("See an algorithm work");
-        for (number, lesson) in LEARN.iter().enumerate() {
-            ui.horizontal_wrapped(|ui| {
-                if ui.button(RichText::new(lesson.title).strong()).clicked() {
-                    chosen = Some(Welcomed::Lesson(number));
+        // Two columns, where there is room for them.
+        let columns = if ui.available_width() > 560.0 { 2 } else { 1 };
+        Grid::new("lessons").show(ui, |ui| {
+            let rows = LEARN.len().div_ceil(columns);
+            for number in (0..rows).flat_map(|row| (0..columns).map(move |column| row + column * rows)) {
+                if let Some(lesson) = LEARN.get(number) {
+                    if ui.button(RichText::new(lesson.title).strong()).clicked() {
+                        chosen = Some(Welcomed::Lesson(number));
+                    }
+                    ui.label(format!("{} scenes", scenes(lesson.text).len()));
                 }
-                ui.label(format!("{} scenes", scenes(lesson.text).len()));
-            });
-        }
+                if number + rows >= columns * rows {
+                    ui.end_row();
+                }
+            }
+        });
         ui.add_space(12.0);
         ui.heading("Then");
         for text in [
             "Click a triangle: its angles, its circle and its longest-edge path show.",
             "'Back', the arrows and the slider go through everything that was done, back and forth.",
             "'Next triangle' in the panel on the right walks the path of a picked triangle.",
+            "'by …' triangulates by any of many algorithms, and the row that appears plays its steps.",
             "'Compare' refines a copy by several recipes, side by side.",
             "Everything a click does appears in the console as a command; 'Write' keeps them as a script.",
         ] {

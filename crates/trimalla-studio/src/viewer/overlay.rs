@@ -89,7 +89,7 @@ pub(crate) fn draw_told(painter: &PlanePainter, told: &Told, step: Option<&Step>
     let palette = &painter.palette;
     // Of many shapes most are not seen.
     for shape in told.shapes().take(SHAPES) {
-        draw_shape(painter, shape, points, (1.8, palette.constrained));
+        draw_shape(painter, shape, points, (1.8, palette.accepted));
     }
     if let Some(step) = step {
         let colour = match step.act {
