@@ -5,6 +5,8 @@ use std::time::Duration;
 use eframe::egui::{Button, Slider, Ui, vec2};
 use trimalla_workbench::Document;
 
+use crate::viewer::switches::make_room;
+
 /// The row.
 #[derive(Debug)]
 pub(super) struct Control {
@@ -88,6 +90,7 @@ impl Control {
                     None => Some(Playing { next: ui.input(|i| i.time), undoable: None }),
                 };
             }
+            make_room(ui, 270.0);
             let speed = Slider::new(&mut self.speed, 0.5..=60.0).logarithmic(true).text("steps a second");
             ui.add(speed).on_hover_text("how fast 'Play' is");
             if ui.button("Refine").on_hover_text("refines to the end").clicked() {
@@ -113,6 +116,7 @@ impl Control {
         let (done, undone) = document.undoable();
         let mut at = done;
         let all = done + undone;
+        make_room(ui, 320.0);
         ui.spacing_mut().slider_width = 200.0;
         let slider = Slider::new(&mut at, 0..=all.max(1)).text("History");
         ui.add_enabled(all > 0, slider).on_hover_text("back and forth through all commands");

@@ -334,6 +334,9 @@ impl Studio {
             overlay::draw_picked(&shown.painter, picked, &self.switches);
         }
         let asked = self.tools.work(&shown, &mut view, (document, &scene));
+        if let Some(missed) = &self.missed {
+            shown.painter.note(missed, ui.visuals().warn_fg_color);
+        }
         if scene.vertices.is_empty() && !self.worker.is_busy() && self.lesson.is_none() {
             let text =
                 "Nothing is drawn yet. Take 'Outline' and click corners, the first one again to close; or open a file.";
@@ -381,10 +384,11 @@ impl Studio {
         }
         Panel::top("bar").show(ui, |ui| {
             // In a small window one scrolls.
-            let rows = egui::ScrollArea::vertical().max_height(0.4 * self.room).min_scrolled_height(0.4 * self.room);
+            let most = 0.35 * self.room;
+            let rows = egui::ScrollArea::vertical().max_height(most).min_scrolled_height(most);
             rows.show(ui, |ui| commands.extend(self.show_bar(ui)));
         });
-        let most = (self.room / 3.0).max(60.0);
+        let most = (self.room / 3.0).min(0.4 * ui.available_height()).max(60.0);
         Panel::bottom("console").resizable(true).default_size(170.0).max_size(most).show(ui, |ui| {
             commands.extend(self.console.show(ui));
         });

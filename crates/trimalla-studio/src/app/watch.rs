@@ -8,6 +8,7 @@ use eframe::egui::{Button, Label, Slider, Ui, vec2};
 use trimalla_workbench::{Construction, Document};
 
 use crate::told;
+use crate::viewer::switches::make_room;
 
 /// The row.
 #[derive(Debug, Default)]
@@ -59,11 +60,13 @@ impl Watch {
             if play.on_hover_text("step after step, from the beginning where all are shown").clicked() {
                 (shown, is_done) = self.press_play(ui, shown, all);
             }
+            make_room(ui, 340.0);
             ui.spacing_mut().slider_width = 200.0;
             let slider = ui.add(Slider::new(&mut shown, 0..=all.max(1)).text(format!("of {all} steps")));
             is_done |= slider.drag_stopped() || slider.changed() && !slider.dragged();
             let step = shown.checked_sub(1).and_then(|last| construction.steps().get(last));
             let text = step.map_or_else(|| "the beginning".to_owned(), |step| told::in_words(document, step));
+            make_room(ui, 200.0);
             ui.add(Label::new(&text).truncate()).on_hover_text(text);
         });
         let shown = self.play(ui, shown.min(all), all, speed);

@@ -6,6 +6,8 @@ use eframe::egui::{self, Slider, Ui};
 use trimalla_workbench::Document;
 use trimalla_workbench::script::{Lesson, Scene, scenes};
 
+use crate::viewer::switches::make_room;
+
 pub(crate) use self::welcome::{Welcomed, show as show_welcome};
 
 /// A lesson that was begun.
@@ -63,6 +65,7 @@ impl Playing {
                 self.plays = !self.plays;
                 self.next = ui.input(|i| i.time);
             }
+            make_room(ui, 280.0);
             ui.add(Slider::new(&mut self.pause, 0.5..=15.0).text("seconds a scene"));
             if ui.button("End lesson").on_hover_text("brings back what was there before").clicked() {
                 let begun = self.before.first().copied();

@@ -49,6 +49,16 @@ impl PlanePainter {
         (self.rect.area() / count.max(1) as f32).sqrt()
     }
 
+    /// Text in the upper left corner.
+    pub(crate) fn note(&self, text: &str, colour: Color32) {
+        let at = self.rect.left_top() + vec2(4.0, 4.0);
+        let room = (self.rect.width() - 8.0).max(40.0);
+        let laid_out = self.painter.layout(text.to_owned(), FontId::proportional(15.0), colour, room);
+        let ground = self.palette.ground;
+        self.painter.rect_filled(Rect::from_min_size(at, laid_out.size()).expand(4.0), 3.0, ground);
+        self.painter.galley(at, laid_out, colour);
+    }
+
     /// A line of text in the middle.
     pub(crate) fn hint(&self, text: &str) {
         let font = FontId::proportional(15.0);

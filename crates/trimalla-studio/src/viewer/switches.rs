@@ -88,6 +88,7 @@ impl Switches {
                 }
             });
             let _ = shown.response.labelled_by(label.id);
+            make_room(ui, 240.0);
             let before = self.threshold_deg;
             let bad = ui.add(Slider::new(&mut self.threshold_deg, 0.0..=60.0).text("Bad below"));
             self.is_own |= self.threshold_deg != before;
@@ -111,8 +112,16 @@ impl Switches {
     }
 }
 
+/// Goes to the next row where less than so much is left of a row: sliders do not do so by themselves.
+pub(crate) fn make_room(ui: &mut Ui, width: f32) {
+    if ui.available_size_before_wrap().x < width {
+        ui.end_row();
+    }
+}
+
 /// Colours of what lies above the triangles, on light and on dark ground.
 pub(crate) struct Palette {
+    pub(crate) ground: Color32,
     pub(crate) edge: Color32,
     pub(crate) constrained: Color32,
     pub(crate) vertex: Color32,
@@ -128,12 +137,13 @@ pub(crate) struct Palette {
 
 impl Palette {
     pub(crate) fn of(is_dark: bool) -> Self {
-        let [edge, constrained, vertex] = if is_dark {
-            [Color32::from_gray(120), Color32::from_rgb(240, 200, 90), Color32::from_gray(225)]
+        let [ground, edge, constrained, vertex] = if is_dark {
+            [Color32::from_gray(20), Color32::from_gray(120), Color32::from_rgb(240, 200, 90), Color32::from_gray(225)]
         } else {
-            [Color32::from_gray(115), Color32::from_rgb(135, 68, 0), Color32::from_gray(25)]
+            [Color32::from_gray(250), Color32::from_gray(115), Color32::from_rgb(135, 68, 0), Color32::from_gray(25)]
         };
         Self {
+            ground,
             edge,
             constrained,
             vertex,

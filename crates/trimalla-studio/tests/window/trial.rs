@@ -205,10 +205,12 @@ fn a_small_window_has_room_for_the_drawing() {
     harness.set_size(Vec2::new(640.0, 480.0));
     harness.run_steps(6);
     let drawing = harness.get_by_label("Drawing").rect();
-    assert!(drawing.width() > 250.0 && drawing.height() > 40.0, "{drawing}");
+    assert!(drawing.width() > 250.0 && drawing.height() > 90.0, "{drawing}");
     assert!(drawing.max.x <= 640.0 && drawing.max.y <= 480.0, "{drawing}");
-    let rows = harness.get_by_role_and_label(Role::Button, "Fit").rect();
-    assert!(rows.min.y < 80.0, "{rows}");
+    for (role, name) in [(Role::Button, "Fit"), (Role::Slider, "History"), (Role::CheckBox, "Vertices")] {
+        let place = harness.get_by_role_and_label(role, name).rect();
+        assert!(place.max.x < 640.0, "{name}: {place}");
+    }
     let console = harness.get_by_role_and_label(Role::TextInput, "Command").rect();
     assert!(console.min.y > 300.0 && console.max.y < 480.0, "{console}");
 }
