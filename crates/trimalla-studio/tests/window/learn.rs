@@ -54,3 +54,31 @@ fn a_lesson_plays_by_itself() {
     }
     assert!(document(&harness).script().contains("Flip"));
 }
+
+#[test]
+fn captions_are_about_the_steps_that_are_shown() {
+    use trimalla::trace::{Act, Shape};
+    use trimalla_workbench::{Document, Quiet, script};
+
+    for (title, shown, act, shape) in [
+        ("Joining pairs", 6, Act::Refuse, Shape::Edge([0, 3])),
+        ("Greedy", 20, Act::Refuse, Shape::Edge([4, 5])),
+        ("Flips to the end", 12, Act::Add, Shape::Edge([0, 3])),
+        ("Flips to the end", 23, Act::Add, Shape::Edge([5, 1])),
+        ("Lifting to a paraboloid", 13, Act::Remove, Shape::Triangle([0, 3, 4])),
+        ("Monotone pieces", 6, Act::Look, Shape::Vertex(7)),
+        ("Monotone pieces", 13, Act::Add, Shape::Edge([5, 3])),
+        ("Seidel's trapezoids", 39, Act::Add, Shape::Edge([7, 1])),
+        ("Ears", 3, Act::Add, Shape::Triangle([1, 2, 3])),
+        ("The art gallery", 7, Act::Add, Shape::Triangle([7, 8, 0])),
+    ] {
+        let lesson = script::LEARN.iter().find(|lesson| lesson.title == title).expect("a lesson");
+        let watched = format!("Watch {shown}");
+        let lines: Vec<&str> = lesson.text.lines().take_while(|line| **line != watched).collect();
+        assert!(lines.len() < lesson.text.lines().count(), "{title}: {watched}");
+        let mut document = Document::new();
+        assert_eq!(script::run(&mut document, &lines.join("\n"), false, &mut Quiet), []);
+        let step = document.construction().expect("it is watched").steps()[shown - 1];
+        assert_eq!((step.act, step.shape), (act, shape), "{title}: {watched}");
+    }
+}
