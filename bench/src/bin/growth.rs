@@ -56,7 +56,7 @@ fn theory(method: Method) -> &'static str {
     match method.key() {
         "incremental" | "divide-and-conquer" | "lift" | "voronoi" | "monotone" => "n log n",
         "constrained-delaunay" | "greedy" => "n log n expected",
-        "seidel" => "n log* n expected",
+        "seidel" | "art-gallery" => "n log* n expected",
         "flip" | "ears" | "min-max-length" => "n² at worst",
         "min-max-angle" | "max-min-height" => "n² log n at worst",
         "pairs" | "diagonals" | "visible-pairs" | "greedy-naive" | "min-weight-polygon" => "n³",

@@ -149,7 +149,7 @@ pub(crate) const PARTS: &[Part] = &[
             },
             Section {
                 title: "The art gallery",
-                keys: &[],
+                keys: &["art-gallery"],
                 figures: &[("gallery", "three colours, and a guard at each corner of the rarest one")],
                 file: "polygon/gallery.rs",
             },

@@ -18,7 +18,7 @@
 //! 2. For each pair of vertices in the order of their indices: refuse it if a vertex lies on it, if it crosses an
 //!    edge
 //!    that was taken, or if it lies outside the domain; else take it.
-//! 3. Read the triangles from the edges: [`edge_set`](super::edge_set).
+//! 3. Read the triangles from the edges: [`edge_set`].
 //!
 //! # Degenerate cases
 //! Collinear vertices: only neighbours on the line are joined. Equal points: the first one is the vertex. All

@@ -1,6 +1,6 @@
 //! The table of algorithms for polygons.
 
-use super::{Polygon, PolygonError, diagonals, ears, monotone, seidel, visible_pairs};
+use super::{Polygon, PolygonError, art_gallery, diagonals, ears, monotone, seidel, visible_pairs};
 use crate::trace::Trace;
 
 keyed! {
@@ -11,6 +11,7 @@ keyed! {
         Diagonals = "diagonals", "a diagonal divides the polygon in two, again and again", "Meisters75";
         VisiblePairs = "visible-pairs", "vertices that see each other are joined", "Triangulaciones";
         Seidel = "seidel", "trapezoids by random insertion, then monotone pieces", "Seidel91";
+        ArtGallery = "art-gallery", "Seidel's triangles in three colours: guards at the corners of the rarest one", "Fisk78";
     }
 }
 
@@ -33,6 +34,7 @@ impl PolygonMethod {
             Self::Diagonals => diagonals(polygon, trace),
             Self::VisiblePairs => visible_pairs(polygon, trace),
             Self::Seidel => seidel(polygon, trace),
+            Self::ArtGallery => Ok(art_gallery(polygon, trace)?.triangles),
         }
     }
 }
