@@ -148,6 +148,12 @@ pub(crate) const PARTS: &[Part] = &[
                 file: "polygon/seidel/mod.rs",
             },
             Section {
+                title: "Constrained Delaunay",
+                keys: &["constrained-delaunay"],
+                figures: &[("constrained-delaunay", "no vertex that a triangle sees lies in its circle")],
+                file: "polygon/constrained_delaunay.rs",
+            },
+            Section {
                 title: "The art gallery",
                 keys: &["art-gallery"],
                 figures: &[("gallery", "three colours, and a guard at each corner of the rarest one")],

@@ -1,6 +1,8 @@
 //! The table of algorithms for polygons.
 
-use super::{Polygon, PolygonError, art_gallery, diagonals, ears, monotone, seidel, visible_pairs};
+use super::{
+    Polygon, PolygonError, art_gallery, constrained_delaunay, diagonals, ears, monotone, seidel, visible_pairs,
+};
 use crate::trace::Trace;
 
 keyed! {
@@ -11,6 +13,7 @@ keyed! {
         Diagonals = "diagonals", "a diagonal divides the polygon in two, again and again", "Meisters75";
         VisiblePairs = "visible-pairs", "vertices that see each other are joined", "Triangulaciones";
         Seidel = "seidel", "trapezoids by random insertion, then monotone pieces", "Seidel91";
+        ConstrainedDelaunay = "constrained-delaunay", "any triangulation, then flips of edges that fail the circle test", "LeeLin86";
         ArtGallery = "art-gallery", "Seidel's triangles in three colours: guards at the corners of the rarest one", "Fisk78";
     }
 }
@@ -34,6 +37,7 @@ impl PolygonMethod {
             Self::Diagonals => diagonals(polygon, trace),
             Self::VisiblePairs => visible_pairs(polygon, trace),
             Self::Seidel => seidel(polygon, trace),
+            Self::ConstrainedDelaunay => constrained_delaunay(polygon, trace),
             Self::ArtGallery => Ok(art_gallery(polygon, trace)?.triangles),
         }
     }

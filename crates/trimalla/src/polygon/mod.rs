@@ -12,6 +12,7 @@
 
 mod adjacency;
 mod angles;
+mod constrained_delaunay;
 mod corners;
 mod diagonals;
 mod ears;
@@ -31,6 +32,7 @@ mod visibility;
 mod visible;
 mod visible_pairs;
 
+pub use constrained_delaunay::constrained_delaunay;
 pub use diagonals::diagonals;
 pub use ears::ears;
 pub use error::PolygonError;

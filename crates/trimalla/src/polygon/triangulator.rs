@@ -1,5 +1,6 @@
 //! Many polygons, one after the other.
 
+use super::constrained_delaunay::Flips;
 use super::corners::Corners;
 use super::few::Few;
 use super::stack::{Stacks, Triangles};
@@ -48,6 +49,7 @@ pub struct Triangulator {
     sweep: Sweep,
     stacks: Stacks,
     triangles: Vec<[u32; 3]>,
+    flips: Flips,
 }
 
 impl Triangulator {
@@ -76,6 +78,25 @@ impl Triangulator {
             self.triangles.clear();
             self.by_sweep(polygon)?;
         }
+        Ok(&self.triangles)
+    }
+
+    /// Triangulates a polygon with holes, constrained Delaunay: no vertex that a triangle sees lies in its circle.
+    ///
+    /// # Shape
+    /// See [`triangulate`](Self::triangulate).
+    ///
+    /// # Guarantees
+    /// The triangles are those of [`constrained_delaunay`](super::constrained_delaunay()), in another order.
+    ///
+    /// # Errors
+    /// See [`triangulate`](Self::triangulate).
+    ///
+    /// # Complexity
+    /// O(n²) flips at worst, few in practice.
+    pub fn triangulate_delaunay(&mut self, polygon: Polygon<'_>) -> Result<&[[u32; 3]], PolygonError> {
+        self.triangulate(polygon)?;
+        self.flips.legalise(polygon.points(), &mut self.triangles, &mut NoTrace)?;
         Ok(&self.triangles)
     }
 

@@ -1,12 +1,14 @@
 //! Polygons: every method, against what is obviously true and by comparison of all with all.
 
 use crate::polygon_cases::{Case, KINDS, scribble};
+use trimalla::domain::DomainRule;
 use trimalla::geometry::{Point, Vector, lexicographically_less};
 use trimalla::polygon::{
     Cause, MonotonePieces, Monotonicity, Polygon, PolygonError, PolygonMethod, Triangulator, VertexKind,
     chain_monotonicity, monotone_pieces, ring_monotonicity, triangulate_monotone,
 };
 use trimalla::trace::{NoTrace, Step, Trace};
+use trimalla::{DomainOptions, Pslg, triangulate};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{doubled_ring_area, orient};
 
@@ -20,7 +22,7 @@ fn by(method: Option<PolygonMethod>, case: &Case) -> Result<Vec<[u32; 3]>, Polyg
 
 /// The methods that take polygons with holes, and the triangulator.
 fn methods() -> impl Iterator<Item = Option<PolygonMethod>> {
-    let several = [PolygonMethod::Monotone, PolygonMethod::Ears];
+    let several = [PolygonMethod::Monotone, PolygonMethod::Ears, PolygonMethod::ConstrainedDelaunay];
     [None].into_iter().chain(several.map(Some))
 }
 
@@ -40,6 +42,40 @@ fn ten_thousand_polygons_are_triangulated() {
         let polygon = Polygon::new(&case.points, &case.ring_ends).unwrap();
         assert_eq!(reused.triangulate(polygon).unwrap(), by(None, &case).unwrap(), "memory changes nothing");
     }
+}
+
+#[test]
+fn flips_lead_to_the_constrained_delaunay_triangulation() {
+    let mut rng = SplitMix64::new(1811);
+    let mut reused = Triangulator::new();
+    let nested = DomainOptions { rule: DomainRule::Nesting, ..DomainOptions::default() };
+    let mut compared = 0;
+    for round in 0..700 {
+        let (kind, make) = KINDS[round % KINDS.len()];
+        let case = make(3 + rng.below(60), &mut rng);
+        // Points given twice have two indices in a polygon, and one vertex in a drawing.
+        if !case.is_plain() {
+            continue;
+        }
+        let drawing = Pslg::of_rings(case.rings().into_iter().map(<[Point]>::to_vec));
+        let mesh = triangulate(&drawing, &nested).unwrap_or_else(|e| panic!("{kind} {round}: {e}")).mesh;
+        let polygon = Polygon::new(&case.points, &case.ring_ends).unwrap();
+        let made = reused.triangulate_delaunay(polygon).unwrap().to_vec();
+        assert_eq!(in_order(made), in_order(mesh.triangles), "{kind} {round}: {case:?}");
+        let by_key = by(Some(PolygonMethod::ConstrainedDelaunay), &case).unwrap();
+        assert_eq!(in_order(by_key), in_order(reused.triangulate_delaunay(polygon).unwrap().to_vec()));
+        compared += 1;
+    }
+    assert!(compared > 300, "{compared}");
+}
+
+fn in_order(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
+    for t in &mut triangles {
+        let first = (0..3).min_by_key(|&k| t[k]).unwrap();
+        t.rotate_left(first);
+    }
+    triangles.sort_unstable();
+    triangles
 }
 
 #[test]

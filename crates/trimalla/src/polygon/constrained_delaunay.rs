@@ -1,0 +1,151 @@
+//! `constrained-delaunay`: any triangulation of the polygon, and then flips of edges that fail the circle test.
+//!
+//! ```text
+//!          c                     c
+//!        /   \                 / | \
+//!       /  h  \               /  |  \       h is illegal if d lies inside the circle of a, b, c. Then it is replaced
+//!      a ----- b      ->     a   |   b      by the other diagonal, and the four edges around are looked at again.
+//!       \  g  /               \  |  /
+//!        \   /                 \ | /
+//!          d                     d
+//! ```
+//!
+//! 1. Triangulate the polygon in any way.
+//! 2. Find the edges between two triangles; the others are sides of the polygon, and stay.
+//! 3. Put all of them on a stack. Take one after the other; if it is illegal, flip it, and put the four edges around on
+//!    the stack.
+//!
+//! The constrained Delaunay triangulation is the only one without illegal edges, ties being broken as everywhere here,
+//! so the result does not depend on step 1.
+//!
+//! # Degenerate cases
+//! Where rings touch in a place that has two indices, the edges that end there under different indices do not adjoin
+//! each other, and are not flipped.
+//!
+//! # Complexity
+//! O(n log n) for step 1, O(n²) flips at worst; few where step 1 cuts off what is near. O(n) memory.
+//!
+//! # Source
+//! `[LeeLin86]`; `[Lawson77]` for the flips.
+
+use super::{Polygon, PolygonError, monotone};
+use crate::geometry::{CircleSide, Point, in_circle_perturbed};
+use crate::trace::{Shape, Trace};
+
+/// No half-edge.
+const NONE: u32 = u32::MAX;
+
+/// Triangulates a polygon with holes, constrained Delaunay.
+///
+/// # Shape
+/// See [`PolygonMethod::triangulate`](super::PolygonMethod::triangulate).
+///
+/// # Errors
+/// Those of [`monotone`](super::monotone()).
+pub fn constrained_delaunay(
+    polygon: Polygon<'_>,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<Vec<[u32; 3]>, PolygonError> {
+    let mut triangles = monotone(polygon, trace)?;
+    Flips::default().legalise(polygon.points(), &mut triangles, trace)?;
+    Ok(triangles)
+}
+
+/// What flips need to know of triangles, kept from one polygon to the next.
+///
+/// Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flips {
+    /// The other half-edge of the same edge, or [`NONE`] on a side of the polygon.
+    twins: Vec<u32>,
+    /// The half-edges by the vertices at their ends.
+    sorted: Vec<(u64, u32)>,
+    stack: Vec<u32>,
+}
+
+impl Flips {
+    /// Steps 2 and 3.
+    pub(super) fn legalise(
+        &mut self,
+        points: &[Point],
+        triangles: &mut [[u32; 3]],
+        trace: &mut (impl Trace + ?Sized),
+    ) -> Result<(), PolygonError> {
+        self.find_twins(triangles);
+        self.stack.clear();
+        self.stack.extend((0..).zip(&self.twins).filter(|&(h, &g)| g != NONE && h < g).map(|(h, _)| h));
+        while let Some(h) = self.stack.pop() {
+            if trace.is_cancelled() {
+                return Err(PolygonError::Cancelled);
+            }
+            let g = self.twins[h as usize];
+            if g == NONE {
+                continue; // A flip gave the number to a side of the polygon.
+            }
+            let corners = [origin(triangles, h), origin(triangles, next(h)), apex(triangles, h), apex(triangles, g)];
+            let [a, b, c, d] = corners.map(|v| points[v as usize]);
+            if in_circle_perturbed(a, b, c, d) == CircleSide::Inside {
+                trace.remove(Shape::Edge([corners[0], corners[1]]), "fails the circle test");
+                trace.add(Shape::Edge([corners[2], corners[3]]), "the other diagonal");
+                self.flip(h, g, corners, triangles);
+            }
+        }
+        Ok(())
+    }
+
+    fn find_twins(&mut self, triangles: &[[u32; 3]]) {
+        self.sorted.clear();
+        for h in 0..3 * triangles.len() as u32 {
+            let (from, to) = (origin(triangles, h), origin(triangles, next(h)));
+            self.sorted.push((u64::from(from.min(to)) << 32 | u64::from(from.max(to)), h));
+        }
+        self.sorted.sort_unstable();
+        self.twins.clear();
+        self.twins.resize(3 * triangles.len(), NONE);
+        for pair in self.sorted.windows(2) {
+            let [(one, h), (other, g)] = [pair[0], pair[1]];
+            if one == other {
+                (self.twins[h as usize], self.twins[g as usize]) = (g, h);
+            }
+        }
+    }
+
+    fn link(&mut self, h: u32, g: u32) {
+        self.twins[h as usize] = g;
+        if g != NONE {
+            self.twins[g as usize] = h;
+        }
+    }
+
+    /// The triangle of `h` becomes a, d, c, that of its twin d, b, c.
+    fn flip(&mut self, h: u32, g: u32, [a, b, c, d]: [u32; 4], triangles: &mut [[u32; 3]]) {
+        let outside = [next(g), previous(h), previous(g), next(h)].map(|side| self.twins[side as usize]);
+        let (t, u) = (h / 3, g / 3);
+        triangles[t as usize] = [a, d, c];
+        triangles[u as usize] = [d, b, c];
+        self.link(3 * t + 1, 3 * u + 2);
+        for (side, beyond) in [3 * t, 3 * t + 2, 3 * u, 3 * u + 1].into_iter().zip(outside) {
+            self.link(side, beyond);
+            if beyond != NONE {
+                self.stack.push(side);
+            }
+        }
+    }
+}
+
+fn next(h: u32) -> u32 {
+    if h % 3 == 2 { h - 2 } else { h + 1 }
+}
+
+fn previous(h: u32) -> u32 {
+    if h % 3 == 0 { h + 2 } else { h - 1 }
+}
+
+fn origin(triangles: &[[u32; 3]], h: u32) -> u32 {
+    triangles[(h / 3) as usize][(h % 3) as usize]
+}
+
+/// The corner of a half-edge's triangle that is not at its ends.
+fn apex(triangles: &[[u32; 3]], h: u32) -> u32 {
+    origin(triangles, previous(h))
+}
