@@ -33,6 +33,7 @@ mod remove;
 mod sites;
 #[cfg(test)]
 mod tests;
+mod triangulator;
 mod voronoi;
 
 pub use algorithm::{Algorithm, AlgorithmKey, DivideAndConquer, Flip, Incremental, Lift, Voronoi};
@@ -49,3 +50,4 @@ pub(crate) use lawson::Lawson;
 pub(crate) use order::{along_curve, insertion_order};
 pub use remove::RemoveError;
 pub(crate) use remove::{Hole, flip_spokes_away, legalise_hole, remove_vertex};
+pub use triangulator::Triangulator;

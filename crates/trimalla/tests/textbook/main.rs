@@ -10,5 +10,6 @@ mod polygon_files;
 mod polygons;
 mod segments;
 mod seidel;
+mod small;
 mod voronoi;
 mod weight;

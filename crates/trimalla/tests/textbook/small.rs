@@ -1,0 +1,40 @@
+//! Small sets of points, one after the other, by the triangulator that keeps its memory.
+
+use trimalla::delaunay::{BuildError, Delaunay, Triangulator};
+use trimalla::geometry::Point;
+use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
+
+fn in_order(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let mut triangles = triangles.to_vec();
+    for t in &mut triangles {
+        let first = (0..3).min_by_key(|&k| t[k]).unwrap();
+        t.rotate_left(first);
+    }
+    triangles.sort_unstable();
+    triangles
+}
+
+#[test]
+fn small_sets_have_the_triangles_of_delaunay() {
+    let mut rng = SplitMix64::new(77);
+    let mut triangulator = Triangulator::new();
+    for round in 0..8000 {
+        let kind = PointSetKind::ALL[round % PointSetKind::ALL.len()];
+        let points = point_set(kind, 1 + rng.below(if round % 40 == 0 { 400 } else { 40 }), round as u64);
+        let made = in_order(triangulator.triangulate(&points).unwrap());
+        let canonical = Delaunay::new(&points).unwrap().canonical();
+        let expected: Vec<[u32; 3]> = canonical.into_iter().map(|t| t.map(|v| v.0)).collect();
+        assert_eq!(made, in_order(&expected), "{kind:?} {round}");
+    }
+}
+
+#[test]
+fn what_has_no_triangle_has_none() {
+    let mut triangulator = Triangulator::new();
+    for points in [&[][..], &[[1.0, 1.0]], &[[0.0, 0.0], [0.0, 0.0]], &[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]] {
+        let points: Vec<Point> = points.iter().copied().map(Point::from).collect();
+        assert_eq!(triangulator.triangulate(&points), Ok(&[][..]));
+    }
+    let points = [[0.0, 0.0], [1.0, f64::NAN]].map(Point::from);
+    assert!(matches!(triangulator.triangulate(&points), Err(BuildError::NotFinite { index: 1, .. })));
+}
