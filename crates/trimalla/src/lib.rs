@@ -20,6 +20,7 @@
 //! | watch the refinement, cancel it, see its forecast | [`mesh_with()`] with an [`Observer`](refine::Observer) |
 //! | triangulate a drawing and keep its domain, with no more vertices | [`triangulate()`] |
 //! | split its segments until the triangulation is Delaunay | [`triangulate_conforming()`] |
+//! | triangulate many small sets, or many polygons, fast | [`delaunay::Triangulator`], [`polygon::Triangulator`] |
 //! | triangulate by any algorithm of the textbook, and hear its steps | [`triangulate_by()`] |
 //! | refine a mesh that exists | [`refine_mesh()`] |
 //! | make a drawing of polygons, holes and islands | [`Pslg::of_rings`] |

@@ -70,7 +70,8 @@ fn captions_are_about_the_steps_that_are_shown() {
         ("Monotone pieces", 13, Act::Add, Shape::Edge([5, 3])),
         ("Seidel's trapezoids", 39, Act::Add, Shape::Edge([7, 1])),
         ("Ears", 3, Act::Add, Shape::Triangle([1, 2, 3])),
-        ("The art gallery", 7, Act::Add, Shape::Triangle([7, 8, 0])),
+        ("The art gallery", 51, Act::Add, Shape::Triangle([0, 7, 8])),
+        ("The art gallery", 63, Act::Add, Shape::Vertex(1)),
     ] {
         let lesson = script::LEARN.iter().find(|lesson| lesson.title == title).expect("a lesson");
         let watched = format!("Watch {shown}");

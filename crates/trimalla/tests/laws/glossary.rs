@@ -20,7 +20,7 @@ const ROOMS: [&str; 11] = [
 ];
 
 /// Public types whose name says all, and is no term: besides errors, which end in `Error`.
-const PLAIN: [&str; 36] = [
+const PLAIN: [&str; 37] = [
     "Algorithm",
     "AlgorithmKey",
     "Angle",
@@ -51,6 +51,7 @@ const PLAIN: [&str; 36] = [
     "StepTimes",
     "TableIndex",
     "Triangle",
+    "Triangulator",
     "UnknownKey",
     "Value",
     "Values",

@@ -1,5 +1,6 @@
 //! Polygons: every method, against what is obviously true and by comparison of all with all.
 
+use crate::in_order;
 use crate::polygon_cases::{Case, KINDS, scribble};
 use trimalla::domain::DomainRule;
 use trimalla::geometry::{Point, Vector, lexicographically_less};
@@ -67,15 +68,6 @@ fn flips_lead_to_the_constrained_delaunay_triangulation() {
         compared += 1;
     }
     assert!(compared > 300, "{compared}");
-}
-
-fn in_order(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
-    for t in &mut triangles {
-        let first = (0..3).min_by_key(|&k| t[k]).unwrap();
-        t.rotate_left(first);
-    }
-    triangles.sort_unstable();
-    triangles
 }
 
 #[test]

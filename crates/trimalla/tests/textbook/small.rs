@@ -1,18 +1,9 @@
 //! Small sets of points, one after the other, by the triangulator that keeps its memory.
 
+use crate::in_order;
 use trimalla::delaunay::{BuildError, Delaunay, Triangulator};
 use trimalla::geometry::Point;
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
-
-fn in_order(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let mut triangles = triangles.to_vec();
-    for t in &mut triangles {
-        let first = (0..3).min_by_key(|&k| t[k]).unwrap();
-        t.rotate_left(first);
-    }
-    triangles.sort_unstable();
-    triangles
-}
 
 #[test]
 fn small_sets_have_the_triangles_of_delaunay() {
@@ -21,10 +12,10 @@ fn small_sets_have_the_triangles_of_delaunay() {
     for round in 0..8000 {
         let kind = PointSetKind::ALL[round % PointSetKind::ALL.len()];
         let points = point_set(kind, 1 + rng.below(if round % 40 == 0 { 400 } else { 40 }), round as u64);
-        let made = in_order(triangulator.triangulate(&points).unwrap());
+        let made = in_order(triangulator.triangulate(&points).unwrap().to_vec());
         let canonical = Delaunay::new(&points).unwrap().canonical();
         let expected: Vec<[u32; 3]> = canonical.into_iter().map(|t| t.map(|v| v.0)).collect();
-        assert_eq!(made, in_order(&expected), "{kind:?} {round}");
+        assert_eq!(made, in_order(expected), "{kind:?} {round}");
     }
 }
 
