@@ -85,9 +85,8 @@ impl Flips {
             let corners = [origin(triangles, h), origin(triangles, next(h)), apex(triangles, h), apex(triangles, g)];
             let [a, b, c, d] = corners.map(|v| points[v as usize]);
             if in_circle_perturbed(a, b, c, d) == CircleSide::Inside {
-                trace.remove(Shape::Edge([corners[0], corners[1]]), "fails the circle test");
-                trace.add(Shape::Edge([corners[2], corners[3]]), "the other diagonal");
                 self.flip(h, g, corners, triangles);
+                tell(corners, trace);
             }
         }
         Ok(())
@@ -131,6 +130,16 @@ impl Flips {
             }
         }
     }
+}
+
+/// Tells of a flip.
+fn tell([a, b, c, d]: [u32; 4], trace: &mut (impl Trace + ?Sized)) {
+    trace.remove(Shape::Edge([a, b]), "fails the circle test");
+    trace.remove(Shape::Triangle([a, b, c]), "on one side of the edge");
+    trace.remove(Shape::Triangle([b, a, d]), "on the other side");
+    trace.add(Shape::Edge([c, d]), "the other diagonal");
+    trace.add(Shape::Triangle([a, d, c]), "on one side of the diagonal");
+    trace.add(Shape::Triangle([d, b, c]), "on the other side");
 }
 
 fn next(h: u32) -> u32 {
