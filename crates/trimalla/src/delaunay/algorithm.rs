@@ -18,21 +18,20 @@ pub trait Algorithm {
     ///
     /// # Errors
     /// See [`BuildError`]; checked before any work.
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError>;
+    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
+        Self::triangulate_traced(points, subset, &mut NoTrace)
+    }
 
     /// Triangulates the points that `subset` names, or all, and tells each step; algorithms without steps to tell
     /// tell none.
     ///
     /// # Errors
-    /// See [`BuildError`]; [`BuildError::Cancelled`] if the trace says so.
+    /// See [`BuildError`], checked before any work; [`BuildError::Cancelled`] if the trace says so.
     fn triangulate_traced(
         points: &[Point],
         subset: Option<&[VertexId]>,
         trace: &mut (impl Trace + ?Sized),
-    ) -> Result<Triangulation, BuildError> {
-        let _ = trace;
-        Self::triangulate(points, subset)
-    }
+    ) -> Result<Triangulation, BuildError>;
 }
 
 /// Insertion of one point after the other, in curve order. The default.
@@ -73,73 +72,31 @@ pub struct Flip;
 #[derive(Clone, Copy, Debug)]
 pub struct Voronoi;
 
-impl Algorithm for Incremental {
-    const KEY: AlgorithmKey = AlgorithmKey::Incremental;
+/// The algorithms, each with its call.
+macro_rules! algorithms {
+    ($($name:ident: |$points:ident, $subset:ident, $trace:ident| $build:expr;)*) => {$(
+        impl Algorithm for $name {
+            const KEY: AlgorithmKey = AlgorithmKey::$name;
 
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
-        let subset = validate(points, subset)?;
-        Ok(incremental::build(points, subset.as_deref()).0)
-    }
+            fn triangulate_traced(
+                $points: &[Point],
+                subset: Option<&[VertexId]>,
+                $trace: &mut (impl Trace + ?Sized),
+            ) -> Result<Triangulation, BuildError> {
+                let subset = validate($points, subset)?;
+                let $subset = subset.as_deref();
+                $build
+            }
+        }
+    )*};
 }
 
-impl Algorithm for DivideAndConquer {
-    const KEY: AlgorithmKey = AlgorithmKey::DivideAndConquer;
-
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
-        let subset = validate(points, subset)?;
-        Ok(divide_and_conquer::build(points, subset.as_deref()))
-    }
-}
-
-impl Algorithm for Lift {
-    const KEY: AlgorithmKey = AlgorithmKey::Lift;
-
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
-        Self::triangulate_traced(points, subset, &mut NoTrace)
-    }
-
-    fn triangulate_traced(
-        points: &[Point],
-        subset: Option<&[VertexId]>,
-        trace: &mut (impl Trace + ?Sized),
-    ) -> Result<Triangulation, BuildError> {
-        let subset = validate(points, subset)?;
-        lift::build(points, subset.as_deref(), trace)
-    }
-}
-
-impl Algorithm for Flip {
-    const KEY: AlgorithmKey = AlgorithmKey::Flip;
-
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
-        Self::triangulate_traced(points, subset, &mut NoTrace)
-    }
-
-    fn triangulate_traced(
-        points: &[Point],
-        subset: Option<&[VertexId]>,
-        trace: &mut (impl Trace + ?Sized),
-    ) -> Result<Triangulation, BuildError> {
-        let subset = validate(points, subset)?;
-        flip::build(points, subset.as_deref(), trace)
-    }
-}
-
-impl Algorithm for Voronoi {
-    const KEY: AlgorithmKey = AlgorithmKey::Voronoi;
-
-    fn triangulate(points: &[Point], subset: Option<&[VertexId]>) -> Result<Triangulation, BuildError> {
-        Self::triangulate_traced(points, subset, &mut NoTrace)
-    }
-
-    fn triangulate_traced(
-        points: &[Point],
-        subset: Option<&[VertexId]>,
-        trace: &mut (impl Trace + ?Sized),
-    ) -> Result<Triangulation, BuildError> {
-        let subset = validate(points, subset)?;
-        voronoi::build(points, subset.as_deref(), trace)
-    }
+algorithms! {
+    Incremental: |points, subset, _trace| Ok(incremental::build(points, subset).0);
+    DivideAndConquer: |points, subset, _trace| Ok(divide_and_conquer::build(points, subset));
+    Lift: |points, subset, trace| lift::build(points, subset, trace);
+    Flip: |points, subset, trace| flip::build(points, subset, trace);
+    Voronoi: |points, subset, trace| voronoi::build(points, subset, trace);
 }
 
 keyed! {
