@@ -18,22 +18,36 @@ pub(crate) struct DrawingOptions {
     /// The drawing: a .poly or .node file, the stem of one, or '-' for standard input
     pub(crate) input: PathBuf,
 
-    /// What belongs to the domain
-    #[arg(long, value_name = "RULE", default_value = DomainRule::default().key(), help_heading = "Drawing",
-          value_parser = one_of(DomainRule::ALL.map(|r| (r.key(), r.summary(), r))))]
-    domain: DomainRule,
-
-    /// What to do where segments cross
-    #[arg(long, value_name = "HOW", default_value = "refuse", help_heading = "Drawing", value_parser = one_of(CROSSINGS))]
-    crossings: Crossings,
+    #[command(flatten)]
+    reading: ReadingOptions,
 }
 
 impl DrawingOptions {
     /// The key of what is done where segments cross.
     pub(crate) fn crossings_key(&self) -> &'static str {
-        self.crossings.key()
+        self.reading.crossings.key()
     }
 
+    /// How the library is to read the drawing.
+    pub(crate) fn domain_options(&self, algorithm: AlgorithmKey) -> DomainOptions {
+        self.reading.domain_options(algorithm)
+    }
+}
+
+/// How a drawing is read.
+#[derive(Debug, Args)]
+pub(crate) struct ReadingOptions {
+    /// What belongs to the domain of a drawing
+    #[arg(long, value_name = "RULE", default_value = DomainRule::default().key(), help_heading = "Drawing",
+          value_parser = one_of(DomainRule::ALL.map(|r| (r.key(), r.summary(), r))))]
+    domain: DomainRule,
+
+    /// What to do where segments of a drawing cross
+    #[arg(long, value_name = "HOW", default_value = "refuse", help_heading = "Drawing", value_parser = one_of(CROSSINGS))]
+    crossings: Crossings,
+}
+
+impl ReadingOptions {
     /// How the library is to read the drawing.
     pub(crate) fn domain_options(&self, algorithm: AlgorithmKey) -> DomainOptions {
         DomainOptions { rule: self.domain, crossings: self.crossings, algorithm }

@@ -3,15 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use trimalla::DomainOptions;
-use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::DomainRule;
 use trimalla::drawing::IndexedMesh;
 use trimalla::triangulation::Triangulation;
 use trimalla_workbench::numbers::count;
 
-use crate::args::{CROSSINGS, one_of};
+use crate::args::ReadingOptions;
 use crate::drawing_faults;
 use crate::exit::{Failure, Status};
 use crate::input::{Input, is_mesh, read_drawing, read_mesh};
@@ -22,14 +19,8 @@ pub(crate) struct SourceOptions {
     /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, or '-' for standard input), which is triangulated
     pub(crate) input: PathBuf,
 
-    /// What belongs to the domain of a drawing
-    #[arg(long, value_name = "RULE", default_value = DomainRule::default().key(), help_heading = "Drawing",
-          value_parser = one_of(DomainRule::ALL.map(|r| (r.key(), r.summary(), r))))]
-    domain: DomainRule,
-
-    /// What to do where segments of a drawing cross
-    #[arg(long, value_name = "HOW", default_value = "refuse", help_heading = "Drawing", value_parser = one_of(CROSSINGS))]
-    crossings: Crossings,
+    #[command(flatten)]
+    reading: ReadingOptions,
 }
 
 impl SourceOptions {
@@ -49,8 +40,7 @@ impl SourceOptions {
             return read_mesh(&self.input);
         }
         let drawing = read_drawing(&self.input)?;
-        let options =
-            DomainOptions { rule: self.domain, crossings: self.crossings, algorithm: AlgorithmKey::default() };
+        let options = self.reading.domain_options(AlgorithmKey::default());
         let names = drawing.numbers();
         let made = trimalla::triangulate(&drawing.value, &options);
         let made = made.map_err(|error| drawing_faults::failure(&names, &error))?;

@@ -49,9 +49,9 @@ pub(crate) struct Options {
     #[arg(long, value_name = "KEY", default_value = Method::default().key(), value_parser = one_of(keys()))]
     algorithm: Method,
 
-    /// The attribute of points that is their height, counted from 1, for algorithms of surfaces
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
-    heights: u32,
+    /// Which attribute of the points is the height, counted from 1, for algorithms of surfaces
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    attribute: u32,
 
     #[command(flatten)]
     output: OutputOptions,
@@ -74,7 +74,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let start = Instant::now();
     let mut recorder = Recorder::of_first(if options.player.player.is_some() { Player::MOST_STEPS } else { 0 });
     let domain = options.drawing.domain_options(AlgorithmKey::default());
-    let column = options.heights as usize - 1;
+    let column = options.attribute as usize - 1;
     let made = trimalla::triangulate_by(&drawing.value, options.algorithm, &domain, column, &mut recorder);
     let ByMethod { mesh, warnings, attained } = made.map_err(|error| failure(&names, error))?;
     let seconds = start.elapsed().as_secs_f64();
@@ -127,7 +127,7 @@ fn failure(names: &FileNumbers<'_>, error: Error) -> Failure {
         Error::NoPolygon => Failure::bad_input(error.to_string())
             .hint("'trimalla list' names the algorithms for points, such as greedy or incremental"),
         Error::Optimal(OptimalError::NoHeights { .. }) => Failure::bad_input(error.to_string())
-            .hint("a .node file has attributes after the coordinates; --heights says which of them is the height"),
+            .hint("a .node file has attributes after the coordinates; --attribute says which of them is the height"),
         error => Failure::bad_input(error.to_string()),
     }
 }
