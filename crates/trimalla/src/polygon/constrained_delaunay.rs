@@ -28,12 +28,10 @@
 //! # Source
 //! `[LeeLin86]`; `[Lawson77]` for the flips.
 
+use super::adjacency::{NONE, Twins, next, origin, previous};
 use super::{Polygon, PolygonError, monotone};
 use crate::geometry::{CircleSide, Point, in_circle_perturbed};
 use crate::trace::{Shape, Trace};
-
-/// No half-edge.
-const NONE: u32 = u32::MAX;
 
 /// Triangulates a polygon with holes, constrained Delaunay.
 ///
@@ -52,14 +50,10 @@ pub fn constrained_delaunay(
 }
 
 /// What flips need to know of triangles, kept from one polygon to the next.
-///
-/// Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flips {
-    /// The other half-edge of the same edge, or [`NONE`] on a side of the polygon.
-    twins: Vec<u32>,
-    /// The half-edges by the vertices at their ends.
-    sorted: Vec<(u64, u32)>,
+    /// [`NONE`] on a side of the polygon.
+    adjacency: Twins,
     stack: Vec<u32>,
 }
 
@@ -71,14 +65,14 @@ impl Flips {
         triangles: &mut [[u32; 3]],
         trace: &mut (impl Trace + ?Sized),
     ) -> Result<(), PolygonError> {
-        self.find_twins(triangles);
+        self.adjacency.find(triangles);
         self.stack.clear();
-        self.stack.extend((0..).zip(&self.twins).filter(|&(h, &g)| g != NONE && h < g).map(|(h, _)| h));
+        self.stack.extend((0..).zip(&self.adjacency.twins).filter(|&(h, &g)| g != NONE && h < g).map(|(h, _)| h));
         while let Some(h) = self.stack.pop() {
             if trace.is_cancelled() {
                 return Err(PolygonError::Cancelled);
             }
-            let g = self.twins[h as usize];
+            let g = self.adjacency.twins[h as usize];
             if g == NONE {
                 continue; // A flip gave the number to a side of the polygon.
             }
@@ -92,33 +86,16 @@ impl Flips {
         Ok(())
     }
 
-    fn find_twins(&mut self, triangles: &[[u32; 3]]) {
-        self.sorted.clear();
-        for h in 0..3 * triangles.len() as u32 {
-            let (from, to) = (origin(triangles, h), origin(triangles, next(h)));
-            self.sorted.push((u64::from(from.min(to)) << 32 | u64::from(from.max(to)), h));
-        }
-        self.sorted.sort_unstable();
-        self.twins.clear();
-        self.twins.resize(3 * triangles.len(), NONE);
-        for pair in self.sorted.windows(2) {
-            let [(one, h), (other, g)] = [pair[0], pair[1]];
-            if one == other {
-                (self.twins[h as usize], self.twins[g as usize]) = (g, h);
-            }
-        }
-    }
-
     fn link(&mut self, h: u32, g: u32) {
-        self.twins[h as usize] = g;
+        self.adjacency.twins[h as usize] = g;
         if g != NONE {
-            self.twins[g as usize] = h;
+            self.adjacency.twins[g as usize] = h;
         }
     }
 
     /// The triangle of `h` becomes a, d, c, that of its twin d, b, c.
     fn flip(&mut self, h: u32, g: u32, [a, b, c, d]: [u32; 4], triangles: &mut [[u32; 3]]) {
-        let outside = [next(g), previous(h), previous(g), next(h)].map(|side| self.twins[side as usize]);
+        let outside = [next(g), previous(h), previous(g), next(h)].map(|side| self.adjacency.twins[side as usize]);
         let (t, u) = (h / 3, g / 3);
         triangles[t as usize] = [a, d, c];
         triangles[u as usize] = [d, b, c];
@@ -140,18 +117,6 @@ fn tell([a, b, c, d]: [u32; 4], trace: &mut (impl Trace + ?Sized)) {
     trace.add(Shape::Edge([c, d]), "the other diagonal");
     trace.add(Shape::Triangle([a, d, c]), "on one side of the diagonal");
     trace.add(Shape::Triangle([d, b, c]), "on the other side");
-}
-
-fn next(h: u32) -> u32 {
-    if h % 3 == 2 { h - 2 } else { h + 1 }
-}
-
-fn previous(h: u32) -> u32 {
-    if h % 3 == 0 { h + 2 } else { h - 1 }
-}
-
-fn origin(triangles: &[[u32; 3]], h: u32) -> u32 {
-    triangles[(h / 3) as usize][(h % 3) as usize]
 }
 
 /// The corner of a half-edge's triangle that is not at its ends.
