@@ -14,15 +14,7 @@ fn recipes_run_side_by_side_and_leave_the_document() {
     let before = figures(&harness);
     press(&mut harness, "Compare");
     press(&mut harness, "Add recipe");
-    press(&mut harness, "Run all");
-    for _ in 0..2000 {
-        harness.step();
-        if harness.query_by_role_and_label(Role::Button, "Cancel all").is_none() {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    harness.run_steps(3);
+    run_all(&mut harness);
     // The document as it is, and a drawing of each recipe.
     for name in
         ["Drawing, original", "Drawing, off-center, 30°", "Drawing, lepp-centroid, 30°", "Drawing, lepp-midpoint, 30°"]

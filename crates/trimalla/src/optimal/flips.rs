@@ -40,7 +40,7 @@
 //! `[Triangulaciones]`, part I; `[Lawson77]`; `[EdelsbrunnerTanWaupotitsch92]` for why local optima of the largest
 //! angle are not global.
 
-use super::input::{Optimal, OptimalInput};
+use super::input::{Optimal, OptimalInput, in_order};
 use super::{OptimalError, edge_set};
 use crate::delaunay::{BuildError, flip_illegal, flip_to_delaunay, sweep};
 use crate::drawing::IndexedMesh;
@@ -128,12 +128,7 @@ pub(super) fn triangulate(
         }
     };
     flip(&mut t, criterion, trace)?;
-    let mut triangles = triangles_of(&t);
-    triangles.iter_mut().for_each(|t| {
-        let smallest = (0..3).min_by_key(|&i| t[i]).unwrap_or(0);
-        t.rotate_left(smallest);
-    });
-    triangles.sort_unstable();
+    let triangles = in_order(triangles_of(&t));
     let value = value(input.points, &triangles, criterion);
     Ok(Optimal { triangles, is_proved: criterion == FlipCriterion::MaxMinAngle, value })
 }

@@ -16,6 +16,7 @@ mod min_max_length;
 mod min_weight;
 mod min_weight_polygon;
 mod pairs;
+mod twofold;
 
 pub use error::OptimalError;
 pub use flips::{FlipCriterion, locally_optimal};

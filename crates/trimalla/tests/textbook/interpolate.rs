@@ -1,5 +1,7 @@
 //! Heights at points: the example of the notes, planes, weights in rationals, contours by brute force.
 
+use crate::Cancelled;
+use crate::rationals::{Place, exact, nearer};
 use dashu_ratio::RBig;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::{AlgorithmKey, Delaunay};
@@ -10,7 +12,7 @@ use trimalla::half_edge::VertexId;
 use trimalla::interpolate::{
     Contour, InterpolateError, InterpolationMethod, Levels, NaturalNeighbours, Surface, WeightsBy, interpolate,
 };
-use trimalla::trace::{Step, Trace};
+use trimalla::trace::Step;
 use trimalla::triangulation::Triangulation;
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
 use trimalla_testkit::oracles::orient;
@@ -95,32 +97,6 @@ fn planes_are_reproduced_and_outside_is_exact() {
             }
         }
     }
-}
-
-/// A point of rationals.
-type Place = [RBig; 2];
-
-fn exact(p: Point) -> Place {
-    [p.x, p.y].map(|c| RBig::try_from(c).expect("finite"))
-}
-
-/// A convex polygon cut along a bisector: what is at least as near to `a` as to `b`.
-fn nearer(polygon: &[Place], a: &Place, b: &Place) -> Vec<Place> {
-    let size = |p: &Place| &p[0] * &p[0] + &p[1] * &p[1];
-    let limit = (size(b) - size(a)) / RBig::from(2);
-    let beyond = |p: &Place| &p[0] * (&b[0] - &a[0]) + &p[1] * (&b[1] - &a[1]) - &limit;
-    let mut kept = Vec::new();
-    for (p, q) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        let (at_p, at_q) = (beyond(p), beyond(q));
-        if at_p <= RBig::ZERO {
-            kept.push(p.clone());
-        }
-        if (at_p < RBig::ZERO && at_q > RBig::ZERO) || (at_p > RBig::ZERO && at_q < RBig::ZERO) {
-            let t = &at_p / (&at_p - &at_q);
-            kept.push([&p[0] + (&q[0] - &p[0]) * &t, &p[1] + (&q[1] - &p[1]) * &t]);
-        }
-    }
-    kept
 }
 
 fn twice_area(ring: &[Place]) -> RBig {
@@ -365,17 +341,6 @@ fn extreme_coordinates_and_heights_are_answered() {
     let surface = Surface::new(&delaunay, &heights).unwrap();
     for contour in surface.contours(&Levels::At(vec![-1e308, 0.0, 5e-324, 1e308])).unwrap() {
         assert!(contour.points.iter().all(|p| p.is_finite()));
-    }
-}
-
-/// Cancels at once.
-struct Cancelled;
-
-impl Trace for Cancelled {
-    fn step(&mut self, _: Step) {}
-
-    fn is_cancelled(&self) -> bool {
-        true
     }
 }
 

@@ -8,18 +8,20 @@ mod points;
 mod polygon_cases;
 mod polygon_files;
 mod polygons;
+mod rationals;
 mod segments;
 mod seidel;
 mod small;
 mod voronoi;
 mod weight;
 
-/// Triangles that can be compared: each from its smallest index on, sorted.
-fn in_order(mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
-    for t in &mut triangles {
-        let first = (0..3).min_by_key(|&k| t[k]).unwrap_or(0);
-        t.rotate_left(first);
+/// Is cancelled from the start.
+struct Cancelled;
+
+impl trimalla::trace::Trace for Cancelled {
+    fn step(&mut self, _: trimalla::trace::Step) {}
+
+    fn is_cancelled(&self) -> bool {
+        true
     }
-    triangles.sort_unstable();
-    triangles
 }

@@ -2,13 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::Cancelled;
 use dashu_ratio::RBig;
 use trimalla::Point;
 use trimalla::geometry::{Containment, Orientation, Ring, SegmentContact, math, on_segment, orient2d, segment_contact};
 use trimalla::polygon::{
     Polygon, PolygonError, TrapezoidMap, diagonals, seidel, visible_pairs, visible_pairs_of_graph,
 };
-use trimalla::trace::{Act, NoTrace, Shape, Step, Trace};
+use trimalla::trace::{Act, NoTrace, Shape, Step};
 use trimalla_testkit::generators::SplitMix64;
 use trimalla_testkit::oracles::{doubled_area, doubled_ring_area};
 
@@ -452,17 +453,6 @@ fn coordinates_of_any_size_are_exact() {
     }
 }
 
-/// Draws nothing, and cancels after some steps.
-struct Cancels(u32);
-
-impl Trace for Cancels {
-    fn step(&mut self, _: Step) {}
-
-    fn is_cancelled(&self) -> bool {
-        self.0 == 0
-    }
-}
-
 #[test]
 fn every_line_that_is_removed_was_added() {
     let mut rng = SplitMix64::new(17);
@@ -484,7 +474,7 @@ fn every_line_that_is_removed_was_added() {
     assert!(map.chords().len() <= lines.len());
     let told = steps.iter().filter(|s| matches!(s.shape, Shape::Triangle(_))).count();
     assert_eq!(told, triangles.len());
-    assert_eq!(seidel(rings.polygon(), &mut Cancels(0)), Err(PolygonError::Cancelled));
+    assert_eq!(seidel(rings.polygon(), &mut Cancelled), Err(PolygonError::Cancelled));
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Small sets of points, one after the other, by the triangulator that keeps its memory.
 
-use crate::in_order;
 use trimalla::delaunay::{BuildError, Delaunay, Triangulator};
 use trimalla::geometry::Point;
 use trimalla_testkit::generators::{PointSetKind, SplitMix64, point_set};
+use trimalla_testkit::oracles::canonical;
 
 #[test]
 fn small_sets_have_the_triangles_of_delaunay() {
@@ -32,10 +32,10 @@ fn repeated_and_huge_points_have_the_triangles_of_delaunay() {
 }
 
 fn compare(triangulator: &mut Triangulator, points: &[Point], name: &str) {
-    let made = in_order(triangulator.triangulate(points).expect("finite points").to_vec());
-    let canonical = Delaunay::new(points).expect("finite points").canonical();
-    let expected: Vec<[u32; 3]> = canonical.into_iter().map(|t| t.map(|v| v.0)).collect();
-    assert_eq!(made, in_order(expected), "{name}: {points:?}");
+    let made = canonical(triangulator.triangulate(points).expect("finite points"));
+    let expected = Delaunay::new(points).expect("finite points").canonical();
+    let expected: Vec<[u32; 3]> = expected.into_iter().map(|t| t.map(|v| v.0)).collect();
+    assert_eq!(made, expected, "{name}: {points:?}");
 }
 
 #[test]

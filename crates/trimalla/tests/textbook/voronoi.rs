@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::rationals::{Place, exact, nearer, square};
 use dashu_ratio::RBig;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::{AlgorithmKey, Delaunay};
@@ -15,17 +16,6 @@ use trimalla::trace::{NoTrace, Step, Trace};
 use trimalla::triangulation::Triangulation;
 use trimalla_testkit::generators::{PointSetKind, PslgKind, SplitMix64, point_set, pslg};
 use trimalla_testkit::oracles::{in_circle, orient};
-
-/// A point of rationals.
-type Place = [RBig; 2];
-
-fn exact(p: Point) -> Place {
-    [p.x, p.y].map(|c| RBig::try_from(c).expect("finite"))
-}
-
-fn square(x: &RBig) -> RBig {
-    x * x
-}
 
 /// The center of the circle through three points.
 fn center([a, b, c]: [Point; 3]) -> Place {
@@ -254,25 +244,6 @@ fn an_outline_along_edges_of_the_diagram_is_no_trouble() {
         assert!(areas.iter().all(|a| (a - 1.0).abs() < 1e-12 || *a < 1e-12), "{degrees}: {areas:?}");
         assert_eq!(areas.iter().filter(|a| **a > 0.5).count(), 48);
     }
-}
-
-/// A convex polygon cut along a bisector: what is nearer to `a` than to `b`, or as near.
-fn nearer(polygon: &[Place], a: &Place, b: &Place) -> Vec<Place> {
-    let (dx, dy) = (&b[0] - &a[0], &b[1] - &a[1]);
-    let limit = (square(&b[0]) + square(&b[1]) - square(&a[0]) - square(&a[1])) / RBig::from(2);
-    let beyond = |p: &Place| &p[0] * &dx + &p[1] * &dy - &limit;
-    let mut kept = Vec::new();
-    for (p, q) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        let (at_p, at_q) = (beyond(p), beyond(q));
-        if at_p <= RBig::ZERO {
-            kept.push(p.clone());
-        }
-        if (at_p < RBig::ZERO && at_q > RBig::ZERO) || (at_p > RBig::ZERO && at_q < RBig::ZERO) {
-            let t = &at_p / (&at_p - &at_q);
-            kept.push([&p[0] + (&q[0] - &p[0]) * &t, &p[1] + (&q[1] - &p[1]) * &t]);
-        }
-    }
-    kept
 }
 
 /// Twice the exact area of each cell in the domain.

@@ -60,6 +60,7 @@ pub(in crate::optimal) fn min_max_slope(
     input: &OptimalInput<'_>,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Optimal, OptimalError> {
+    input.check()?;
     let heights = input.heights.ok_or(OptimalError::NoHeights { method: "min-max-slope" })?;
     let criterion = Slope { points: input.points, heights };
     let mut trial = Trial::default();

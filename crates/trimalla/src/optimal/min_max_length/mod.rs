@@ -74,10 +74,10 @@ fn minimise<T: Trace + ?Sized>(
     trace: &mut T,
     choose: impl Fn(&[Point], &[[u32; 2]], &mut T) -> Result<Vec<[u32; 2]>, OptimalError>,
 ) -> Result<Optimal, OptimalError> {
+    let start = input.start()?;
     if input.domain.is_some() {
         return Err(OptimalError::PointsOnly { method });
     }
-    let start = input.start()?;
     let points = input.points;
     let delaunay = Mesh::new(start, &[]);
     let mut kept = choose(points, &edges(&delaunay.triangles), trace)?;

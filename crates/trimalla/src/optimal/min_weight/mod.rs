@@ -32,7 +32,7 @@
 //! candidates.
 //!
 //! # Complexity
-//! For uniform points linear in practice, besides sorting: 1.1 s for 10,000, 15 s for 100,000.
+//! For uniform points linear in practice, besides sorting: docs/performance.md has seconds.
 //! In the worst case exponential in the number of components inside one face, which the budget stops, and cubic in its
 //! corners: 56 s for 1000 points on a circle. Without the diamond test, also in domains, the candidates are quadratic
 //! and their triangles cubic: some hundred vertices.
@@ -63,6 +63,7 @@ use lengths::Lengths;
 use polygon_program::{Stop, Work};
 use walks::Plane;
 
+use super::input::in_order;
 use super::{Optimal, OptimalError, OptimalInput};
 use crate::geometry::{Point, segments_cross_properly};
 use crate::trace::{Shape, Trace};
@@ -268,13 +269,8 @@ fn unproved(base: &Base<'_>, lengths: &Lengths<'_>) -> MinimumWeight {
 }
 
 /// The result with its triangles in order.
-fn finished(lengths: &Lengths<'_>, mut triangles: Vec<[u32; 3]>, is_proved: bool) -> Optimal {
-    for t in &mut triangles {
-        while t[0] > t[1].min(t[2]) {
-            t.rotate_left(1);
-        }
-    }
-    triangles.sort_unstable();
+fn finished(lengths: &Lengths<'_>, triangles: Vec<[u32; 3]>, is_proved: bool) -> Optimal {
+    let triangles = in_order(triangles);
     let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)]);
     let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
     edges.sort_unstable();

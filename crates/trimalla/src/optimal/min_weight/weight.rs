@@ -6,6 +6,7 @@
 use std::cmp::Ordering;
 
 use crate::geometry::{Point, Vector};
+use crate::optimal::twofold::Twofold;
 
 /// A relative error that one operation on intervals does not pass.
 const OUT: f64 = 2.0 * f64::EPSILON;
@@ -14,53 +15,6 @@ pub(super) const LENGTH_ERROR: f64 = 8.0 * f64::EPSILON;
 /// A relative error that sums of up to a million lengths in two doubles do not pass: each operation adds less than
 /// 2^-100.
 const TWOFOLD_ERROR: f64 = f64::from_bits((1023 - 79) << 52);
-
-/// The sum of two doubles, the second of which is at most the rounding error of the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Twofold {
-    high: f64,
-    low: f64,
-}
-
-impl Twofold {
-    /// The exact sum of two doubles.
-    fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let of_b = high - a;
-        Self { high, low: (a - (high - of_b)) + (b - of_b) }
-    }
-
-    /// The exact square of a double.
-    fn square(a: f64) -> Self {
-        let high = a * a;
-        let shifted = a * 134_217_729.0;
-        let top = shifted - (shifted - a);
-        let rest = a - top;
-        Self { high, low: ((top * top - high) + 2.0 * top * rest) + rest * rest }
-    }
-
-    fn plus(self, other: Self) -> Self {
-        let sum = Self::sum(self.high, other.high);
-        Self::sum(sum.high, sum.low + (self.low + other.low))
-    }
-
-    /// The square of the distance of two coordinates.
-    fn squared_difference(a: f64, b: f64) -> Self {
-        let way = Self::sum(a, -b);
-        let square = Self::square(way.high);
-        Self::sum(square.high, square.low + 2.0 * way.high * way.low)
-    }
-
-    fn root(self) -> Self {
-        let high = self.high.sqrt();
-        if high == 0.0 {
-            return Self { high, low: 0.0 };
-        }
-        let square = Self::square(high);
-        let left = ((self.high - square.high) - square.low) + self.low;
-        Self::sum(high, left / (2.0 * high))
-    }
-}
 
 /// A sum of lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,17 +26,20 @@ pub(super) struct Weight {
 
 impl Weight {
     /// The weight of nothing.
-    pub(super) const ZERO: Self = Self { low: 0.0, high: 0.0, fine: Twofold { high: 0.0, low: 0.0 } };
+    pub(super) const ZERO: Self = Self { low: 0.0, high: 0.0, fine: Twofold { head: 0.0, tail: 0.0 } };
 
     /// A weight of which nothing is known: every comparison is left open.
     pub(super) const UNKNOWN: Self =
-        Self { low: 0.0, high: f64::INFINITY, fine: Twofold { high: f64::NAN, low: f64::NAN } };
+        Self { low: 0.0, high: f64::INFINITY, fine: Twofold { head: f64::NAN, tail: f64::NAN } };
 
     /// The distance of two points whose coordinates are of ordinary size.
     pub(super) fn of(a: Point, b: Point) -> Self {
         let length = (b - a).length_sq().sqrt();
-        let square = Twofold::squared_difference(a.x, b.x).plus(Twofold::squared_difference(a.y, b.y));
-        Self { low: length * (1.0 - LENGTH_ERROR), high: length * (1.0 + LENGTH_ERROR), fine: square.root() }
+        Self {
+            low: length * (1.0 - LENGTH_ERROR),
+            high: length * (1.0 + LENGTH_ERROR),
+            fine: Twofold::distance_sq(a, b).root(),
+        }
     }
 
     /// The sum. Each bound is rounded twice, by a relative 2^-53, and moved outward by more than that.
@@ -103,8 +60,8 @@ impl Weight {
         if self.low > other.high {
             return Some(Ordering::Greater);
         }
-        let apart = (self.fine.high - other.fine.high) + (self.fine.low - other.fine.low);
-        let error = TWOFOLD_ERROR * (self.fine.high + other.fine.high);
+        let apart = (self.fine.head - other.fine.head) + (self.fine.tail - other.fine.tail);
+        let error = TWOFOLD_ERROR * (self.fine.head + other.fine.head);
         if apart < -error {
             Some(Ordering::Less)
         } else if apart > error {

@@ -49,8 +49,9 @@ pub(super) fn triangulate(
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<Optimal, OptimalError> {
     let method = "min-weight-polygon";
+    let start = input.start()?;
     let domain = input.domain.ok_or(OptimalError::DomainOnly { method })?;
-    let mesh = Mesh::new(input.start()?, &domain.segments);
+    let mesh = Mesh::new(start, &domain.segments);
     let objective = TotalLength::new(input.points);
     let triangles = decompose::fill(&mesh, &[], method, trace, |walk, trace| {
         let best = decompose::triangulate(input.points, walk, &objective, trace)?;

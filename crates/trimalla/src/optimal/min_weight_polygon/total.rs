@@ -6,13 +6,11 @@ use std::cmp::Ordering;
 use crate::geometry::Point;
 use crate::geometry::math::power_of_two_scale;
 use crate::optimal::decompose::Objective;
+use crate::optimal::twofold::Twofold;
 
 /// Sums that differ by less than this part of themselves count as equal: 2^-88. A length is off by less than 2^-100 of
 /// itself, and so is an addition.
 const EQUAL: f64 = f64::from_bits((1023 - 88) << 52);
-
-/// Twice 2^26 plus 1, which splits a number into two halves of its digits.
-const SPLITTER: f64 = 134_217_729.0;
 
 /// The sum of lengths is minimised.
 pub(super) struct TotalLength {
@@ -25,7 +23,7 @@ pub(super) struct TotalLength {
 /// A sum of lengths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Total {
-    length: Double,
+    length: Twofold,
     /// Equal for sums of the same lengths: the sum of hashes of their squares.
     fingerprint: u64,
 }
@@ -50,8 +48,7 @@ impl Objective for TotalLength {
 
     fn edge(&self, [a, b]: [u32; 2]) -> Total {
         let [p, q] = [self.points[a as usize], self.points[b as usize]];
-        let (x, y) = (Double::difference(q.x, p.x), Double::difference(q.y, p.y));
-        let square = x.squared().plus(y.squared());
+        let square = Twofold::distance_sq(p, q);
         Total { length: square.root(), fingerprint: square.hash() }
     }
 
@@ -72,80 +69,9 @@ impl Objective for TotalLength {
     }
 }
 
-/// The sum of two numbers, the second of which is at most half a last place of the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Double {
-    head: f64,
-    tail: f64,
-}
-
-impl Double {
-    /// The sum of two numbers. Exact.
-    fn sum(a: f64, b: f64) -> Self {
-        let head = a + b;
-        let b_seen = head - a;
-        Self { head, tail: (a - (head - b_seen)) + (b - b_seen) }
-    }
-
-    /// The difference of two numbers. Exact.
-    fn difference(a: f64, b: f64) -> Self {
-        Self::sum(a, -b)
-    }
-
-    /// The square of a number. Exact, unless it underflows.
-    fn square(a: f64) -> Self {
-        let head = a * a;
-        let high = SPLITTER * a - (SPLITTER * a - a);
-        let low = a - high;
-        Self { head, tail: low * low - ((head - high * high) - 2.0 * high * low) }
-    }
-
-    fn squared(self) -> Self {
-        let square = Self::square(self.head);
-        Self::sum(square.head, square.tail + 2.0 * self.head * self.tail)
-    }
-
-    fn plus(self, other: Self) -> Self {
-        let (heads, tails) = (Self::sum(self.head, other.head), Self::sum(self.tail, other.tail));
-        let first = Self::sum(heads.head, heads.tail + tails.head);
-        Self::sum(first.head, first.tail + tails.tail)
-    }
-
-    fn negated(self) -> Self {
-        Self { head: -self.head, tail: -self.tail }
-    }
-
-    /// The root: that of the head, corrected by one step of Newton's method.
-    fn root(self) -> Self {
-        if self.head <= 0.0 {
-            return Self { head: 0.0, tail: 0.0 };
-        }
-        let root = self.head.sqrt();
-        let square = Self::square(root);
-        let rest = (self.head - square.head) - square.tail + self.tail;
-        Self::sum(root, rest / (2.0 * root))
-    }
-
-    /// A number that is the same for the same number.
-    fn hash(self) -> u64 {
-        let mixed = (self.head.to_bits() ^ self.tail.to_bits().rotate_left(32)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed ^ mixed >> 32
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn roots_have_a_hundred_places() {
-        for value in [2.0, 3.0, 0.1, 1e10 + 1.0] {
-            let root = Double { head: value, tail: 0.0 }.root();
-            let back = root.squared().plus(Double { head: -value, tail: 0.0 });
-            assert!(back.head.abs() < value * 2.0_f64.powi(-99), "{value}: {back:?}");
-        }
-    }
 
     #[test]
     fn sums_of_the_same_lengths_are_equal() {

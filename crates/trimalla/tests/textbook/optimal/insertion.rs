@@ -1,5 +1,6 @@
 //! Edge insertion.
 
+use crate::Cancelled;
 use dashu_ratio::RBig;
 use trimalla::IndexedMesh;
 use trimalla::geometry::Point;
@@ -191,13 +192,6 @@ fn walks_cross_no_more_edges_than_promised() {
 
 #[test]
 fn a_cancelled_run_ends() {
-    struct Never;
-    impl Trace for Never {
-        fn step(&mut self, _: Step) {}
-        fn is_cancelled(&self) -> bool {
-            true
-        }
-    }
     let points = point_set(PointSetKind::Uniform, 50, 1);
     let heights: Vec<f64> = points.iter().map(|p| p.x * p.y).collect();
     let free = OptimalInput { heights: Some(&heights), ..OptimalInput::of_points(&points) };
@@ -205,7 +199,8 @@ fn a_cancelled_run_ends() {
     let domain = IndexedMesh { points: points.clone(), triangles, ..IndexedMesh::default() };
     for method in OptimalMethod::ALL {
         let only_domains = method == OptimalMethod::MinWeightPolygon;
-        let made = method.triangulate(&OptimalInput { domain: only_domains.then_some(&domain), ..free }, &mut Never);
+        let made =
+            method.triangulate(&OptimalInput { domain: only_domains.then_some(&domain), ..free }, &mut Cancelled);
         assert_eq!(made, Err(OptimalError::Cancelled), "{method}");
     }
 }
