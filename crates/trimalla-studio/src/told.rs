@@ -12,9 +12,9 @@ use crate::scene::Scene;
 /// The triangles and shapes after some steps.
 #[derive(Debug, Default)]
 pub(crate) struct Told {
-    /// Of which steps.
-    steps: (usize, usize),
-    /// So many of them are followed.
+    /// Of which run.
+    run: Option<Construction>,
+    /// So many of its steps are followed.
     at: usize,
     triangles: BTreeSet<[u32; 3]>,
     shapes: BTreeMap<Name, Shape>,
@@ -45,10 +45,11 @@ fn sorted(mut corners: [u32; 3]) -> [u32; 3] {
 
 impl Told {
     /// Goes to the state after so many steps: on from the last one, or from the beginning.
-    pub(crate) fn seek(&mut self, steps: &[Step], shown: usize) {
-        let which = (steps.as_ptr() as usize, steps.len());
-        if self.steps != which || shown < self.at {
-            *self = Self { steps: which, ..Self::default() };
+    pub(crate) fn seek(&mut self, construction: &Construction, shown: usize) {
+        let steps = construction.steps();
+        let is_same = self.run.as_ref().is_some_and(|run| run.is_of_run(construction));
+        if !is_same || shown < self.at {
+            *self = Self { run: Some(construction.clone()), ..Self::default() };
         }
         for step in &steps[self.at.min(steps.len())..shown.min(steps.len())] {
             self.follow(step);
@@ -78,7 +79,7 @@ impl Told {
 
     /// What is drawn after so many steps.
     pub(crate) fn scene(&mut self, document: &Document, construction: &Construction, shown: usize) -> Arc<Scene> {
-        self.seek(construction.steps(), shown);
+        self.seek(construction, shown);
         if let Some((version, at, scene)) = &self.scene
             && (*version, *at) == (document.version(), shown)
         {
@@ -141,9 +142,9 @@ mod tests {
             let faces: BTreeSet<_> = t.real_faces().map(|f| sorted(t.face_vertices(f).map(|v| v.0))).collect();
             let mut told = Told::default();
             for shown in [all, all / 2, 0, all / 3, all] {
-                told.seek(construction.steps(), shown);
+                told.seek(construction, shown);
                 let mut anew = Told::default();
-                anew.seek(construction.steps(), shown);
+                anew.seek(construction, shown);
                 assert_eq!((&told.triangles, &told.shapes), (&anew.triangles, &anew.shapes), "{}", method.key());
             }
             // Delaunay algorithms tell of the points alone, without the contour; some tell of edges alone.

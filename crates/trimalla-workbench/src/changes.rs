@@ -50,6 +50,8 @@ pub(crate) enum Change {
     Noted,
     /// What the algorithm told was this.
     Construction(Option<Construction>),
+    /// So many of its steps were shown.
+    Shown(usize),
 }
 
 impl Change {
@@ -67,6 +69,11 @@ impl Change {
             Self::Options(before) => state.options = *before,
             Self::Selection(before) => state.selection = before,
             Self::Construction(before) => state.construction = before,
+            Self::Shown(before) => {
+                if let Some(construction) = &mut state.construction {
+                    construction.shown = before;
+                }
+            }
             Self::Mesh { mut log, before, was_delaunay } => {
                 if let Some(Mesh::AtRest(at_rest)) = &mut state.mesh {
                     at_rest.t.rollback(&mut log, before);
@@ -94,6 +101,7 @@ impl Change {
             Self::Mesh { log, .. } => own + log.len() * size_of::<Entry>(),
             Self::Selection(before) => own + size_of_val(before.as_slice()),
             Self::Step { bytes } => own + bytes,
+            Self::Construction(before) => own + before.as_ref().map_or(0, Construction::bytes),
             _ => own,
         }
     }
@@ -105,7 +113,7 @@ impl State {
         let drawn = size_of_val(self.input.drawing.points.as_slice());
         // About: a triangulation of a million points takes 73 bytes a point (docs/performance.md), and there are names.
         let meshed = self.mesh.as_ref().map_or(0, |mesh| 120 * mesh.triangulation().points().len());
-        drawn + meshed
+        drawn + meshed + self.construction.as_ref().map_or(0, Construction::bytes)
     }
 }
 
@@ -281,6 +289,15 @@ impl<'a> Work<'a> {
         let before = std::mem::replace(&mut self.state.construction, construction);
         self.traces.changes.push(Change::Construction(before));
         self.interface.update();
+    }
+
+    /// Shows so many steps of the algorithm that made the triangulation, or all; how many that are, if there are any.
+    pub(crate) fn show_steps(&mut self, shown: usize) -> Option<usize> {
+        let construction = self.state.construction.as_mut()?;
+        let shown = shown.min(construction.steps().len());
+        self.traces.changes.push(Change::Shown(std::mem::replace(&mut construction.shown, shown)));
+        self.interface.update();
+        Some(shown)
     }
 
     /// The vertex that a name stands for.

@@ -45,6 +45,17 @@ impl Construction {
         self.recorder.steps()
     }
 
+    /// Whether another one has the steps of the same run.
+    #[must_use]
+    pub fn is_of_run(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.recorder, &other.recorder)
+    }
+
+    /// About how many bytes the steps take.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(self.steps())
+    }
+
     /// How many of them are shown: all of them, until 'Watch' says otherwise.
     #[must_use]
     pub fn shown(&self) -> usize {

@@ -21,12 +21,12 @@ pub(super) const ROW: CommandRow = CommandRow {
     name: "Player",
     arguments: "FILE",
     summary: "writes a page that plays a refinement, or before 'Triangulate' the triangulation",
-    help: "One HTML file for any browser, without a network. A copy of the triangulation is refined by the options that \
-           'Set' gives, from where 'Step' has got to, to the end; nothing changes here. Right after 'Refine' that \
-           refinement is played from its beginning. Before 'Triangulate' it plays how the triangulation comes about: \
-           point by point, segment by segment; right after 'Triangulate KEY' what that algorithm told. Vertices are numbered from 0 in the order of creation. It takes 50,000 \
-           steps and 64 MiB: of a longer run it holds the first steps, and says so. The file is written whole or not at \
-           all.",
+    help: "One HTML file for any browser, without a network. A copy of the triangulation is refined by the options \
+           that 'Set' gives, from where 'Step' has got to, to the end; nothing changes here. Right after 'Refine' \
+           that refinement is played from its beginning. Before 'Triangulate' it plays how the triangulation comes \
+           about: point by point, segment by segment; right after 'Triangulate KEY' what that algorithm told. \
+           Vertices are numbered from 0 in the order of creation. It takes 50,000 steps and 64 MiB: of a longer \
+           run it holds the first steps, and says so. The file is written whole or not at all.",
     parse: |arguments| Deed::ask(Command { path: arguments.path()? }),
 };
 

@@ -4,7 +4,6 @@ use super::{Act, CommandRow, Deed};
 use crate::arguments::count_of;
 use crate::changes::Work;
 use crate::error::CommandError;
-use crate::state::Construction;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Watch",
@@ -24,15 +23,14 @@ struct Watch {
 
 impl Act for Watch {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
-        let Some(construction) = &work.state().construction else {
+        let shown = work.show_steps(self.shown);
+        let Some((construction, shown)) = work.state().construction.as_ref().zip(shown) else {
             return Err(CommandError::new("no algorithm has told its steps: 'Triangulate KEY' lets one do so"));
         };
-        let shown = self.shown.min(construction.steps().len());
-        let note = shown.checked_sub(1).map(|last| construction.steps()[last].note);
-        let construction = Construction { shown, ..construction.clone() };
-        let all = construction.steps().len();
-        work.set_construction(Some(construction));
-        work.say(format!("step {shown} of {all}: {}", note.unwrap_or("the beginning")));
+        let steps = construction.steps();
+        let note = shown.checked_sub(1).map_or("the beginning", |last| steps[last].note);
+        let text = format!("step {shown} of {}: {note}", steps.len());
+        work.say(text);
         Ok(())
     }
 }
