@@ -35,29 +35,14 @@ impl IndexedMesh {
                 outlines[part[first.triangle]].rings.push(ring);
             }
         }
-        for outline in &mut outlines {
-            let lowest = |ring: &Vec<u32>| ring.iter().copied().min_by(|&v, &w| self.lexicographic(v, w));
-            let rings = &mut outline.rings;
-            // The outline has the lexicographically lowest vertex; where a hole touches it there, it turns to the
-            // left.
-            let first = (0..rings.len()).min_by(|&i, &j| {
-                let lower = |i: usize| lowest(&rings[i]);
-                let by_place = match (lower(i), lower(j)) {
-                    (Some(v), Some(w)) => self.lexicographic(v, w),
-                    _ => std::cmp::Ordering::Equal,
-                };
-                by_place.then_with(|| self.turns_left(&rings[j]).cmp(&self.turns_left(&rings[i])))
-            });
-            if let Some(first) = first {
-                rings[..=first].rotate_right(1);
+        // All rings have the part on their left, so that the outer one alone runs counter-clockwise.
+        for Outline { rings } in &mut outlines {
+            if let Some(outer) = rings.iter().position(|ring| self.turns_left(ring)) {
+                rings[..=outer].rotate_right(1);
             }
         }
         outlines.retain(|outline| !outline.rings.is_empty());
         outlines
-    }
-
-    fn lexicographic(&self, v: u32, w: u32) -> std::cmp::Ordering {
-        crate::geometry::lexicographic(self.points[v as usize], self.points[w as usize])
     }
 
     fn turns_left(&self, ring: &[u32]) -> bool {
