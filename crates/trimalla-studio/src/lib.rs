@@ -2,7 +2,9 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `app` | the window: which panel is where, and what its buttons run |
+//! | `app` | the studio: which panel is where, and what its buttons run |
+//! | [`dialog`] | file dialogs: what one is to ask for, and what came of it |
+//! | `window` | the studio in a window of the desktop, which opens the dialogs |
 //! | `worker` | commands at work on a thread of their own or slice by slice, which can be cancelled |
 //! | `scene` | what is drawn of the document, as plain arrays |
 //! | `told` | what an algorithm has told until one of its steps |
@@ -17,6 +19,7 @@
 
 mod app;
 mod compare;
+pub mod dialog;
 pub mod exchange;
 mod learn;
 pub mod link;
@@ -27,6 +30,10 @@ mod tools;
 mod viewer;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+#[cfg(not(target_arch = "wasm32"))]
+mod window;
 mod worker;
 
 pub use app::Studio;
+#[cfg(not(target_arch = "wasm32"))]
+pub use window::Window;

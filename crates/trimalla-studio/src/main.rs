@@ -3,7 +3,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
     use std::process::ExitCode;
-    use trimalla_studio::Studio;
+    use trimalla_studio::{Studio, Window};
 
     let file = std::env::args_os().nth(1);
     let size = eframe::egui::vec2(1280.0, 860.0);
@@ -20,7 +20,7 @@ fn main() -> std::process::ExitCode {
             if let Some(file) = &file {
                 studio.open(&file.to_string_lossy());
             }
-            Ok(Box::new(studio))
+            Ok(Box::new(Window::new(studio)))
         }),
     );
     match shown {

@@ -101,8 +101,12 @@ impl Studio {
         let field = ui.add(edit).labelled_by(label.id);
         let is_entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let is_opened = ui.button("Open").on_hover_text("loads a drawing or a mesh, or runs a script (.tri)").clicked();
-        if is_opened || is_entered {
-            let path = self.path.trim().to_owned();
+        let is_browsed =
+            self.dialogs.are_there && ui.button("Browse …").on_hover_text("asks for a file to open (Ctrl+O)").clicked();
+        let path = self.path.trim().to_owned();
+        if is_browsed || is_opened && path.is_empty() && self.dialogs.are_there {
+            self.browse();
+        } else if is_opened || is_entered {
             self.open(&path);
         }
         ui.menu_button("Write …", |ui| self.show_write(ui));

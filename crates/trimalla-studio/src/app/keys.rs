@@ -7,13 +7,16 @@ use super::{Page, Studio};
 use crate::tools::Tool;
 
 impl Studio {
-    /// Keys that work wherever the pointer is, but not while one types.
+    /// Keys that work wherever the pointer is; while one types, only that of the dialog that opens a file.
     pub(super) fn take_keys(&mut self, ui: &Ui) -> Vec<String> {
+        let with_command = |key: Key| ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND, key));
+        if self.dialogs.are_there && with_command(Key::O) {
+            self.browse();
+        }
         if ui.ctx().egui_wants_keyboard_input() {
             return Vec::new();
         }
         let pressed = |key: Key| ui.input(|i| i.key_pressed(key) && i.modifiers.is_none());
-        let with_command = |key: Key| ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND, key));
         let mut commands = Vec::new();
         if ui.input_mut(|i| i.consume_key(egui::Modifiers::COMMAND | egui::Modifiers::SHIFT, Key::Z))
             || with_command(Key::Y)

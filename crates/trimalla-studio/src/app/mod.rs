@@ -17,6 +17,7 @@ use trimalla_workbench::{Document, MessageKind, script};
 use self::control::Control;
 use self::watch::Watch;
 use crate::compare::Compare;
+use crate::dialog::Dialogs;
 use crate::learn;
 use crate::panels::console::Console;
 use crate::panels::{information, missed};
@@ -62,6 +63,7 @@ pub struct Studio {
     lesson: Option<learn::Playing>,
     page: Page,
     path: String,
+    pub(crate) dialogs: Dialogs,
     /// How high the window is.
     room: f32,
 }
@@ -128,6 +130,7 @@ impl Studio {
             lesson: None,
             page: Page::default(),
             path: String::new(),
+            dialogs: Dialogs::default(),
             room: 0.0,
         }
     }

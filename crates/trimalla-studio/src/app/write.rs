@@ -7,6 +7,7 @@ use trimalla_io::Files;
 use trimalla_workbench::{MessageKind, script};
 
 use super::{Studio, Then};
+use crate::dialog::Wish;
 
 /// What can be written: its name, the command, the ending, the help.
 const WRITTEN: [(&str, &str, &str, &str); 8] = [
@@ -27,32 +28,50 @@ impl Studio {
         for (name, word, ending, help) in WRITTEN {
             let file = self.name_for(ending);
             if ui.button(format!("{name}: {file}")).on_hover_text(help).clicked() {
-                chosen = Some((word, file));
+                chosen = Some((name, word, file, ending));
                 ui.close();
             }
         }
         ui.separator();
         if ui.button("In the format of the name above").on_hover_text("by its ending").clicked() {
-            chosen = Some(("Export", self.path.trim().to_owned()));
+            chosen = Some(("", "Export", self.path.trim().to_owned(), ""));
             ui.close();
         }
         if let Some(folder) = self.whole_path("").filter(|_| matches!(self.worker.files(), Files::Disk)) {
             ui.weak(format!("into {}", folder.display()));
         }
-        if let Some((word, file)) = chosen {
+        let Some((kind, word, file, ending)) = chosen else { return };
+        if let Err(why) = self.can_write(word, &file) {
+            return self.say(MessageKind::Error, why.to_owned());
+        }
+        // A name that was typed with its ending needs no question.
+        if self.dialogs.are_there && !ending.is_empty() {
+            self.wish(Wish::to_write(kind, word, &file, ending));
+        } else {
             self.write(word, &file);
         }
     }
 
-    fn write(&mut self, word: &str, file: &str) {
-        let refuse = |studio: &mut Self, text: &str| studio.say(MessageKind::Error, text.to_owned());
+    /// Whether there is a name, and something to write; else why not.
+    fn can_write(&self, word: &str, file: &str) -> Result<(), &'static str> {
         if file.is_empty() {
-            return refuse(self, "there is no name: type one into the field 'File'");
+            return Err("there is no name: type one into the field 'File'");
         }
         let document = self.worker.document();
         if word != "SaveRecipe" && document.is_some_and(|d| d.figures().vertices == 0) {
-            return refuse(self, "there is nothing to write: the drawing is empty");
+            return Err("there is nothing to write: the drawing is empty");
         }
+        Ok(())
+    }
+
+    /// Asks for a file to open, beside the last one.
+    pub(super) fn browse(&mut self) {
+        let folder = Path::new(self.path.trim()).parent().map(Path::to_path_buf);
+        self.wish(Wish::to_open(folder.filter(|folder| !folder.as_os_str().is_empty())));
+    }
+
+    /// Writes a file by a command, and says where it is.
+    pub(crate) fn write(&mut self, word: &str, file: &str) {
         let says = match self.worker.files() {
             Files::Disk => self.whole_path(file).map(|path| format!("it is in {}", path.display())),
             _ => None,

@@ -1,6 +1,7 @@
 //! The window, by label, click and key, without a display.
 
 mod compare;
+mod files;
 mod learn;
 mod panels;
 mod steps;
