@@ -5,11 +5,10 @@ use trimalla::Meshed;
 use trimalla::drawing::IndexedMesh;
 use trimalla::quality::{Classes, Histogram, Spread, Statistics};
 use trimalla::refine::{self, Group, NamedOptions, OPTIONS, OptionRow, Overview, Report};
+use trimalla_workbench::refining::{MissedBounds, Outcome};
 
 use crate::console;
 use crate::exit::Failure;
-use crate::missed::MissedBounds;
-use crate::outcome::Outcome;
 
 /// The report of a refinement.
 pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Value {

@@ -6,7 +6,7 @@
 //! | [`args`] | options that several subcommands share |
 //! | [`input`] | drawings and meshes with the numbering of their files |
 //! | [`terrain`] | a triangulation from a mesh or a drawing, its points and their heights |
-//! | [`refining`] | the common part of `mesh` and `refine`: options, the flow, the report |
+//! | [`refining`] | the common part of `mesh` and `refine`: options, and the report of the workbench's outcome |
 //! | [`drawing_faults`] | what may help where a drawing is at fault |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`player`] | every step recorded: as a line, as a picture, and on a page that plays them |
@@ -21,11 +21,8 @@ mod commands;
 mod console;
 mod drawing_faults;
 mod exit;
-mod foresight;
 mod input;
 mod json;
-mod missed;
-mod outcome;
 mod outputs;
 mod picks;
 mod player;

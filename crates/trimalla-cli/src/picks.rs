@@ -1,10 +1,7 @@
 //! `--pick`: the triangles that step 2 `manual` treats, by their numbers.
 
-use std::cell::RefCell;
-use std::rc::Rc;
-
 use clap::Args;
-use trimalla::refine::{Beginning, Select, Value};
+use trimalla::refine::{Select, Value};
 use trimalla_workbench::numbers::{PickError, Picks};
 
 use crate::exit::Failure;
@@ -52,30 +49,8 @@ impl PickOptions {
     }
 
     /// The picks, with the triangles of the mesh that they are numbers of, if that is not the start itself.
-    pub(crate) fn of(&self, first_index: u32, triangles: Option<&[[u32; 3]]>) -> Result<RunPicks, Failure> {
-        Ok(RunPicks { picks: Picks::new(&self.pick, first_index, triangles)?, fault: Rc::default() })
-    }
-}
-
-/// The picks of one run, and why they failed.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct RunPicks {
-    picks: Picks,
-    fault: Rc<RefCell<Option<Failure>>>,
-}
-
-impl RunPicks {
-    /// Picks the triangles; returns whether all exist, and keeps the failure if not.
-    pub(crate) fn pick(&self, begun: &mut dyn Beginning) -> bool {
-        self.picks.pick(begun).unwrap_or_else(|error| {
-            *self.fault.borrow_mut() = Some(error.into());
-            false
-        })
-    }
-
-    /// The failure of [`pick`](Self::pick), if there was one.
-    pub(crate) fn check(&self) -> Result<(), Failure> {
-        self.fault.borrow_mut().take().map_or(Ok(()), Err)
+    pub(crate) fn of(&self, first_index: u32, triangles: Option<&[[u32; 3]]>) -> Result<Picks, Failure> {
+        Ok(Picks::new(&self.pick, first_index, triangles)?)
     }
 }
 

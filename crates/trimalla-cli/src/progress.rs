@@ -6,20 +6,18 @@
 //! ```
 //! A second Ctrl-C ends the program at once, whatever it is doing.
 
-use std::cell::Cell;
 use std::process;
-use std::rc::Rc;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use trimalla::constrained::ConstrainedTriangulation;
-use trimalla::refine::{Beginning, Clock, Event, Observer, Overview, Progress};
+use trimalla::refine::{Beginning, Clock, Event, Observer, Progress};
+use trimalla_workbench::refining;
 
 use crate::console;
 use crate::exit::{Failure, Status};
-use crate::picks::RunPicks;
 use crate::trace::Trace;
 
 /// Whether Ctrl-C has been pressed.
@@ -79,11 +77,8 @@ pub(crate) struct Watch {
     line: ProgressBar,
     trace: Option<Trace>,
     is_timed: bool,
-    picks: RunPicks,
-    /// Whether a picked triangle does not exist, so that nothing can be refined.
-    pick_failed: bool,
-    /// The state before the refinement, once that has begun.
-    before: Rc<Cell<Option<Overview>>>,
+    /// Whether warnings are shown as they come.
+    warns: bool,
 }
 
 impl Watch {
@@ -100,25 +95,12 @@ impl Watch {
     }
 
     fn of(line: ProgressBar) -> Self {
-        Self {
-            line,
-            trace: None,
-            is_timed: false,
-            picks: RunPicks::default(),
-            pick_failed: false,
-            before: Rc::default(),
-        }
+        Self { line, trace: None, is_timed: false, warns: false }
     }
 
-    /// Sets the triangles to pick.
-    pub(crate) fn with_picks(mut self, picks: RunPicks) -> Self {
-        self.picks = picks;
-        self
-    }
-
-    /// Sets where to store the state before the refinement.
-    pub(crate) fn with_overview(mut self, before: Rc<Cell<Option<Overview>>>) -> Self {
-        self.before = before;
+    /// Sets whether warnings are shown as they come.
+    pub(crate) fn warning(mut self, warns: bool) -> Self {
+        self.warns = warns;
         self
     }
 
@@ -138,8 +120,6 @@ impl Watch {
 impl Observer for Watch {
     fn begins(&mut self, begun: &mut dyn Beginning) {
         defer_ctrl_c(); // From here on temporary files may be there.
-        self.before.set(Some(begun.overview()));
-        self.pick_failed = !self.picks.pick(begun);
         if let Some(trace) = &self.trace {
             trace.start(begun.triangulation());
         }
@@ -152,7 +132,7 @@ impl Observer for Watch {
             self.line.set_position(progress.vertices as u64);
         }
         let is_of_use = self.trace.as_ref().is_none_or(|trace| !trace.has_failed());
-        is_of_use && !self.pick_failed && !INTERRUPTED.load(Ordering::SeqCst)
+        is_of_use && !INTERRUPTED.load(Ordering::SeqCst)
     }
 
     fn clock(&self) -> Option<Clock> {
@@ -166,6 +146,14 @@ impl Observer for Watch {
     fn event(&mut self, event: &Event, cdt: &ConstrainedTriangulation) {
         if let Some(trace) = &self.trace {
             trace.record(event, cdt);
+        }
+    }
+}
+
+impl refining::Watch for Watch {
+    fn warn(&mut self, warning: &str) {
+        if self.warns {
+            console::note("warning", warning);
         }
     }
 }

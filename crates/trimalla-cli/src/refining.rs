@@ -1,20 +1,18 @@
-//! The common part of `mesh` and `refine`: the options of a refinement, the flow from input to output, the report.
+//! The common part of `mesh` and `refine`: the options of a refinement, and the report.
 
-use std::rc::Rc;
 use std::time::Instant;
 
 use clap::Args;
-use trimalla::Meshed;
 use trimalla::quality::Statistics;
-use trimalla::refine::{NamedOptions, RefineOptions};
+use trimalla::refine::NamedOptions;
+use trimalla::{Error, Meshed};
 use trimalla_io::bars;
+use trimalla_workbench::refining::{Outcome, Task, TaskError, TaskInput};
 
 use crate::args::{OutputOptions, ReportOptions};
 use crate::console;
 use crate::exit::{Failure, Status};
 use crate::input::Input;
-use crate::missed::MissedBounds;
-use crate::outcome::Outcome;
 use crate::outputs::{self, Outputs};
 use crate::progress::{self, Watch};
 use crate::recipe_file;
@@ -46,10 +44,7 @@ pub(crate) struct RefiningOptions {
     details: bool,
 }
 
-/// Makes a mesh, given options and an observer; the last argument silences warnings before the work.
-pub(crate) type MakeMesh<'a> = dyn Fn(&RefineOptions, Watch, bool) -> Result<Outcome, Failure> + 'a;
-
-/// A refinement to be run, and what the report says of its input.
+/// What the report says of the input of a refinement.
 pub(crate) struct Job<'a> {
     /// The name of the input, without folder and ending.
     pub(crate) title: String,
@@ -63,8 +58,8 @@ pub(crate) struct Job<'a> {
     pub(crate) vertices: usize,
     /// The triangles of a given mesh.
     pub(crate) triangles: Option<&'a [[u32; 3]]>,
-    /// Makes the mesh.
-    pub(crate) make: &'a MakeMesh<'a>,
+    /// Messages about ignored parts of the files.
+    pub(crate) notes: Vec<String>,
 }
 
 impl RefiningOptions {
@@ -87,34 +82,44 @@ impl RefiningOptions {
         outputs::recover(output.output.iter().chain(single.into_iter().flatten()), report.quiet);
     }
 
-    /// Runs the job and writes files and report.
-    pub(crate) fn run(&self, asked: &NamedOptions, job: &Job<'_>, outputs: &Outputs) -> Result<Status, Failure> {
+    /// Refines the input and writes files and report; a fault that the library finds is put into words.
+    pub(crate) fn run(
+        &self,
+        asked: &NamedOptions,
+        job: Job<'_>,
+        input: TaskInput<'_>,
+        outputs: &Outputs,
+        in_words: impl Fn(Error) -> Failure,
+    ) -> Result<Status, Failure> {
         let stream = outputs.report_stream(&self.report)?;
         let start = Instant::now();
         let trace = self.trace.begin(&job.title);
         let picks = self.asked.pick.of(job.first_index, job.triangles)?;
-        let before = Rc::default();
-        let watch = Watch::new(!self.report.json && !self.report.quiet)
+        let mut watch = Watch::new(!self.report.json && !self.report.quiet)
             .with_trace(trace.clone())
             .timed(self.details)
-            .with_overview(Rc::clone(&before));
-        let mut outcome = (job.make)(&asked.refine_options(), watch.with_picks(picks.clone()), self.report.quiet)?;
-        picks.check()?;
+            .warning(!self.report.quiet);
+        let task = Task { input, options: asked.refine_options(), picks };
+        let mut outcome = task.run(&mut watch).map_err(|error| match error {
+            TaskError::Library(error) => in_words(error),
+            TaskError::Pick(error) => error.into(),
+        })?;
+        drop(watch); // Clears its line.
+        outcome.warnings.splice(0..0, job.notes);
         outcome.warnings.extend(self.asked.pick.warning(asked.recipe.select));
         outcome.warnings.extend(trace.as_ref().and_then(Trace::warning));
-        let Outcome { meshed: Meshed { mesh, report, .. }, warnings, .. } = &outcome;
+        let Outcome { meshed: Meshed { mesh, report, .. }, before, warnings, missed, .. } = &outcome;
         let seconds = start.elapsed().as_secs_f64();
         progress::begin_writing()?;
         let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
-        let command = job.command.clone().with_refinement(asked, self.asked.pick.numbers());
-        let missed = MissedBounds::of(mesh, report, &asked.refine_options().criteria);
+        let command = job.command.with_refinement(asked, self.asked.pick.numbers());
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
         let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.asked.file, asked)?;
         if self.report.json {
             let mut object = json::of_meshing(&outcome, &recipe_file::key(asked), seconds);
-            json::add_asked(&mut object, asked, before.get(), &missed, &command);
+            json::add_asked(&mut object, asked, *before, missed, &command);
             if let Some(statistics) = &details {
                 object["details"] = json::of_details(statistics, report);
             }
@@ -124,9 +129,9 @@ impl RefiningOptions {
             lines.heading(&job.heading);
             lines.row("algorithm", recipe_file::full_title(asked));
             lines.row("steps", recipe_file::steps(asked));
-            text::add_before(&mut lines, before.get());
+            text::add_before(&mut lines, *before);
             text::add_counts(&mut lines, mesh, job.vertices);
-            text::add_outcome(&mut lines, report, asked, &missed);
+            text::add_outcome(&mut lines, report, asked, missed);
             if let Some(floor) = &outcome.floor {
                 lines.row("floor", floor);
             }
@@ -145,7 +150,7 @@ impl RefiningOptions {
         }
         if !self.report.quiet {
             text::name_stop(report);
-            text::name_leftovers(mesh, job.first_index, report, &missed);
+            text::name_leftovers(mesh, job.first_index, report, missed);
         }
         Ok(Status::Unmet)
     }

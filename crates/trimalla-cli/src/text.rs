@@ -2,16 +2,15 @@
 
 use std::fmt::Write as _;
 
-use trimalla::Meshed;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::aspect_ratio;
-use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, RefineOptions, Report, StopReason};
+use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, Report, StopReason};
 use trimalla_compare::facts;
 use trimalla_workbench::numbers::count;
+use trimalla_workbench::refining::{MissedBounds, corners};
 
 use crate::console;
 use crate::input::Input;
-use crate::missed::{MissedBounds, corners};
 
 /// Lines of a label and a value, in columns.
 #[derive(Debug, Default)]
@@ -83,20 +82,6 @@ fn bounds(asked: &NamedOptions) -> String {
     let protect = asked.protect.filter(|&protect| protect != Protect::None);
     let protect = protect.map(|protect| format!("protected segments: {}", protect.key()));
     [Some(angle), area, aspect_ratio, protect].into_iter().flatten().collect::<Vec<_>>().join(", ")
-}
-
-/// What the smallest input angle costs at worst, where some triangle pays for it and the argument for it holds.
-pub(crate) fn floor(meshed: &Meshed, options: &RefineOptions, drawing: &Input<Pslg>) -> Option<String> {
-    let outlook = meshed.outlook.as_ref()?;
-    let is_forced = meshed.report.complete() && !meshed.report.leftovers.is_empty();
-    let (floor, input) = (outlook.angle_floor(options).filter(|_| is_forced)?, outlook.smallest_input_angle?);
-    // Rounded down: what is said stays true.
-    let floor = (100.0 * floor.degrees()).floor() / 100.0;
-    let vertex = drawing.number(input.vertex.index());
-    Some(format!(
-        "no mesh angle need be below {floor:.2} degrees: the floor for the smallest input angle {:.2} at vertex {vertex}",
-        input.angle.degrees()
-    ))
 }
 
 /// How long the longest-edge propagation paths were, if any was followed.

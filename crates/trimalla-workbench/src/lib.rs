@@ -21,6 +21,7 @@
 //! | [`COMMANDS`] | every command: name, arguments, help |
 //! | [`EdgePlan`] | what inserting an edge would do, step by step |
 //! | [`numbers`] | messages and picks in the numbers of a file |
+//! | [`refining`] | a refinement from its input to its outcome, for programs that run one and end |
 //! | [`RunInformation`] | what a run of a refinement was asked, and what it did |
 //! | [`script`] | many commands as a text |
 //! | [`record`] | the steps of a run as lines, as pictures, and on a page that plays them |
@@ -48,6 +49,7 @@ mod messages;
 mod names;
 pub mod numbers;
 pub mod record;
+pub mod refining;
 mod running;
 mod runs;
 pub mod script;

@@ -9,11 +9,11 @@ use trimalla::quality::{against_input, below_bound};
 use trimalla::refine::OptionError;
 use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
 use trimalla_workbench::numbers::{Renumber as _, count};
+use trimalla_workbench::refining::corners;
 
 use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
-use crate::missed::corners;
 
 /// No more faults than this are named one by one.
 const MOST_FAULTS: usize = 50;

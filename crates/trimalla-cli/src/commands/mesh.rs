@@ -1,14 +1,13 @@
 //! `trimalla mesh`: a drawing in, a good mesh out.
 
 use clap::Args;
+use trimalla::Error;
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::{Error, MeshOptions};
+use trimalla_workbench::refining::TaskInput;
 
 use crate::args::{DrawingOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::foresight::Foresight;
 use crate::input::read_drawing;
-use crate::outcome::Outcome;
 use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
 use crate::{drawing_faults, progress, text};
@@ -69,7 +68,6 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.refining.recover();
     let drawing = read_drawing(&options.drawing.input)?;
     let outputs = options.refining.outputs(&drawing)?;
-    let names = drawing.numbers();
     let domain = options.drawing.domain_options(options.triangulator);
     let job = Job {
         title: drawing.title(),
@@ -82,23 +80,12 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         first_index: drawing.first_index,
         vertices: drawing.value.points.len(),
         triangles: None,
-        make: &|refine, watch, is_quiet| {
-            let mut foresight = Foresight::new(watch, &names, *refine, is_quiet);
-            let made = trimalla::mesh_with(&drawing.value, &MeshOptions { domain, refine: *refine }, &mut foresight);
-            let foreseen = std::mem::take(&mut foresight.warnings);
-            match made {
-                Ok(meshed) => {
-                    let warnings =
-                        drawing.notes.iter().cloned().chain(meshed.warnings.iter().map(|w| names.warning(w)));
-                    let warnings = warnings.collect();
-                    let floor = text::floor(&meshed, refine, &drawing);
-                    Ok(Outcome { meshed, warnings, foreseen, floor })
-                }
-                Err(Error::Domain(error)) => Err(drawing_faults::failure(&names, &error)),
-                Err(Error::Option(error)) => Err(error.into()),
-                Err(other) => Err(Failure::bad_input(other.to_string())),
-            }
-        },
+        notes: drawing.notes.clone(),
     };
-    options.refining.run(&asked, &job, &outputs)
+    let input = TaskInput::Drawing { drawing: &drawing.value, domain, numbers: drawing.numbers() };
+    options.refining.run(&asked, job, input, &outputs, |error| match error {
+        Error::Domain(error) => drawing_faults::failure(&drawing.numbers(), &error),
+        Error::Option(error) => error.into(),
+        other => Failure::bad_input(other.to_string()),
+    })
 }

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use trimalla::Error;
-use trimalla::domain::{MeshError, Warning};
+use trimalla::domain::MeshError;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_workbench::numbers::{Renumber as _, count};
+use trimalla_workbench::refining::TaskInput;
 
 use crate::console::shown;
 use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
-use crate::outcome::Outcome;
 use crate::progress;
 use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
@@ -85,16 +85,15 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         first_index: mesh.first_index,
         vertices: mesh.value.points.len(),
         triangles: Some(&mesh.value.triangles),
-        make: &|refine, mut watch, _| {
-            let input = drawing.as_ref().map(|drawing| &drawing.value);
-            let meshed = trimalla::refine_mesh_with(&mesh.value, &areas, input, refine, &mut watch)
-                .map_err(|error| failure(error, &mesh, drawing.as_ref()))?;
-            let notes = mesh.notes.iter().chain(drawing.iter().flat_map(|drawing| &drawing.notes)).cloned();
-            let warnings = notes.chain(meshed.warnings.iter().map(|w| warning(w, &mesh, drawing.as_ref()))).collect();
-            Ok(Outcome { meshed, warnings, foreseen: Vec::new(), floor: None })
-        },
+        notes: mesh.notes.iter().chain(drawing.iter().flat_map(|drawing| &drawing.notes)).cloned().collect(),
     };
-    options.refining.run(&asked, &job, &outputs)
+    let input = TaskInput::Mesh {
+        mesh: &mesh.value,
+        name: mesh.name(),
+        areas: &areas,
+        drawing: drawing.as_ref().map(|drawing| (&drawing.value, drawing.numbers())),
+    };
+    options.refining.run(&asked, job, input, &outputs, |error| failure(error, &mesh, drawing.as_ref()))
 }
 
 /// The area bounds beside a mesh; none where there is no such file.
@@ -112,14 +111,6 @@ fn heading(mesh: &Input<IndexedMesh>) -> String {
     let parts = [(points.len(), "vertex"), (triangles.len(), "triangle"), (segments.len(), "subsegment")];
     let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
     format!("{}: {}", mesh.name(), parts.join(", "))
-}
-
-/// A warning in the words of the drawing where it is about that.
-fn warning(warning: &Warning, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> String {
-    match (warning, drawing) {
-        (Warning::IdleRegion { .. } | Warning::RegionTwice { .. }, Some(drawing)) => drawing.numbers().warning(warning),
-        _ => format!("{}: {warning}", mesh.name()),
-    }
 }
 
 /// An error of the library in the numbers of the files.

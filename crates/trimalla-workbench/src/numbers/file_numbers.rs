@@ -37,7 +37,7 @@ impl<'a> FileNumbers<'a> {
     }
 
     /// The number that the file gives to the vertex, segment or triangle with this index.
-    fn number(&self, index: usize) -> usize {
+    pub(crate) fn number(&self, index: usize) -> usize {
         index + self.first_index as usize
     }
 

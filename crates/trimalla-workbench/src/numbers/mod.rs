@@ -12,4 +12,4 @@ pub use file_numbers::FileNumbers;
 pub use picks::{PickError, Picks};
 pub use records::{Record, Records};
 pub use renumber::Renumber;
-pub use words::{count, short};
+pub use words::{count, grouped, short};

@@ -1,42 +1,53 @@
 //! Warnings before the work: angles that no mesh can reach, meshes that the budget will cut short.
 
-use indicatif::HumanCount;
-use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::geometry::Point;
 use trimalla::quality::AngleCeiling;
-use trimalla::refine::{
-    Beginning, Cause, Clock, Event, Feature, Forecast, Gap, Observer, Outlook, Progress, RefineOptions,
-};
-use trimalla_workbench::numbers::{FileNumbers, short};
+use trimalla::refine::{Cause, Feature, Forecast, Gap, Outlook, RefineOptions};
 
-use crate::console;
-use crate::progress::Watch;
+use crate::numbers::{FileNumbers, grouped, short};
 
 /// By what factor a forecast may be wrong.
 const UNSURE: f64 = 3.0;
 
-/// Shows progress, and warns before the work.
+/// Warnings before the work, in the numbers of a file.
 #[derive(Debug)]
-pub(crate) struct Foresight<'a> {
-    watch: Watch,
+pub(super) struct Foresight<'a> {
     names: &'a FileNumbers<'a>,
     options: RefineOptions,
-    is_quiet: bool,
-    /// The warnings so far.
-    pub(crate) warnings: Vec<String>,
+    warnings: Vec<String>,
 }
 
 impl<'a> Foresight<'a> {
-    pub(crate) fn new(watch: Watch, names: &'a FileNumbers<'a>, options: RefineOptions, is_quiet: bool) -> Self {
-        Self { watch, names, options, is_quiet, warnings: Vec::new() }
+    pub(super) fn new(names: &'a FileNumbers<'a>, options: RefineOptions) -> Self {
+        Self { names, options, warnings: Vec::new() }
+    }
+
+    /// The warnings so far.
+    pub(super) fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    pub(super) fn into_warnings(self) -> Vec<String> {
+        self.warnings
+    }
+
+    /// Warns of what is ahead.
+    pub(super) fn look(&mut self, outlook: &Outlook) {
+        if let Some(ceiling) = outlook.angle_ceiling.filter(|c| c.forbids(self.options.criteria.min_angle)) {
+            self.warn(self.describe_ceiling(&ceiling));
+        }
+        if outlook.forecast.exceeds(&self.options.limits) {
+            self.warn(self.describe_forecast(&outlook.forecast));
+        } else if let Some(gap) = outlook.forecast.narrow_gap() {
+            self.warn(self.describe_narrow_gap(&outlook.forecast, &gap));
+        }
+        if let Some(gap) = outlook.within_rounding {
+            self.warn(describe_within_rounding(self.names, &gap));
+        }
     }
 
     fn warn(&mut self, text: String) {
-        let warning = self.names.of_file(text);
-        if !self.is_quiet {
-            console::note("warning", &warning);
-        }
-        self.warnings.push(warning);
+        self.warnings.push(self.names.of_file(text));
     }
 
     /// An angle bound that no mesh can meet.
@@ -66,7 +77,7 @@ impl<'a> Foresight<'a> {
         format!(
             "{} triangles are needed, more than the budget of {} vertices allows: {cause}; the mesh {verb} stop at the budget",
             about(forecast.triangles),
-            HumanCount(limits.max_vertices as u64)
+            grouped(limits.max_vertices as u64)
         )
     }
 
@@ -93,7 +104,7 @@ fn describe_gap(names: &FileNumbers<'_>, gap: &Gap) -> String {
 }
 
 /// Two features within rounding of each other.
-pub(crate) fn describe_within_rounding(names: &FileNumbers<'_>, gap: &Gap) -> String {
+fn describe_within_rounding(names: &FileNumbers<'_>, gap: &Gap) -> String {
     format!(
         "{} is within rounding: no vertex fits into it, and triangles there stay as they are",
         describe_gap(names, gap)
@@ -108,53 +119,13 @@ fn describe_feature(names: &FileNumbers<'_>, feature: Feature) -> String {
     }
 }
 
-impl Observer for Foresight<'_> {
-    fn wants_outlook(&self) -> bool {
-        true
-    }
-
-    fn outlook(&mut self, outlook: &Outlook) {
-        if let Some(ceiling) = outlook.angle_ceiling.filter(|c| c.forbids(self.options.criteria.min_angle)) {
-            self.warn(self.describe_ceiling(&ceiling));
-        }
-        if outlook.forecast.exceeds(&self.options.limits) {
-            self.warn(self.describe_forecast(&outlook.forecast));
-        } else if let Some(gap) = outlook.forecast.narrow_gap() {
-            self.warn(self.describe_narrow_gap(&outlook.forecast, &gap));
-        }
-        if let Some(gap) = outlook.within_rounding {
-            self.warn(describe_within_rounding(self.names, &gap));
-        }
-    }
-
-    fn begins(&mut self, begun: &mut dyn Beginning) {
-        self.watch.begins(begun);
-    }
-
-    fn progress(&mut self, progress: Progress) -> bool {
-        self.watch.progress(progress)
-    }
-
-    fn clock(&self) -> Option<Clock> {
-        self.watch.clock()
-    }
-
-    fn wants_events(&self) -> bool {
-        self.watch.wants_events()
-    }
-
-    fn event(&mut self, event: &Event, cdt: &ConstrainedTriangulation) {
-        self.watch.event(event, cdt);
-    }
-}
-
 /// A large number in two digits.
 fn about(x: f64) -> String {
     if !x.is_finite() {
         return "more than 1e308".to_owned();
     }
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
-    if rounded < 1e7 { format!("about {}", HumanCount(rounded as u64)) } else { format!("about {rounded:e}") }
+    if rounded < 1e7 { format!("about {}", grouped(rounded as u64)) } else { format!("about {rounded:e}") }
 }
 
 #[cfg(test)]

@@ -6,21 +6,21 @@ use trimalla::refine::{Criteria, Missed, Report};
 
 /// The bounds that each leftover misses, and how many miss each; one that misses several counts in each.
 #[derive(Debug, Default)]
-pub(crate) struct MissedBounds {
+pub struct MissedBounds {
     /// For each leftover of the report, in order.
-    pub(crate) by_leftover: Vec<Missed>,
+    pub by_leftover: Vec<Missed>,
     /// Triangles with an angle below the bound.
-    pub(crate) angle: usize,
+    pub angle: usize,
     /// Triangles above an area bound: that of all triangles, or one of their own.
-    pub(crate) area: usize,
+    pub area: usize,
     /// Triangles above the bound on the aspect ratio.
-    pub(crate) aspect_ratio: usize,
+    pub aspect_ratio: usize,
 }
 
 impl MissedBounds {
     /// The bounds that the leftovers of a report miss. A leftover that meets every bound for all triangles misses the
     /// area bound of its region.
-    pub(crate) fn of(mesh: &IndexedMesh, report: &Report, criteria: &Criteria) -> Self {
+    pub fn of(mesh: &IndexedMesh, report: &Report, criteria: &Criteria) -> Self {
         let mut all = Self::default();
         for leftover in &report.leftovers {
             let found = corners(mesh, leftover.triangle).map(|t| criteria.missed_by(&t)).unwrap_or_default();
@@ -34,13 +34,13 @@ impl MissedBounds {
     }
 
     /// The bounds by name, and how many triangles miss each.
-    pub(crate) fn counts(&self) -> [(&'static str, usize); 3] {
+    pub fn counts(&self) -> [(&'static str, usize); 3] {
         [("angle", self.angle), ("area", self.area), ("aspect ratio", self.aspect_ratio)]
     }
 }
 
 /// The corners of a triangle, if all are there.
-pub(crate) fn corners(mesh: &IndexedMesh, triangle: usize) -> Option<Triangle> {
+pub fn corners(mesh: &IndexedMesh, triangle: usize) -> Option<Triangle> {
     let point = |v: u32| -> Option<Point> { mesh.points.get(v as usize).copied() };
     let [a, b, c] = *mesh.triangles.get(triangle)?;
     Some(Triangle::new(point(a)?, point(b)?, point(c)?))
