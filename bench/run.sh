@@ -59,4 +59,4 @@ if [ -z "${NO_BUILD:-}" ]; then
     newer "$bin/cgal" drivers || build_cgal
     [ -e "$bin/peers" ] && [ -z "$(find peers/src peers/Cargo.toml src/clock.rs -newer "$bin/peers")" ] || build_crates
 fi
-exec target/release/compare target "$@"
+exec target/release/race target "$@"
