@@ -9,7 +9,8 @@ use trimalla::polygon::{Gallery, SeenCorner, Visibility, art_gallery, visible};
 use trimalla::trace::{Act, NoTrace, Shape, Step};
 use trimalla_testkit::generators::SplitMix64;
 
-use crate::seidel::{GENERATORS, Rings, faulty, touching};
+use crate::random_rings::{GENERATORS, Rings, touching};
+use crate::seidel::faulty;
 
 type Exact = [RBig; 2];
 

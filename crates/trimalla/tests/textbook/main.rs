@@ -8,6 +8,7 @@ mod points;
 mod polygon_cases;
 mod polygon_files;
 mod polygons;
+mod random_rings;
 mod rationals;
 mod segments;
 mod seidel;
