@@ -126,6 +126,12 @@ impl AlgorithmKey {
         self.triangulate_traced(points, subset, &mut NoTrace)
     }
 
+    /// Whether the algorithm tells its steps: `lift`, `flip` and `voronoi` do.
+    #[must_use]
+    pub const fn tells_steps(self) -> bool {
+        matches!(self, Self::Lift | Self::Flip | Self::Voronoi)
+    }
+
     /// Runs the algorithm, and tells each step of `lift`, `flip` and `voronoi`; the others tell none.
     ///
     /// # Errors

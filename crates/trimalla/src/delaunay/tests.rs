@@ -139,3 +139,13 @@ fn infinite_and_missing_points_are_named() {
     let error = Delaunay::of_subset::<Incremental>(&points[..1], &[VertexId(4)]).unwrap_err();
     assert_eq!(error.to_string(), "vertex 4 does not exist: there are 1 points");
 }
+
+#[test]
+fn an_algorithm_says_whether_it_tells_steps() {
+    let points: Vec<Point> = (0..12).map(|i| Point::new(f64::from(i * i % 13), f64::from(i * 5 % 12))).collect();
+    for &key in AlgorithmKey::ALL {
+        let mut steps: Vec<crate::trace::Step> = Vec::new();
+        key.triangulate_traced(&points, None, &mut steps).expect("finite");
+        assert_eq!(!steps.is_empty(), key.tells_steps(), "{}", key.key());
+    }
+}

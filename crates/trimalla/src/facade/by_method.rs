@@ -152,7 +152,8 @@ pub fn triangulate_domain(
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<ByMethod, Error> {
     match method {
-        Method::Delaunay(algorithm) if trace.is_listening() => {
+        // The triangulation is there already: only what tells its steps is done again.
+        Method::Delaunay(algorithm) if algorithm.tells_steps() && trace.is_listening() => {
             algorithm.triangulate_traced(&domain.points, None, trace)?;
             Ok(ByMethod::unchanged(domain))
         }
