@@ -9,7 +9,7 @@ use super::insert_segment::Crossings;
 use super::move_vertex::MoveError;
 use super::pseudo_polygon::Filling;
 use super::workspace::Workspace;
-use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, RemoveError};
+use crate::delaunay::{AlgorithmKey, BuildError, Delaunay, Inserted, Insertion, RemoveError};
 use crate::drawing::SegmentId;
 use crate::geometry::Point;
 use crate::half_edge::{Checkpoint, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
@@ -107,6 +107,13 @@ impl ConstrainedDelaunay {
     #[must_use]
     pub fn from_delaunay(delaunay: Delaunay) -> Self {
         Self::from_delaunay_triangulation(delaunay.into_triangulation())
+    }
+
+    /// The points of an insertion, all of them inserted, without constraints yet.
+    #[must_use]
+    pub fn from_insertion(insertion: Insertion) -> Self {
+        let (t, curve_order) = insertion.finish();
+        Self::new_unchecked(ConstrainedTriangulation::new(t).with_curve_order(curve_order))
     }
 
     /// A constrained triangulation without constraints, of a triangulation that is known to be Delaunay.

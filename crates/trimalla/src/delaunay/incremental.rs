@@ -15,6 +15,8 @@
 //! # Source
 //! `[Lawson77]`, `[AmentaChoiRote03]`; `[Valenzuela09]` algorithm 4.1.
 
+use super::algorithm::validate;
+use super::delaunay::{BuildError, Delaunay};
 use super::insert::insert_at;
 use super::lawson::Lawson;
 use super::order;
@@ -39,6 +41,93 @@ pub(super) fn build(points: &[Point], subset: Option<&[VertexId]>) -> (Triangula
     let along_curve = name_vertices(&mut t, points, names, &same);
     let is_whole = subset.is_none() && same.is_empty();
     (t, is_whole.then_some(along_curve))
+}
+
+/// Points that are triangulated by insertion in curve order, in slices: for programs that must answer between two of
+/// them and have no threads.
+///
+/// # Guarantees
+/// The triangulation is that of [`Delaunay::new`], bit for bit, wherever the slices end.
+///
+/// # Examples
+/// ```
+/// use trimalla::delaunay::{Delaunay, Insertion};
+/// use trimalla::geometry::Point;
+///
+/// let points: Vec<Point> = (0..1000).map(|i| Point::new(f64::from(i * i % 97), f64::from(i * i % 89))).collect();
+/// let mut insertion = Insertion::new(&points)?;
+/// while insertion.advance(100) {
+///     // A program answers its user here.
+/// }
+/// assert_eq!(insertion.into_delaunay(), Delaunay::new(&points)?);
+/// # Ok::<(), trimalla::delaunay::BuildError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Insertion {
+    t: Triangulation,
+    /// As the caller numbers them.
+    points: Vec<Point>,
+    /// The caller's number of each stored point.
+    names: Vec<VertexId>,
+    /// The vertices that are inserted after the first triangle, in order.
+    order: Vec<VertexId>,
+    /// So many of them are inserted.
+    inserted: usize,
+    last: LastInserted,
+    lawson: Lawson,
+    same: Vec<(VertexId, VertexId)>,
+}
+
+impl Insertion {
+    /// Sorts the points along a curve, and makes the first triangle.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    ///
+    /// # Complexity
+    /// Linear in practice.
+    pub fn new(points: &[Point]) -> Result<Self, BuildError> {
+        validate(points, None)?;
+        let curve = order::sorted_along_curve(points);
+        let names: Vec<VertexId> = curve.positions().map(VertexId).collect();
+        let mut t = Triangulation::in_bulk(names.iter().map(|v| points[v.index()]).collect());
+        t.mesh.reserve_faces(2 * t.points.len(), curve.into_memory());
+        let all = || order::rounds(points.len()).map(VertexId);
+        let (order, same) = match first_triangle(&t, all()) {
+            Some(first) => {
+                start_with(&mut t, first);
+                (all().filter(|v| !first.contains(v)).collect(), Vec::new())
+            }
+            None => (Vec::new(), chain(&mut t)),
+        };
+        let (last, lawson) = (LastInserted::none(), Lawson::default());
+        Ok(Self { t, points: points.to_vec(), names, order, inserted: 0, last, lawson, same })
+    }
+
+    /// Inserts so many points more, or all that are left; whether any are left then.
+    pub fn advance(&mut self, count: usize) -> bool {
+        let end = self.inserted.saturating_add(count).min(self.order.len());
+        for &v in &self.order[self.inserted..end] {
+            insert(&mut self.t, v, &mut self.last, &mut self.lawson, &mut self.same);
+        }
+        self.inserted = end;
+        end < self.order.len()
+    }
+
+    /// Inserts what is left, and ends.
+    #[must_use]
+    pub fn into_delaunay(self) -> Delaunay {
+        Delaunay::from_triangulation(self.finish().0)
+    }
+
+    /// Inserts what is left; the triangulation, and the order of the vertices [`along_curve`](order::along_curve) if
+    /// every vertex is used.
+    pub(crate) fn finish(mut self) -> (Triangulation, Option<Vec<VertexId>>) {
+        self.advance(usize::MAX);
+        let Self { mut t, points, names, same, .. } = self;
+        let along_curve = name_vertices(&mut t, &points, names, &same);
+        (t, same.is_empty().then_some(along_curve))
+    }
 }
 
 /// Inserts every vertex; returns pairs of vertices at the same place, the used one second.

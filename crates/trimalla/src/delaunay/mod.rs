@@ -45,6 +45,7 @@ pub(crate) use delaunay::max_points;
 pub use delaunay::{BuildError, Delaunay, Inserted};
 pub use flip::flip_to_delaunay;
 pub(crate) use flip::{flip_illegal, sweep};
+pub use incremental::Insertion;
 pub(crate) use insert::insert_at;
 pub(crate) use lawson::Lawson;
 pub(crate) use order::{along_curve, insertion_order};

@@ -149,3 +149,22 @@ fn an_algorithm_says_whether_it_tells_steps() {
         assert_eq!(!steps.is_empty(), key.tells_steps(), "{}", key.key());
     }
 }
+
+#[test]
+fn an_insertion_in_slices_is_the_incremental_algorithm() {
+    let spread = |n: u32| (0..n).map(move |i| Point::new(f64::from(i * 7919 % 4001), f64::from(i * 104_729 % 3989)));
+    let grid: Vec<Point> = (0..900).map(|i| Point::new(f64::from(i % 30), f64::from(i / 30))).collect();
+    let line: Vec<Point> = (0..9).map(|i| Point::new(f64::from(i * 4 % 9), f64::from(i * 4 % 9))).collect();
+    let twice: Vec<Point> = spread(600).chain(spread(300)).collect();
+    for points in [vec![], vec![Point::new(1.0, 2.0)], line, grid, twice, spread(5000).collect()] {
+        let whole = Delaunay::new(&points).expect("finite");
+        for slice in [1, 7, 1000, usize::MAX] {
+            let mut insertion = Insertion::new(&points).expect("finite");
+            while insertion.advance(slice) {}
+            assert!(insertion.into_delaunay() == whole, "{} points, {slice} at a time", points.len());
+        }
+        assert!(Insertion::new(&points).expect("finite").into_delaunay() == whole, "not advanced");
+    }
+    let refused = Insertion::new(&[Point::new(0.0, f64::NAN)]).expect_err("not finite");
+    assert!(matches!(refused, BuildError::NotFinite { index: 0, .. }));
+}

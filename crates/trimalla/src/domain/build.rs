@@ -108,7 +108,22 @@ pub fn build_exactly(
     crossings: Crossings,
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
-    let (cdt, warnings) = triangulate(pslg, crossings, algorithm)?;
+    let (cdt, _) = triangulate(pslg, crossings, algorithm)?;
+    carve_exactly(cdt, pslg, rule)
+}
+
+/// Carves the domain of a drawing out of its triangulation exactly: where that is the convex hull, up to the hull.
+///
+/// `cdt` is what [`triangulate`] makes of the drawing, or the same in slices ([`Insertion`](crate::delaunay::Insertion)).
+///
+/// # Errors
+/// See [`build`].
+pub fn carve_exactly(
+    cdt: ConstrainedDelaunay,
+    pslg: &Pslg,
+    rule: DomainRule,
+) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
+    let warnings = warnings_of(&cdt);
     carved(cdt, warnings, pslg, rule, |_, _| {})
 }
 

@@ -34,7 +34,7 @@ mod shells;
 mod tests;
 
 pub(crate) use build::build_conforming;
-pub use build::{DomainRule, build, build_exactly, triangulate};
+pub use build::{DomainRule, build, build_exactly, carve_exactly, triangulate};
 pub use contours::{ContourOrder, Contours};
 pub(crate) use course::{Adjacency, Course, Courses, Leg};
 pub use error::{DomainError, NearFeature, OpenEnd, Warning};
