@@ -218,6 +218,13 @@ impl<'a> Work<'a> {
         self.interface.message(MessageKind::Information, text.as_ref());
     }
 
+    /// Shows the triangulation as it is now.
+    pub(crate) fn show_progress(&mut self) {
+        if let Some(mesh) = &self.state.mesh {
+            self.interface.progress(mesh.triangulation());
+        }
+    }
+
     /// Replaces everything.
     pub(crate) fn replace(&mut self, state: State) {
         let before = std::mem::replace(self.state, state);

@@ -36,6 +36,7 @@
 //! The controller of `[Valenzuela09]`, sections 6.3 to 6.5 and appendix A.
 
 mod arguments;
+mod building;
 mod changes;
 mod commands;
 mod document;

@@ -3,15 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use trimalla::constrained::{ConstrainedDelaunay, Crossings};
-use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::{Contours, DomainRule, build_exactly};
 use trimalla::drawing::Pslg;
 use trimalla::half_edge::VertexId;
 use trimalla::refine::NamedOptions;
 use trimalla::trace::{Recorder, Step};
 
-use crate::error::CommandError;
 use crate::mesh::Mesh;
 use crate::names::Names;
 
@@ -98,24 +94,5 @@ impl Input {
     /// The same points without segments and contours.
     pub(crate) fn points_alone(&self) -> Self {
         Self { drawing: Pslg { points: self.drawing.points.clone(), ..Pslg::default() }, ..Self::default() }
-    }
-
-    /// Triangulates: with contours their inside, a drawing that was read its domain, and anything else the convex
-    /// hull. Segments that cross are split.
-    pub(crate) fn triangulate(&self, algorithm: AlgorithmKey) -> Result<Mesh, CommandError> {
-        let Pslg { points, segments, .. } = &self.drawing;
-        let fault = |error: &dyn std::fmt::Display| CommandError::new(error.to_string());
-        let cdt = if self.outer.is_some() || !self.inner.is_empty() {
-            let contours = Contours { outer: self.outer.clone(), holes: self.inner.clone(), ..Contours::default() };
-            let mut cdt = contours.triangulate(points, algorithm).map_err(|e| fault(&e))?;
-            cdt.insert_segments(segments, Crossings::Split).map_err(|e| fault(&e))?;
-            cdt
-        } else if self.is_read {
-            let built = build_exactly(&self.drawing, DomainRule::Seeds, Crossings::Split, algorithm);
-            built.map_err(|e| fault(&e))?.0
-        } else {
-            ConstrainedDelaunay::with_algorithm(points, segments, Crossings::Split, algorithm).map_err(|e| fault(&e))?
-        };
-        Ok(Mesh::of_delaunay(cdt))
     }
 }

@@ -2,6 +2,10 @@
 
 use std::cell::Cell;
 
+use trimalla::constrained::{ConstrainedDelaunay, Crossings};
+use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::{DomainRule, build_exactly};
+use trimalla_io::{Files, Memory};
 use trimalla_workbench::{Advanced, CommandError, Document, Interface, MessageKind, Quiet, script};
 
 /// Does a command slice by slice; how many slices there were.
@@ -64,7 +68,7 @@ fn a_refinement_does_not_depend_on_where_it_is_cut() {
     }
     let document = drawn(DRAWINGS[0]);
     let t = document.triangulation().expect("triangulated").clone();
-    let cdt = trimalla::constrained::ConstrainedDelaunay::from(t);
+    let cdt = ConstrainedDelaunay::from(t);
     let mut refinement = Refinement::new(cdt, document.options().refine_options()).expect("options");
     refinement.run(&mut Uncut);
     let (uncut, _) = refinement.finish();
@@ -84,6 +88,88 @@ fn steps_in_slices_are_the_steps() {
         assert_eq!(sliced, drawn(text), "{line}");
         sliced.run("Redo", &mut Quiet).expect("done again");
         assert_eq!(sliced, whole, "{line}");
+    }
+}
+
+/// A drawing in memory: a star of so many corners, and two segments that cross.
+fn star(corners: usize) -> Files {
+    let at = |i: usize| {
+        let (turn, radius) = (i as f64 / corners as f64 * std::f64::consts::TAU, if i % 2 == 0 { 1.0 } else { 0.9 });
+        format!("{i} {} {}\n", radius * turn.cos(), radius * turn.sin())
+    };
+    let side = |i: usize| format!("{i} {i} {}\n", (i + 1) % corners);
+    let mut text = format!("{corners} 2 0 0\n") + &(0..corners).map(at).collect::<String>();
+    text += &format!("{} 0\n", corners + 2);
+    text.extend((0..corners).map(side));
+    text += &format!("{corners} 0 {}\n{} {} {}\n0\n", corners / 2, corners + 1, corners / 4, 3 * corners / 4);
+    let memory = Memory::default();
+    memory.put("star.poly", text.as_bytes());
+    Files::Memory(memory)
+}
+
+/// Commands with slices besides those of refinements, each behind what comes before it; how many slices they take at
+/// least.
+const OTHERS: [(&str, &str, usize); 9] = [
+    ("", "Generate random 70000 3", 5),
+    ("", "Generate grid 20000", 2),
+    ("", "Generate polygon 30", 1),
+    ("Generate random 40000 2", "Triangulate", 10),
+    ("Generate grid 2500", "Triangulate DAC", 3),
+    ("Generate polygon 400 4", "Triangulate", 2),
+    ("Generate polygon 40 4", "Triangulate ears", 2),
+    ("Generate random 900 2\nTriangulate", "LEPP 28", 5),
+    ("Generate grid 900\nTriangulate\nFlip 32 61", "LEPP 28 MID", 2),
+];
+
+#[test]
+fn other_commands_in_slices_are_the_commands() {
+    for (text, line, least) in OTHERS {
+        let mut whole = drawn(text);
+        whole.run(line, &mut Quiet).expect("done");
+        let (mut sliced, outcome, slices) = advance_all(drawn(text), line, &mut Quiet);
+        assert_eq!((outcome, &sliced), (Ok(()), &whole), "{line}");
+        assert!(slices >= least, "{line}: {slices} slices");
+        assert_eq!((sliced.undoable(), sliced.script()), (whole.undoable(), whole.script()), "{line}");
+        sliced.run("Undo", &mut Quiet).expect("undone");
+        assert_eq!(sliced, drawn(text), "{line}");
+        sliced.run("Redo", &mut Quiet).expect("done again");
+        assert_eq!(sliced, whole, "{line}");
+    }
+}
+
+#[test]
+fn other_commands_stop_between_slices() {
+    for (text, line, least) in OTHERS.into_iter().filter(|(.., least)| *least > 1) {
+        let mut interface = Impatient { left: Cell::new(least - 1), error: String::new() };
+        let (document, outcome, slices) = advance_all(drawn(text), line, &mut interface);
+        // One more parses the line.
+        assert!(outcome.is_err() && slices <= least + 1, "{line}: {slices} slices, {outcome:?}");
+        assert!(interface.error.contains("cancelled"), "{line}: {}", interface.error);
+        assert_eq!(document, drawn(text), "{line}");
+        assert_eq!(document.undoable(), drawn(text).undoable(), "{line}");
+    }
+}
+
+#[test]
+fn a_triangulation_in_slices_is_that_of_the_library() {
+    // A file with segments that cross.
+    let document = Document::new().with_files(star(5000));
+    let (document, loaded, slices) = advance_all(document, "Load star.poly", &mut Quiet);
+    assert_eq!((loaded, slices), (Ok(()), 3), "parsed, read, put in place");
+    let drawing = document.drawing().clone();
+    let (document, triangulated, slices) = advance_all(document, "Triangulate", &mut Quiet);
+    assert!(triangulated.is_ok() && slices > 6, "{slices} slices");
+    let whole = build_exactly(&drawing, DomainRule::Seeds, Crossings::Split, AlgorithmKey::Incremental);
+    let (whole, _) = whole.expect("triangulated");
+    assert_eq!(document.triangulation(), Some(&*whole));
+    assert_eq!(whole.steiner_vertices(), 1, "the crossing");
+    // Points alone, some of them twice, and points on a line.
+    for text in ["Generate random 9000 7\nGenerate grid 900\nGenerate grid 400", "V 0 0 0\nV 1 2 2\nV 2 1 1\nV 3 1 1"] {
+        let document = drawn(text);
+        let points = document.drawing().points.clone();
+        let (document, ..) = advance_all(document, "Triangulate INC", &mut Quiet);
+        let whole = ConstrainedDelaunay::new(&points, &[], Crossings::Refuse).expect("triangulated");
+        assert_eq!(document.triangulation(), Some(&*whole), "{text}");
     }
 }
 

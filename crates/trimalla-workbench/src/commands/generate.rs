@@ -1,14 +1,18 @@
 //! `Generate`.
 
 use trimalla::geometry::{Point, math};
+use trimalla::half_edge::VertexId;
 
-use super::{Act, CommandRow, Deed};
+use super::{CommandRow, Deed, Job, Slice};
 use crate::arguments::{Arguments, count_of};
 use crate::changes::Work;
 use crate::error::CommandError;
 
 /// More points than this are a slip of the finger.
 const MOST: usize = 10_000_000;
+
+/// So many points are made in a slice: some milliseconds.
+const SLICE: usize = 16_384;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Generate",
@@ -35,7 +39,7 @@ pub(super) const ROW: CommandRow = CommandRow {
             return Err(word.fault(format!("from 3 to {MOST} points are made at a time")));
         }
         let seed = arguments.next().map_or(Ok(1), |word| count_of(word, "a seed"))?;
-        Deed::edit(Generate { kind, count, seed: seed as u64 })
+        Deed::slices(Generate { kind, count, random: Random(seed as u64), made: 0, first: None })
     },
 };
 
@@ -51,47 +55,73 @@ enum Kind {
 struct Generate {
     kind: Kind,
     count: usize,
-    seed: u64,
+    random: Random,
+    /// So many are made.
+    made: usize,
+    /// The name of the first point, and its place in the drawing; `None` before the first slice.
+    first: Option<(u32, usize)>,
 }
 
-impl Act for Generate {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
-        if work.state().mesh.is_some() {
-            return Err(CommandError::new("points are made before 'Triangulate'; 'Reset' goes back there"));
+impl Job for Generate {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
         }
-        if matches!(self.kind, Kind::Polygon) && work.state().input.outer.is_some() {
-            return Err(CommandError::new("there is an outer contour already"));
+        let (first, start) = match self.first {
+            Some(first) => first,
+            None => self.begin(work)?,
+        };
+        let end = (self.made + SLICE).min(self.count);
+        for i in self.made..end {
+            let p = self.point(i);
+            work.add_point(work.state().names.next(), p);
         }
-        let first = work.state().names.next();
-        let points = self.points();
-        let start = work.state().input.drawing.points.len();
-        let count = points.len();
-        for (name, p) in (first..).zip(points) {
-            work.add_point(name, p);
+        self.made = end;
+        if end < self.count {
+            return Ok(Slice::More);
         }
         if matches!(self.kind, Kind::Polygon) {
-            work.set_outer((start..start + count).map(trimalla::half_edge::VertexId::from_index).collect());
+            work.set_outer((start..start + end).map(VertexId::from_index).collect());
         }
-        work.say(format!("{count} points, from index {first}"));
-        Ok(())
+        work.say(format!("{end} points, from index {first}"));
+        Ok(Slice::Last)
     }
 }
 
 impl Generate {
-    fn points(&self) -> Vec<Point> {
-        let mut random = Random(self.seed);
-        let n = self.count;
-        let part = |i: usize| i as f64 / n as f64;
+    /// Makes sure that points can be made; the name of the first one, and its place.
+    fn begin(&mut self, work: &Work<'_>) -> Result<(u32, usize), CommandError> {
+        let state = work.state();
+        if state.mesh.is_some() {
+            return Err(CommandError::new("points are made before 'Triangulate'; 'Reset' goes back there"));
+        }
+        if matches!(self.kind, Kind::Polygon) && state.input.outer.is_some() {
+            return Err(CommandError::new("there is an outer contour already"));
+        }
+        if matches!(self.kind, Kind::Grid) {
+            self.count = self.side() * self.side();
+        }
+        Ok(*self.first.insert((state.names.next(), state.input.drawing.points.len())))
+    }
+
+    /// So many points has a row of a grid.
+    fn side(&self) -> usize {
+        self.count.isqrt()
+    }
+
+    /// The next point, which is the one of this number.
+    fn point(&mut self, i: usize) -> Point {
+        let part = |i: usize| i as f64 / self.count as f64;
         match self.kind {
-            Kind::Random => (0..n).map(|_| Point::new(random.next(), random.next())).collect(),
+            Kind::Random => Point::new(self.random.next(), self.random.next()),
             Kind::Grid => {
-                let side = (1..).take_while(|side| side * side <= n).last().unwrap_or(1);
+                let side = self.side();
                 let at = |i: usize| i as f64 / (side - 1).max(1) as f64;
-                (0..side * side).map(|i| Point::new(at(i % side), at(i / side))).collect()
+                Point::new(at(i % side), at(i / side))
             }
-            Kind::Circle => (0..n).map(|i| around(0.5, part(i))).collect(),
-            Kind::Spiral => (0..n).map(|i| around(0.5 * part(i + 1), 3.0 * part(i))).collect(),
-            Kind::Polygon => (0..n).map(|i| around(0.25 + 0.25 * random.next(), part(i))).collect(),
+            Kind::Circle => around(0.5, part(i)),
+            Kind::Spiral => around(0.5 * part(i + 1), 3.0 * part(i)),
+            Kind::Polygon => around(0.25 + 0.25 * self.random.next(), part(i)),
         }
     }
 }

@@ -6,15 +6,18 @@ use std::collections::BinaryHeap;
 use trimalla::constrained::{ConstrainedTriangulation, Edit};
 use trimalla::geometry::Triangle;
 use trimalla::half_edge::{FaceId, UndoLog, VertexId};
-use trimalla::refine::{Centroid, LeppRule, NamedOptions, Preset, Ruler, Select, lepp};
+use trimalla::refine::{Centroid, LeppRule, NamedOptions, Overview, Preset, Ruler, Select, lepp};
 
-use super::{Act, CommandRow, Deed};
+use super::{CommandRow, Deed, Job, Slice};
 use crate::arguments::Arguments;
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::face_of;
 use crate::messages::Interface;
 use crate::runs::{RunInformation, count, overview_of};
+
+/// A slice treats so many triangles: about a millisecond.
+const SLICE: usize = 256;
 
 pub(super) const ROW: CommandRow = CommandRow {
     name: "LEPP",
@@ -34,22 +37,70 @@ pub(super) const ROW: CommandRow = CommandRow {
         let keys = [("CEN", Some(Centroid::Area)), ("MID", None)];
         let word = arguments.next();
         let centroid = word.map_or(Ok(Some(Centroid::Area)), |word| Arguments::key(word, &keys))?;
-        Deed::edit(Lepp { angle, centroid })
+        Deed::slices(Lepp { angle, centroid, at_work: None })
     },
 };
 
 struct Lepp {
     angle: f64,
     centroid: Option<Centroid>,
+    /// `None` before the first slice.
+    at_work: Option<AtWork>,
 }
 
-impl Act for Lepp {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+/// What is kept between two slices.
+struct AtWork {
+    before: Overview,
+    most: usize,
+    /// The box of all vertices stays, as points are inserted inside it.
+    ruler: Ruler,
+    waiting: BinaryHeap<Waiting>,
+    inserted: usize,
+    /// So many triangles are left below the bound.
+    left: usize,
+    /// How many paths with 0, 1, 2, … triangles were followed.
+    lengths: Vec<u64>,
+}
+
+/// A triangle that waits, the one with the smallest angle first.
+type Waiting = Reverse<(u64, [VertexId; 3])>;
+
+impl Job for Lepp {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
+        let Some(mut at_work) = self.at_work.take() else {
+            self.at_work = Some(self.begin(work)?);
+            return Ok(Slice::More);
+        };
+        if at_work.waiting.is_empty() {
+            self.end(at_work, work);
+            return Ok(Slice::Last);
+        }
+        work.edit_delaunay(|edit, interface| self.refine(edit, &mut at_work, interface))?;
+        work.show_progress();
+        self.at_work = Some(at_work);
+        Ok(Slice::More)
+    }
+}
+
+impl Lepp {
+    /// Finds the triangles below the bound.
+    fn begin(&self, work: &mut Work<'_>) -> Result<AtWork, CommandError> {
         let Some(mesh) = &work.state().mesh else { return Err(CommandError::nothing_triangulated()) };
         let before = overview_of(mesh.triangulation());
         let most = work.state().options.refine_options().limits.max_vertices;
-        let (inserted, left, path_lengths) =
-            work.edit_delaunay(|edit, interface| self.refine(edit, most, interface))?;
+        let (ruler, waiting) = work.edit_delaunay(|edit, _| {
+            let waiting = edit.real_faces().filter_map(|f| self.waiting(edit, f)).collect();
+            Ok((Ruler::for_box(edit.bounding_box()), waiting))
+        })?;
+        Ok(AtWork { before, most, ruler, waiting, inserted: 0, left: 0, lengths: Vec::new() })
+    }
+
+    /// Tells what was done.
+    fn end(&self, at_work: AtWork, work: &mut Work<'_>) {
+        let AtWork { before, most, inserted, left, lengths, .. } = at_work;
         let why = if left > 0 { ", for which rounding or the vertex budget leaves no room" } else { "" };
         work.say(format!(
             "{inserted} vertices were inserted; {left} triangles are left below {} degrees{why}",
@@ -58,16 +109,10 @@ impl Act for Lepp {
         if let Some(mesh) = &work.state().mesh {
             let after = overview_of(mesh.triangulation());
             let options = self.options(most);
-            work.note_run(RunInformation { options, before, after, leftovers: left, path_lengths });
+            work.note_run(RunInformation { options, before, after, leftovers: left, path_lengths: lengths });
         }
-        Ok(())
     }
-}
 
-/// A triangle that waits, the one with the smallest angle first.
-type Waiting = Reverse<(u64, [VertexId; 3])>;
-
-impl Lepp {
     /// What the command asks, as the options of a refinement.
     fn options(&self, most: usize) -> NamedOptions {
         let preset = if self.centroid.is_some() { Preset::LeppCentroid } else { Preset::LeppMidpoint };
@@ -80,38 +125,35 @@ impl Lepp {
         options
     }
 
-    /// Refines; how many vertices were inserted, how many triangles are left below the bound, and how many paths with
-    /// 0, 1, 2, … triangles were followed.
+    /// Treats some of the triangles that wait.
     fn refine(
         &self,
         cdt: &mut Edit<'_, UndoLog>,
-        most: usize,
+        at_work: &mut AtWork,
         interface: &dyn Interface,
-    ) -> Result<(usize, usize, Vec<u64>), CommandError> {
-        let (mut waiting, mut inserted, mut left, mut lengths) = (BinaryHeap::new(), 0, 0, Vec::new());
-        // The box of all vertices stays, as points are inserted inside it.
-        let ruler = Ruler::for_box(cdt.bounding_box());
-        waiting.extend(cdt.real_faces().filter_map(|f| self.waiting(cdt, f)));
-        while let Some(Reverse((_, corners))) = waiting.pop() {
+    ) -> Result<(), CommandError> {
+        let AtWork { most, ruler, waiting, inserted, left, lengths, .. } = at_work;
+        for _ in 0..SLICE {
+            let Some(Reverse((_, corners))) = waiting.pop() else { break };
             let Some(f) = face_of(cdt, corners) else { continue };
             if interface.is_cancelled() {
                 return Err(CommandError::cancelled());
             }
-            let path = lepp::lepp(cdt, ruler, f, LeppRule::StopAtBoundary);
-            count(&mut lengths, path.len());
-            let room = cdt.points().len() < most;
-            match room.then(|| cdt.lepp_insert(ruler, path.terminal_edge, self.centroid)).flatten() {
+            let path = lepp::lepp(cdt, *ruler, f, LeppRule::StopAtBoundary);
+            count(lengths, path.len());
+            let room = cdt.points().len() < *most;
+            match room.then(|| cdt.lepp_insert(*ruler, path.terminal_edge, self.centroid)).flatten() {
                 Some(v) => {
-                    inserted += 1;
+                    *inserted += 1;
                     // Flips leave changed triangles around the new vertex only.
                     waiting.extend(cdt.faces_around(v).filter_map(|f| self.waiting(cdt, f)));
                     // The same one may need more points.
                     waiting.extend(face_of(cdt, corners).and_then(|f| self.waiting(cdt, f)));
                 }
-                None => left += 1,
+                None => *left += 1,
             }
         }
-        Ok((inserted, left, lengths))
+        Ok(())
     }
 
     /// A face as it waits, if its smallest angle is below the bound.

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use trimalla::domain::from_mesh;
 use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla_io::{Files, IoError};
 
-use super::{Act, CommandRow, Deed};
+use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
@@ -21,30 +22,77 @@ pub(super) const ROW: CommandRow = CommandRow {
     summary: "reads a drawing (.poly, .node, .mesh) or a mesh (.ele, .soup, .txt, .mesh with triangles)",
     help: "It takes the place of everything but the options. A mesh stays as it was given, whatever the circle test says. \
            Vertices are numbered from 0.",
-    parse: |arguments| Deed::edit(Load { path: arguments.path()? }),
+    parse: |arguments| Deed::slices(Load { path: arguments.path()?, stage: Stage::Asked }),
 };
 
 struct Load {
     path: PathBuf,
+    stage: Stage,
 }
 
-impl Act for Load {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
-        let ending = self.path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-        let files = work.files();
-        let mesh = || files.read_mesh(&self.path).map_err(|error| CommandError::new(error.to_string()));
-        let drawing = || files.read_pslg(&self.path).map_err(|error| CommandError::new(error.to_string()));
-        let mut state = if MESHES.contains(&&*ending) {
-            of_mesh(mesh()?)?
+/// What is done of the command, of which each stage is a slice.
+#[derive(Default)]
+enum Stage {
+    #[default]
+    Asked,
+    /// The file held triangles.
+    Triangles(Box<IndexedMesh>),
+    Ready(Box<State>),
+}
+
+impl Job for Load {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
+        self.stage = match std::mem::take(&mut self.stage) {
+            Stage::Asked => self.read(work.files())?,
+            Stage::Triangles(mesh) => match of_mesh(*mesh) {
+                Ok(state) => Stage::Ready(Box::new(state)),
+                Err(error) => self.without_triangles(work.files(), error)?,
+            },
+            Stage::Ready(state) => {
+                self.put_in_place(work, *state)?;
+                return Ok(Slice::Last);
+            }
+        };
+        Ok(Slice::More)
+    }
+}
+
+impl Load {
+    fn ending(&self) -> String {
+        self.path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase()
+    }
+
+    fn read(&self, files: &Files) -> Result<Stage, CommandError> {
+        let ending = self.ending();
+        let mesh = || files.read_mesh(&self.path).map(|mesh| Stage::Triangles(Box::new(mesh)));
+        let fault = |error: IoError| CommandError::new(error.to_string());
+        if MESHES.contains(&&*ending) {
+            mesh().map_err(fault)
         } else if ending == "mesh" {
             // MeshSuite's files may have triangles.
-            mesh().and_then(of_mesh).or_else(|_| drawing().map(of_drawing))?
+            mesh().or_else(|_| self.read_drawing(files))
         } else {
-            of_drawing(drawing()?)
-        };
+            self.read_drawing(files)
+        }
+    }
+
+    fn read_drawing(&self, files: &Files) -> Result<Stage, CommandError> {
+        let drawing = files.read_pslg(&self.path).map_err(|error| CommandError::new(error.to_string()))?;
+        Ok(Stage::Ready(Box::new(of_drawing(drawing))))
+    }
+
+    /// Reads the drawing alone of a file whose triangles are no triangulation, where it may have one.
+    fn without_triangles(&self, files: &Files, error: CommandError) -> Result<Stage, CommandError> {
+        if self.ending() == "mesh" { self.read_drawing(files) } else { Err(error) }
+    }
+
+    fn put_in_place(&self, work: &mut Work<'_>, mut state: State) -> Result<(), CommandError> {
         // What lies beside it under the same stem may belong to it.
         let beside = ["node", "ele", "poly"].map(|ending| self.path.with_extension(ending));
-        state.input.files = beside.into_iter().filter(|path| files.is_there(path)).collect();
+        state.input.files = beside.into_iter().filter(|path| work.files().is_there(path)).collect();
         state.input.files.push(self.path.clone());
         replace(work, state, &self.path.display().to_string())
     }

@@ -10,6 +10,7 @@ use trimalla::refine::{Event, Observer, Progress};
 
 use super::save::write;
 use super::{Ask, CommandRow, Deed, step};
+use crate::building::Building;
 use crate::document::Document;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
@@ -107,7 +108,7 @@ fn drawing_of(input: &Input) -> Pslg {
 
 /// Triangulates a drawing.
 fn constructed(title: &str, input: &Input, interface: &dyn Interface) -> Result<Player, CommandError> {
-    let triangulated = input.triangulate(AlgorithmKey::Incremental)?;
+    let triangulated = Building::Asked(AlgorithmKey::Incremental).run(input)?;
     let drawing = drawing_of(input);
     let last = triangulated.triangulation().to_indexed(&input.drawing);
     let player = Player::of_construction(title, &drawing, Crossings::Split, &last, &mut || !interface.is_cancelled());

@@ -7,8 +7,9 @@ use trimalla::domain::from_mesh;
 use trimalla::trace::{Recorder, Step, Trace};
 use trimalla::{Method, triangulate_domain};
 
-use super::{Act, CommandRow, Deed};
+use super::{CommandRow, Deed, Job, Slice};
 use crate::arguments::{Arguments, Word};
+use crate::building::{Building, Built};
 use crate::changes::Work;
 use crate::error::CommandError;
 use crate::mesh::Mesh;
@@ -26,7 +27,8 @@ pub(super) const ROW: CommandRow = CommandRow {
            segments enclose; otherwise the convex hull.",
     parse: |arguments| {
         let word = arguments.next();
-        Deed::edit(Triangulate { method: word.map_or(Ok(Method::default()), method_of)? })
+        let method = word.map_or(Ok(Method::default()), method_of)?;
+        Deed::slices(Triangulate { method, stage: Stage::of(method) })
     },
 };
 
@@ -44,29 +46,63 @@ fn methods() -> impl Iterator<Item = Method> {
 
 struct Triangulate {
     method: Method,
+    stage: Stage,
 }
 
-impl Act for Triangulate {
-    fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
+/// What is done of the command.
+enum Stage {
+    /// The constrained Delaunay triangulation is built.
+    Building(Building),
+    /// It is there: another method takes its domain.
+    Built(Mesh),
+}
+
+impl Job for Triangulate {
+    fn advance(&mut self, work: &mut Work<'_>) -> Result<Slice, CommandError> {
+        if work.interface.is_cancelled() {
+            return Err(CommandError::cancelled());
+        }
         if work.state().mesh.is_some() {
             return Err(CommandError::new("there is a triangulation already; 'Reset' goes back to the vertices"));
         }
         if work.state().input.drawing.points.is_empty() {
             return Err(CommandError::new("there is nothing to triangulate: insert vertices first"));
         }
-        let algorithm = if let Method::Delaunay(algorithm) = self.method { algorithm } else { AlgorithmKey::default() };
-        let mesh = work.state().input.triangulate(algorithm)?;
+        match std::mem::replace(&mut self.stage, Stage::of(self.method)) {
+            Stage::Building(building) => {
+                self.stage = match building.advance(&work.state().input)? {
+                    Built::More(rest) => Stage::Building(rest),
+                    Built::Done(mesh) => Stage::Built(mesh),
+                };
+                Ok(Slice::More)
+            }
+            Stage::Built(mesh) => {
+                self.put_in_place(mesh, work)?;
+                Ok(Slice::Last)
+            }
+        }
+    }
+}
+
+impl Stage {
+    /// The first one.
+    fn of(method: Method) -> Self {
+        let algorithm = if let Method::Delaunay(algorithm) = method { algorithm } else { AlgorithmKey::default() };
+        Self::Building(Building::Asked(algorithm))
+    }
+}
+
+impl Triangulate {
+    fn put_in_place(&self, mesh: Mesh, work: &mut Work<'_>) -> Result<(), CommandError> {
         match self.method {
-            Method::Delaunay(AlgorithmKey::Incremental | AlgorithmKey::DivideAndConquer) => work.replace_mesh(mesh),
+            Method::Delaunay(algorithm) if !algorithm.tells_steps() => work.replace_mesh(mesh),
             _ => self.by_method(mesh, work)?,
         }
         let count = work.state().mesh.as_ref().map_or(0, |mesh| mesh.triangulation().real_faces().count());
         work.say(format!("{count} triangles"));
         Ok(())
     }
-}
 
-impl Triangulate {
     /// Triangulates the domain of a constrained Delaunay triangulation anew.
     fn by_method(&self, mesh: Mesh, work: &mut Work<'_>) -> Result<(), CommandError> {
         let input = &work.state().input;
