@@ -3,10 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use trimalla::domain::Contours;
 use trimalla::drawing::Pslg;
+use trimalla::geometry::{Point, Triangle};
 use trimalla::half_edge::VertexId;
+use trimalla::polygon::{Polygon, constrained_delaunay};
 use trimalla::refine::NamedOptions;
-use trimalla::trace::{Recorder, Step};
+use trimalla::trace::{NoTrace, Recorder, Step};
 
 use crate::mesh::Mesh;
 use crate::names::Names;
@@ -94,5 +97,31 @@ impl Input {
     /// The same points without segments and contours.
     pub(crate) fn points_alone(&self) -> Self {
         Self { drawing: Pslg { points: self.drawing.points.clone(), ..Pslg::default() }, ..Self::default() }
+    }
+
+    /// The drawing with the sides of its contours as segments, and a seed in each hole.
+    pub(crate) fn whole_drawing(&self) -> Pslg {
+        if self.outer.is_none() && self.inner.is_empty() {
+            return self.drawing.clone();
+        }
+        let contours = Contours { outer: self.outer.clone(), holes: self.inner.clone(), ..Contours::default() };
+        let seeds = self.inner.iter().filter_map(|hole| self.place_in(hole));
+        Pslg {
+            segments: [contours.segments(), self.drawing.segments.clone()].concat(),
+            segment_markers: Vec::new(),
+            holes: self.drawing.holes.iter().copied().chain(seeds).collect(),
+            ..self.drawing.clone()
+        }
+    }
+
+    /// A place in a hole: the middle of the largest of its triangles.
+    fn place_in(&self, hole: &[VertexId]) -> Option<Point> {
+        // Holes run clockwise.
+        let ring: Vec<Point> = hole.iter().rev().map(|v| self.drawing.points[v.index()]).collect();
+        let ends = [u32::try_from(ring.len()).ok()?];
+        let triangles = constrained_delaunay(Polygon::new(&ring, &ends).ok()?, &mut NoTrace).ok()?;
+        let of = |corners: [u32; 3]| Triangle { corners: corners.map(|i| ring[i as usize]) };
+        let largest = triangles.into_iter().map(of).max_by(|a, b| a.area().total_cmp(&b.area()))?;
+        Some(largest.centroid())
     }
 }

@@ -233,6 +233,21 @@ fn a_player_of_extreme_coordinates_holds_numbers() {
 }
 
 #[test]
+fn a_drawing_that_is_exported_has_its_contours() {
+    let memory = Memory::default();
+    let mut document = Document::new().with_files(Files::Memory(memory.clone()));
+    let text = "V 0 0 0\nV 1 9 0\nV 2 9 9\nV 3 0 9\nV 4 2 2\nV 5 2 7\nV 6 7 2\nV 7 8 8\nOuter 4 0 1 2 3\nInner 3 4 5 6\n\
+                Export contours.poly\nTriangulate";
+    assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+    let drawn = document.figures();
+    let mut loaded = Document::new().with_files(Files::Memory(memory));
+    assert_eq!(script::run(&mut loaded, "Load contours.poly\nTriangulate", false, &mut Quiet), []);
+    assert_eq!((loaded.drawing().segments.len(), loaded.drawing().holes.len()), (7, 1));
+    assert_eq!(loaded.figures(), drawn);
+    assert_eq!(loaded.figures().area, 81.0 - 12.5);
+}
+
+#[test]
 fn a_recipe_that_is_saved_is_read_again() {
     let scratch = Scratch::new("recipe");
     let path = scratch.path().join("mine.toml");

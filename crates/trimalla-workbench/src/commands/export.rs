@@ -32,7 +32,7 @@ impl Ask for Export {
                 write(document, &self.path, &files, interface, |outputs| outputs.add_mesh(&self.path, &mesh, &options))
             }
             None => write(document, &self.path, std::slice::from_ref(&self.path), interface, |outputs| {
-                outputs.add_pslg(&self.path, document.drawing(), &options)
+                outputs.add_pslg(&self.path, &document.state().input.whole_drawing(), &options)
             }),
         }
     }

@@ -4,8 +4,6 @@ use std::path::PathBuf;
 
 use trimalla::constrained::{ConstrainedTriangulation, Crossings};
 use trimalla::delaunay::AlgorithmKey;
-use trimalla::domain::Contours;
-use trimalla::drawing::Pslg;
 use trimalla::refine::{Event, Observer, Progress};
 
 use super::save::write;
@@ -96,20 +94,14 @@ fn refined(title: &str, document: &Document, mesh: &Mesh, interface: &dyn Interf
 
 /// The steps that the algorithm has told.
 fn told(title: &str, document: &Document, construction: &Construction) -> Result<Player, CommandError> {
-    let drawing = drawing_of(&document.state().input);
+    let drawing = document.state().input.whole_drawing();
     Player::of_algorithm(title, &drawing, &construction.recorder).map_err(|error| CommandError::new(error.to_string()))
-}
-
-/// A drawing with the sides of its contours.
-fn drawing_of(input: &Input) -> Pslg {
-    let contours = Contours { outer: input.outer.clone(), holes: input.inner.clone(), ..Contours::default() };
-    Pslg { segments: [contours.segments(), input.drawing.segments.clone()].concat(), ..input.drawing.clone() }
 }
 
 /// Triangulates a drawing.
 fn constructed(title: &str, input: &Input, interface: &dyn Interface) -> Result<Player, CommandError> {
     let triangulated = Building::Asked(AlgorithmKey::Incremental).run(input)?;
-    let drawing = drawing_of(input);
+    let drawing = input.whole_drawing();
     let last = triangulated.triangulation().to_indexed(&input.drawing);
     let player = Player::of_construction(title, &drawing, Crossings::Split, &last, &mut || !interface.is_cancelled());
     player.map_err(|error: ConstructionError| CommandError::new(error.to_string()))
