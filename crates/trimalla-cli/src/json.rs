@@ -12,7 +12,7 @@ use crate::exit::Failure;
 
 /// The report of a refinement.
 pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Value {
-    let Outcome { meshed: Meshed { mesh, report, outlook, .. }, warnings, foreseen, .. } = outcome;
+    let Outcome { meshed: Meshed { mesh, report, outlook, attempted, .. }, warnings, foreseen, .. } = outcome;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
     let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
@@ -24,6 +24,8 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
         "max_angle": report.max_angle_deg,
         "angle_ceiling": outlook.as_ref().and_then(|o| o.angle_ceiling).map(|ceiling| ceiling.bound.degrees()),
         "below_bound": report.leftovers.len(),
+        "bound_met": attempted.map(|attempted| attempted.bound_deg),
+        "attempts": attempted.map_or(1, |attempted| attempted.runs),
         "reasons": reasons,
         "algorithm": algorithm,
         "seconds": seconds,

@@ -2,7 +2,7 @@
 
 use clap::builder::{BoolValueParser, StringValueParser, TypedValueParser as _};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
+use trimalla::refine::{Attempts, Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
 use trimalla_io::recipe;
 
 use crate::args::one_of;
@@ -33,8 +33,19 @@ impl AskedOptions {
         let mut asked = asked.with_default_bounds();
         let select = self.given.iter().find(|(option, _)| option.key == "select");
         self.pick.change(&mut asked.recipe.select, select.map(|(_, value)| value))?;
+        if self.leaves_the_recipe_open()
+            && asked.refine_options().with_attempts(Attempts::Several).make_several_attempts()
+        {
+            asked.preset = None;
+        }
         asked.refine_options().validate()?;
         Ok(asked)
+    }
+
+    /// Whether neither a preset nor a step is named.
+    fn leaves_the_recipe_open(&self) -> bool {
+        let names_steps = |option: &OptionRow| matches!(option.group, Group::Preset | Group::Step(_));
+        self.file.recipe.is_none() && !self.given.iter().any(|(option, _)| names_steps(option))
     }
 }
 

@@ -113,12 +113,13 @@ impl RefiningOptions {
         progress::begin_writing()?;
         let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
-        let command = job.command.with_refinement(asked, self.asked.pick.numbers());
+        let made = outcome.options_of(asked);
+        let command = job.command.with_refinement(&made, self.asked.pick.numbers());
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
         let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.asked.file, asked)?;
         if self.report.json {
-            let mut object = json::of_meshing(&outcome, &recipe_file::key(asked), seconds);
+            let mut object = json::of_meshing(&outcome, &recipe_file::key(&made), seconds);
             json::add_asked(&mut object, asked, *before, missed, &command);
             if let Some(statistics) = &details {
                 object["details"] = json::of_details(statistics, report);
@@ -127,11 +128,12 @@ impl RefiningOptions {
         } else {
             let mut lines = text::Lines::default();
             lines.heading(&job.heading);
-            lines.row("algorithm", recipe_file::full_title(asked));
-            lines.row("steps", recipe_file::steps(asked));
+            lines.row("algorithm", recipe_file::full_title(&made));
+            lines.row("steps", recipe_file::steps(&made));
             text::add_before(&mut lines, *before);
             text::add_counts(&mut lines, mesh, job.vertices);
             text::add_outcome(&mut lines, report, asked, missed);
+            text::add_attempts(&mut lines, outcome.meshed.attempted.as_ref());
             if let Some(floor) = &outcome.floor {
                 lines.row("floor", floor);
             }
@@ -149,8 +151,13 @@ impl RefiningOptions {
             return Ok(Status::Done);
         }
         if !self.report.quiet {
-            text::name_stop(report);
-            text::name_leftovers(mesh, job.first_index, report, missed);
+            match outcome.meshed.attempted.filter(|attempted| attempted.is_lowered) {
+                Some(attempted) => text::name_lowered(asked, &attempted),
+                None => {
+                    text::name_stop(report);
+                    text::name_leftovers(mesh, job.first_index, report, missed);
+                }
+            }
         }
         Ok(Status::Unmet)
     }

@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
+use trimalla::Attempted;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, Report, StopReason};
 use trimalla_compare::facts;
-use trimalla_workbench::numbers::count;
+use trimalla_workbench::numbers::{count, short};
 use trimalla_workbench::refining::{MissedBounds, corners};
 
 use crate::console;
@@ -74,6 +75,13 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &NamedOptio
     }
 }
 
+/// Which of several runs gave the mesh.
+pub(crate) fn add_attempts(lines: &mut Lines, attempted: Option<&Attempted>) {
+    if let Some(Attempted { preset, bound_deg, runs, .. }) = attempted {
+        lines.row("attempts", format_args!("{}; kept: {preset} at {} degrees", count(*runs, "run"), short(*bound_deg)));
+    }
+}
+
 /// Every bound on triangles.
 fn bounds(asked: &NamedOptions) -> String {
     let angle = format!("angle {} degrees", asked.min_angle_deg.unwrap_or_default());
@@ -113,6 +121,15 @@ pub(crate) fn name_stop(report: &Report) {
         let text = "the refinement stopped, since more vertices left no fewer triangles below the bound; try a smaller --min-angle, or --algorithm lepp-off-center";
         console::note("warning", text);
     }
+}
+
+/// Says on standard error that no run met the bound that was asked, and what to try.
+pub(crate) fn name_lowered(asked: &NamedOptions, attempted: &Attempted) {
+    let (asked, met) = (short(asked.min_angle_deg.unwrap_or_default()), short(attempted.bound_deg));
+    let text = format!(
+        "no run met {asked} degrees; the mesh meets {met}: ask for that, or try a single run with --algorithm lepp-off-center"
+    );
+    console::note("warning", &text);
 }
 
 /// Names, on standard error, the first triangles that limits kept from meeting a bound; triangles that were not picked

@@ -98,7 +98,7 @@ pub use constrained::{ConstrainedDelaunay, Crossings};
 pub use delaunay::Delaunay;
 pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
-    ByMethod, DomainOptions, Error, MeshOptions, Meshed, Method, Triangulated, mesh, mesh_with, refine_mesh,
+    Attempted, ByMethod, DomainOptions, Error, MeshOptions, Meshed, Method, Triangulated, mesh, mesh_with, refine_mesh,
     refine_mesh_with, triangulate, triangulate_by, triangulate_conforming, triangulate_domain,
 };
 

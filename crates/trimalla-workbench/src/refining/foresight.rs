@@ -52,13 +52,15 @@ impl<'a> Foresight<'a> {
 
     /// An angle bound that no mesh can meet.
     fn describe_ceiling(&self, ceiling: &AngleCeiling) -> String {
+        let is_lowered = self.options.make_several_attempts() && ceiling.bound.degrees() >= RefineOptions::PRACTICE_DEG;
         format!(
-            "no mesh has all angles at {} degrees or above: the corner of {} degrees at {}, {}, allows {}",
+            "no mesh has all angles at {} degrees or above: the corner of {} degrees at {}, {}, allows {}{}",
             short(self.options.criteria.min_angle.degrees()),
             short(ceiling.sector.degrees()),
             self.names.vertex(ceiling.vertex),
             ceiling.at,
-            short(ceiling.bound.degrees())
+            short(ceiling.bound.degrees()),
+            if is_lowered { ", which is the bound now" } else { "" }
         )
     }
 

@@ -3,7 +3,7 @@
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::domain::Warning;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla::refine::{Beginning, Clock, Event, Observer, Outlook, Overview, Progress, RefineOptions};
+use trimalla::refine::{Beginning, Clock, Event, NamedOptions, Observer, Outlook, Overview, Progress, RefineOptions};
 use trimalla::{DomainOptions, Error, MeshOptions, Meshed};
 
 use super::foresight::Foresight;
@@ -40,7 +40,7 @@ pub enum TaskInput<'a> {
 pub struct Task<'a> {
     /// What is refined.
     pub input: TaskInput<'a>,
-    /// Recipe, criteria and limits.
+    /// Recipe, criteria and limits, and how many runs may be made.
     pub options: RefineOptions,
     /// The triangles that the order `manual` treats.
     pub picks: Picks,
@@ -88,7 +88,8 @@ impl Task<'_> {
         let made = match &self.input {
             TaskInput::Drawing { drawing, domain, numbers } => {
                 run.foresight = Some(Foresight::new(numbers, self.options));
-                trimalla::mesh_with(drawing, &MeshOptions { domain: *domain, refine: self.options }, &mut run)
+                let options = MeshOptions { domain: *domain, refine: self.options };
+                trimalla::mesh_with(drawing, &options, &mut run)
             }
             TaskInput::Mesh { mesh, areas, drawing, .. } => {
                 let drawing = drawing.as_ref().map(|(drawing, _)| *drawing);
@@ -108,6 +109,21 @@ impl Task<'_> {
             missed: MissedBounds::of(&meshed.mesh, &meshed.report, &self.options.criteria),
             meshed,
         })
+    }
+}
+
+impl Outcome {
+    /// The options of the run that gave the mesh: those that were asked, or where several runs were made those of the
+    /// best one, which makes the same mesh by itself.
+    #[must_use]
+    pub fn options_of(&self, asked: &NamedOptions) -> NamedOptions {
+        let Some(attempted) = self.meshed.attempted else { return asked.clone() };
+        let mut options = asked.clone();
+        options.take_preset(attempted.preset);
+        if attempted.is_lowered {
+            options.min_angle_deg = Some(attempted.bound_deg);
+        }
+        options
     }
 }
 

@@ -1,7 +1,10 @@
 //! The one-call functions: a drawing in, a mesh out.
 
+mod attempts;
 mod by_method;
+mod quiet;
 
+pub use attempts::Attempted;
 pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
@@ -116,6 +119,8 @@ pub struct Meshed {
     pub warnings: Vec<Warning>,
     /// The outlook before the refinement, if the observer wanted it.
     pub outlook: Option<Outlook>,
+    /// Which run gave the mesh, if several were made: see [`Attempts`](crate::refine::Attempts).
+    pub attempted: Option<Attempted>,
 }
 
 /// [`mesh`] with an observer, which gets the outlook, then the progress, and may cancel; then the mesh so far is
@@ -127,17 +132,23 @@ pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
-    let (cdt, report, outlook) = refined(cdt, &options.refine, observer)?;
-    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook })
+    let Refined { cdt, report, outlook, attempted } = refined(cdt.into(), &options.refine, observer)?;
+    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook, attempted })
+}
+
+/// A refined triangulation, and what is to be said of it.
+struct Refined {
+    cdt: ConstrainedTriangulation,
+    report: Report,
+    outlook: Option<Outlook>,
+    attempted: Option<Attempted>,
 }
 
 /// Refines a triangulation under an observer; the outlook is shown to one that wants it.
-fn refined(
-    start: impl Into<Start>,
-    options: &RefineOptions,
-    observer: &mut dyn Observer,
-) -> Result<(ConstrainedTriangulation, Report, Option<Outlook>), OptionError> {
-    let start = start.into();
+fn refined(start: Start, options: &RefineOptions, observer: &mut dyn Observer) -> Result<Refined, OptionError> {
+    if options.make_several_attempts() {
+        return refined_by_attempts(&start, options, observer);
+    }
     let outlook = observer.wants_outlook().then(|| start.outlook(options));
     if let Some(outlook) = &outlook {
         observer.outlook(outlook);
@@ -148,7 +159,22 @@ fn refined(
         refinement.run(observer);
     }
     let (cdt, report) = refinement.finish();
-    Ok((cdt, report, outlook))
+    Ok(Refined { cdt, report, outlook, attempted: None })
+}
+
+/// Refines in several runs, of which the best counts.
+fn refined_by_attempts(
+    start: &Start,
+    options: &RefineOptions,
+    observer: &mut dyn Observer,
+) -> Result<Refined, OptionError> {
+    let outlook = start.outlook(options);
+    let is_wanted = observer.wants_outlook();
+    if is_wanted {
+        observer.outlook(&outlook);
+    }
+    let (cdt, report, attempted) = attempts::best_of(start, options, &outlook, observer)?;
+    Ok(Refined { cdt, report, outlook: is_wanted.then_some(outlook), attempted: Some(attempted) })
 }
 
 /// Refines a mesh that exists, without triangulating it anew.
@@ -209,11 +235,11 @@ pub fn refine_mesh_with(
             return Err(Error::NotOfDrawing(faults));
         }
     }
-    let (cdt, report, outlook) = refined(taken, options, observer)?;
+    let Refined { cdt, report, outlook, attempted } = refined(taken.into(), options, observer)?;
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }
-    Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook })
+    Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook, attempted })
 }
 
 /// A triangulation without refinement, and what is to be said of it.

@@ -60,7 +60,7 @@ pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use measure::lepp;
 pub use measure::lepp::Lepp;
 pub use measure::ruler::Ruler;
-pub use recipe::options::{Criteria, Limits, Missed, OptionError, RefineOptions};
+pub use recipe::options::{Attempts, Criteria, Limits, Missed, OptionError, RefineOptions};
 pub use recipe::{
     Centroid, ConstrainedSecond, Encroachment, Fill, Group, Initial, Insert, LeppRule, NamedOptions, OPTIONS,
     OptionRow, PlacePoint, Prepare, PrepareWhen, Preset, Protect, Recipe, Recover, Row, Select, Terminal, UnknownKey,

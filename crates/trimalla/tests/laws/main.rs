@@ -4,6 +4,7 @@
 mod common;
 
 mod angle_floor;
+mod attempts;
 mod check_mesh;
 mod circles;
 mod comments;

@@ -93,7 +93,8 @@ pub enum StopReason {
     /// The caller cancelled.
     Cancelled,
     /// At an angle bound above 33 degrees, with at least twenty times the vertices of the forecast, the last doubling
-    /// of the vertices left no fewer bad triangles: more vertices would only make more of them.
+    /// of the vertices left no fewer bad triangles: more vertices would only make more of them. Or none of several
+    /// [attempts](crate::refine::Attempts) met the bound, and the mesh is that of a lower one.
     NoLongerImproves,
 }
 

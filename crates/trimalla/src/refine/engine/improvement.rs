@@ -23,7 +23,7 @@ use crate::refine::recipe::PlacePoint;
 use crate::refine::recipe::options::RefineOptions;
 
 /// Bounds up to this one, in degrees, are met in practice.
-const UNPROVED_DEG: f64 = 33.0;
+const UNPROVED_DEG: f64 = RefineOptions::PRACTICE_DEG;
 /// The first count is due at this many times the forecast.
 const FACTOR: f64 = 10.0;
 

@@ -3,7 +3,7 @@
 use super::Recipe;
 use super::choices::{Preset, Protect};
 use crate::geometry::Angle;
-use crate::refine::recipe::options::{Criteria, Limits, RefineOptions};
+use crate::refine::recipe::options::{Attempts, Criteria, Limits, RefineOptions};
 
 /// A recipe, with the criteria and limits that are set.
 ///
@@ -71,7 +71,7 @@ impl NamedOptions {
         self
     }
 
-    /// The options of a refinement; what is not set has its default.
+    /// The options of a refinement; what is not set has its default. With a preset there is one run.
     #[must_use]
     pub fn refine_options(&self) -> RefineOptions {
         let (criteria, limits) = (Criteria::default(), Limits::default());
@@ -87,6 +87,7 @@ impl NamedOptions {
                 max_vertices: self.max_vertices.unwrap_or(limits.max_vertices),
                 length_floor: self.length_floor,
             },
+            attempts: if self.preset.is_some() { Attempts::One } else { Attempts::Several },
         }
     }
 

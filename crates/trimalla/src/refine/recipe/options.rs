@@ -94,6 +94,23 @@ impl Default for Limits {
     }
 }
 
+/// How many runs [`mesh`](crate::mesh()) and [`refine_mesh`](crate::refine_mesh()) make where the bound on angles may
+/// be out of reach: above 33 degrees, with the default recipe.
+///
+/// A [`Refinement`](crate::refine::Refinement) is one run, whatever this says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Attempts {
+    /// One run of the recipe, to the bound that is asked.
+    One,
+    /// Runs of several recipes and, if none of them ends, to lower bounds. The mesh with the highest bound that is met
+    /// is returned, and [`Meshed::attempted`](crate::Meshed::attempted) names its run. Its smallest angle is at least
+    /// that of a run at 30 degrees.
+    #[default]
+    Several,
+}
+
 /// The options of a refinement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -107,13 +124,33 @@ pub struct RefineOptions {
     pub protect: Protect,
     /// Where to stop.
     pub limits: Limits,
+    /// How many runs are made where the bound on angles may be out of reach.
+    pub attempts: Attempts,
 }
 
 impl RefineOptions {
-    /// The options of a preset with everything else at its default.
+    /// Bounds on angles up to this one, in degrees, are met in practice by the default recipe.
+    pub const PRACTICE_DEG: f64 = 33.0;
+
+    /// The options of a preset with everything else at its default, for one run.
     #[must_use]
     pub fn of(preset: Preset) -> Self {
-        Self { recipe: preset.recipe(), ..Self::default() }
+        Self { recipe: preset.recipe(), attempts: Attempts::One, ..Self::default() }
+    }
+
+    /// Sets how many runs are made where the bound on angles may be out of reach.
+    #[must_use]
+    pub fn with_attempts(mut self, attempts: Attempts) -> Self {
+        self.attempts = attempts;
+        self
+    }
+
+    /// Whether several runs are made: if [`attempts`](Self::attempts) says so, the recipe is the default, and the bound
+    /// on angles is above [`PRACTICE_DEG`](Self::PRACTICE_DEG).
+    #[must_use]
+    pub fn make_several_attempts(&self) -> bool {
+        let is_unproved = self.criteria.min_angle.degrees() > Self::PRACTICE_DEG;
+        self.attempts == Attempts::Several && self.recipe == Recipe::default() && is_unproved
     }
 
     /// Sets the smallest angle, in degrees.
