@@ -9,6 +9,7 @@ pub(crate) mod list;
 pub(crate) mod mesh;
 pub(crate) mod refine;
 pub(crate) mod run;
+pub(crate) mod setup;
 pub(crate) mod stats;
 pub(crate) mod triangulate;
 pub(crate) mod voronoi;
@@ -54,6 +55,8 @@ enum Command {
     Contour(contour::Options),
     Run(run::Options),
     List(list::Options),
+    Completions(setup::CompletionOptions),
+    Man(setup::ManOptions),
 }
 
 /// Runs the subcommand of the command line.
@@ -71,5 +74,7 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Contour(options) => contour::run(&options),
         Command::Run(options) => run::run(&options),
         Command::List(options) => list::run(&options),
+        Command::Completions(options) => setup::completions(&options),
+        Command::Man(options) => setup::man(&options),
     }
 }

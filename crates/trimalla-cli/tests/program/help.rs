@@ -5,7 +5,7 @@ use trimalla::refine::registry;
 use crate::common::Scratch;
 
 /// The subcommands that teach by examples: all but 'list'.
-const SUBCOMMANDS: [&str; 11] = [
+const SUBCOMMANDS: [&str; 13] = [
     "mesh",
     "refine",
     "triangulate",
@@ -17,6 +17,8 @@ const SUBCOMMANDS: [&str; 11] = [
     "interpolate",
     "contour",
     "run",
+    "completions",
+    "man",
 ];
 
 #[test]
@@ -154,4 +156,21 @@ fn wrong_use_ends_with_two() {
         assert!(run.stderr.contains("error: ") || line.is_empty(), "{line}: {run:#?}");
     }
     assert_eq!(scratch.files(), before);
+}
+
+#[test]
+fn completions_and_pages_name_every_subcommand() {
+    let scratch = Scratch::new("setup");
+    let names = scratch.run("man --list").expect(0).stdout;
+    for subcommand in SUBCOMMANDS.into_iter().chain(["list"]) {
+        assert!(names.lines().any(|line| line == subcommand), "{subcommand}: {names}");
+        let page = scratch.run(&format!("man {subcommand}")).expect(0).stdout;
+        assert!(page.contains(&format!("trimalla\\-{subcommand}")) && page.contains(".SH OPTIONS"), "{page}");
+    }
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let text = scratch.run(&format!("completions {shell}")).expect(0).stdout;
+        assert!(["mesh", "triangulate", "min-angle"].iter().all(|word| text.contains(word)), "{shell}: {text}");
+    }
+    let error = scratch.run("man nothing").expect(2).stderr;
+    assert!(error.contains("no subcommand is called 'nothing'") && error.contains("mesh"), "{error}");
 }

@@ -9,12 +9,12 @@ use crate::error::CommandError;
 
 /// The drawings with their names.
 const DRAWINGS: [(&str, &str); 6] = [
-    ("key", include_str!("../../../../data/shapes/key.poly")),
-    ("guitar", include_str!("../../../../data/shapes/guitar.poly")),
-    ("gear", include_str!("../../../../data/shapes/gear.poly")),
-    ("plate", include_str!("../../../../data/shapes/plate.poly")),
-    ("star", include_str!("../../../../data/shapes/star.poly")),
-    ("coast", include_str!("../../../../data/shapes/coast.poly")),
+    ("key", include_str!("../../data/shapes/key.poly")),
+    ("guitar", include_str!("../../data/shapes/guitar.poly")),
+    ("gear", include_str!("../../data/shapes/gear.poly")),
+    ("plate", include_str!("../../data/shapes/plate.poly")),
+    ("star", include_str!("../../data/shapes/star.poly")),
+    ("coast", include_str!("../../data/shapes/coast.poly")),
 ];
 
 /// The names of the drawings that `Example` loads.
