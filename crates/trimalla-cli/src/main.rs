@@ -13,6 +13,8 @@
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`prompt`], [`script_text`] | commands typed at a terminal; what a script shows |
+//! | [`triangle`] | Triangle's switches and files |
+//! | [`words`] | what the words of a command line mean where no subcommand stands first |
 //! | [`text`], [`json`] | reports for people and for programs |
 //! | [`console`], [`exit`] | the two streams and the exit status |
 
@@ -37,13 +39,19 @@ mod targets;
 mod terrain;
 mod text;
 mod trace;
+mod triangle;
+mod words;
 
 use std::process::ExitCode;
 
 use clap::Parser as _;
 
 fn main() -> ExitCode {
-    match commands::run(commands::Program::parse()) {
+    let words = match words::of(std::env::args_os()) {
+        Ok(words) => words,
+        Err(failure) => return console::report(failure).into(),
+    };
+    match commands::run(commands::Program::parse_from(words)) {
         Ok(status) => status.into(),
         Err(failure) => console::report(failure).into(),
     }

@@ -49,6 +49,9 @@ pub struct Sections {
     pub holes: Vec<Point>,
     /// Region seeds.
     pub regions: Vec<Region>,
+    /// The regions, by index, that have one number behind the seed instead of two. It is their attribute; Triangle
+    /// takes it for the largest area, too.
+    pub lone_numbers: Vec<usize>,
     /// What was ignored in the file, its vertices included.
     pub notes: Vec<Note>,
 }
@@ -108,9 +111,9 @@ pub fn read_unnamed(bytes: &[u8], name: &str) -> Result<Poly, IoError> {
 fn read_sections(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<Sections, IoError> {
     let (segments, segment_markers) = read_segments(reader, vertices)?;
     let holes = read_holes(reader)?;
-    let regions = if reader.advance() { read_regions(reader)? } else { Vec::new() };
+    let (regions, lone_numbers) = if reader.advance() { read_regions(reader)? } else { Default::default() };
     reader.end_file()?;
-    Ok(Sections { segments, segment_markers, holes, regions, notes: reader.take_notes() })
+    Ok(Sections { segments, segment_markers, holes, regions, lone_numbers, notes: reader.take_notes() })
 }
 
 fn read_segments(reader: &mut Reader<'_>, vertices: VertexRange) -> Result<(Vec<[u32; 2]>, Vec<i32>), IoError> {
@@ -146,16 +149,19 @@ fn read_holes(reader: &mut Reader<'_>) -> Result<Vec<Point>, IoError> {
     Ok(holes)
 }
 
-fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
+fn read_regions(reader: &mut Reader<'_>) -> Result<(Vec<Region>, Vec<usize>), IoError> {
     let count = reader.count("the number of regions")?;
     reader.end_record()?;
-    let mut regions = Vec::new();
+    let (mut regions, mut lone_numbers) = (Vec::new(), Vec::new());
     let mut rows = Numbering::new("region", count, None);
     while rows.next(reader)? {
         let seed = Point::new(reader.real("an x coordinate")?, reader.real("a y coordinate")?);
         let attribute = reader.real("the attribute of the region")?;
         let max_area = match reader.field() {
-            None => None,
+            None => {
+                lone_numbers.push(regions.len());
+                None
+            }
             Some(token) => {
                 // It may be missing, so that the number of columns does not tell commas between columns from decimal
                 // ones.
@@ -167,7 +173,7 @@ fn read_regions(reader: &mut Reader<'_>) -> Result<Vec<Region>, IoError> {
         regions.push(Region { seed, attribute, max_area });
     }
     rows.note_extra(reader);
-    Ok(regions)
+    Ok((regions, lone_numbers))
 }
 
 /// Writes a drawing with its vertices.

@@ -11,6 +11,7 @@ pub(crate) mod refine;
 pub(crate) mod run;
 pub(crate) mod setup;
 pub(crate) mod stats;
+pub(crate) mod triangle;
 pub(crate) mod triangulate;
 pub(crate) mod voronoi;
 
@@ -36,6 +37,7 @@ Examples:
   trimalla compare key.poly --markdown        all algorithms at all angles, in a table
   trimalla contour terrain.node --step 10 -o lines.svg
                                               lines of equal height
+  trimalla triangle -pq30a0.1 key             Triangle's switches and files
   trimalla run session.tri                    a script of commands: draw, triangulate, edit, refine
   trimalla list                               algorithms, steps, rules and formats
 
@@ -54,6 +56,7 @@ enum Command {
     Interpolate(interpolate::Options),
     Contour(contour::Options),
     Run(run::Options),
+    Triangle(triangle::Options),
     List(list::Options),
     Completions(setup::CompletionOptions),
     Man(setup::ManOptions),
@@ -73,6 +76,7 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Interpolate(options) => interpolate::run(&options),
         Command::Contour(options) => contour::run(&options),
         Command::Run(options) => run::run(&options),
+        Command::Triangle(options) => triangle::run(&options),
         Command::List(options) => list::run(&options),
         Command::Completions(options) => setup::completions(&options),
         Command::Man(options) => setup::man(&options),

@@ -5,7 +5,7 @@ use trimalla::refine::registry;
 use crate::common::Scratch;
 
 /// The subcommands that teach by examples: all but 'list'.
-const SUBCOMMANDS: [&str; 13] = [
+const SUBCOMMANDS: [&str; 14] = [
     "mesh",
     "refine",
     "triangulate",
@@ -19,6 +19,7 @@ const SUBCOMMANDS: [&str; 13] = [
     "run",
     "completions",
     "man",
+    "triangle",
 ];
 
 #[test]

@@ -28,3 +28,4 @@ mod run;
 mod small_angles;
 mod spared;
 mod terrain;
+mod triangle;

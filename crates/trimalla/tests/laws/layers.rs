@@ -51,7 +51,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla-compare", &["trimalla", "trimalla-io"]),
     ("trimalla-workbench", &["trimalla", "trimalla-io"]),
     ("trimalla-studio", &["trimalla", "trimalla-io", "trimalla-workbench"]),
-    ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench"]),
+    ("trimalla-triangle", &["trimalla"]),
+    ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench", "trimalla-triangle"]),
 ];
 
 /// Tests of any crate may lean on these, whatever they lean on themselves.

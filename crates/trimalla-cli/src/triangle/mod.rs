@@ -1,0 +1,93 @@
+//! Triangle's switches and files.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`call`] | the words of the command line |
+//! | [`names`] | the names of the files that are read and written |
+//! | [`reading`], [`files`] | what is read; what is written |
+//! | [`report`] | what is printed |
+//!
+//! What switches mean, and the mesh, are the business of the crate `trimalla-triangle`.
+
+mod call;
+mod files;
+mod names;
+mod reading;
+mod report;
+
+pub(crate) use call::{Call, switches_text};
+
+use std::time::Instant;
+
+use trimalla::Error;
+use trimalla::domain::DomainError;
+use trimalla::refine::Observer;
+use trimalla_triangle::{Made, TriangleError, triangulate};
+use trimalla_workbench::numbers::FileNumbers;
+
+use crate::console;
+use crate::exit::{Failure, Status};
+use crate::foresight::Foresight;
+use crate::outputs::{self, Outputs};
+use crate::progress::{self, Watch};
+use names::Names;
+use reading::{Content, Read};
+
+/// Reads, triangulates, writes and reports.
+pub(crate) fn run(call: Call) -> Result<Status, Failure> {
+    let Call { mut switches, file, command } = call;
+    let names = Names::of(&file, &mut switches);
+    switches.validate().map_err(|error| Failure::wrong_use(error.to_string()))?;
+    progress::handle_ctrl_c();
+    let read = Read::of(&names, &switches)?;
+    let wanted = files::wanted(&switches, &read);
+    let paths = files::paths(&wanted, &names);
+    outputs::recover(&paths, switches.quiet);
+    Outputs::sparing(read.files.clone()).with_texts(&paths, None).map(drop)?;
+    report::notes(&read, &switches);
+    let start = Instant::now();
+    let made = make(&read, &switches)?;
+    progress::begin_writing()?;
+    report::warnings(&read, &made, &switches, &wanted);
+    let prepared = files::prepare(&made, &wanted, &paths, read.first_index, &command)?;
+    if let Some(failure) = report::faults(&read, &made) {
+        return Err(failure);
+    }
+    console::print(&report::text(&read, &made, &switches, &paths, start.elapsed().as_secs_f64()))?;
+    prepared.commit()?;
+    Ok(Status::Done)
+}
+
+fn make(read: &Read, switches: &trimalla_triangle::Switches) -> Result<Made, Failure> {
+    let watch = Watch::new(!switches.quiet);
+    let called = |observer: &mut dyn Observer| triangulate(&read.input(), switches, observer);
+    match &read.content {
+        Content::Mesh(..) => {
+            let mut watch = watch;
+            called(&mut watch).map_err(|error| Failure::bad_input(format!("{}: {error}", read.name())))
+        }
+        Content::Drawing(drawing) => {
+            let file = read.files.first().map(std::path::PathBuf::as_path);
+            let numbers = FileNumbers::new(drawing, read.first_index, read.name(), file);
+            let options = switches.refine_options(drawing.points.len());
+            let mut foresight =
+                Foresight::new(watch, &numbers, options, switches.quiet || switches.most_added.is_some());
+            called(&mut foresight).map_err(|error| failure(&numbers, &error))
+        }
+    }
+}
+
+/// A fault of the drawing, in the numbers and lines of its file.
+fn failure(numbers: &FileNumbers<'_>, error: &TriangleError) -> Failure {
+    let TriangleError::Mesh(Error::Domain(error)) = error else {
+        return Failure::bad_input(numbers.of_file(error));
+    };
+    let failure = Failure::of_many(Status::BadInput, numbers.fault(error));
+    match error {
+        DomainError::OpenOutline { .. } => failure.hint("close the outline, or keep the convex hull with -c"),
+        DomainError::SeedTakesAll { .. } => failure.hint("close the outline of the hole, or ignore holes with -O"),
+        DomainError::SeedOnSegment { .. } => failure.hint("move the seed to one side of the segment"),
+        DomainError::Flat { .. } => failure.hint("a mesh needs three vertices that do not lie on one line"),
+        _ => failure,
+    }
+}
