@@ -22,9 +22,9 @@ pub(crate) struct Unfinished {
 /// `Refine`, `Step` and `LEPP` are done in slices of about a millisecond on a document of 10^5 vertices, `Generate` and
 /// `Triangulate` in slices of some milliseconds; `Load` reads the file in one, and takes triangles up in another. What
 /// is linear in the document (to copy it, to sort its points, to carve its outside) is a slice of its own, and so are
-/// algorithms other than the incremental one. Every other command is one slice. The command is one all the same: it is noted and undone as a whole, and its outcome does not depend on
-/// where the slices end. It holds the document until then, so that nothing else can change it; dropped before, it takes
-/// the document with it.
+/// algorithms other than the incremental one. Every other command is one slice. The command is one all the same: it is
+/// noted and undone as a whole, and its outcome does not depend on where the slices end. It holds the document until
+/// then, so that nothing else can change it; dropped before, it takes the document with it.
 ///
 /// # Examples
 /// ```

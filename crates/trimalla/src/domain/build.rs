@@ -114,7 +114,8 @@ pub fn build_exactly(
 
 /// Carves the domain of a drawing out of its triangulation exactly: where that is the convex hull, up to the hull.
 ///
-/// `cdt` is what [`triangulate`] makes of the drawing, or the same in slices ([`Insertion`](crate::delaunay::Insertion)).
+/// `cdt` is what [`triangulate`] makes of the drawing, or the same in slices, by
+/// [`Insertion`](crate::delaunay::Insertion).
 ///
 /// # Errors
 /// See [`build`].
