@@ -19,7 +19,7 @@ pub(crate) struct Vertex {
 }
 
 /// A triangle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Face {
     /// Its corners, by their places in [`Scene::points`].
     pub(crate) corners: [u32; 3],
@@ -28,32 +28,54 @@ pub(crate) struct Face {
     pub(crate) facts: Facts,
 }
 
-/// What is known of a triangle, in 32 bits: which edges are constrained, how round it is, its region.
+/// An edge of a triangle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Edge {
+    /// It may be flipped.
+    #[default]
+    Free,
+    /// It is constrained, with triangles on both sides.
+    Inside,
+    /// It is constrained, and bounds the domain.
+    Boundary,
+}
+
+/// What is known of a triangle, in 32 bits: which edges are constrained, inside or on the boundary, how round it is,
+/// its region.
 ///
 /// ```text
-///     31 …  region  … 16 │ 15 …  quality  … 3 │ 2 1 0
-///                                               edge opposite the corner of that number
+///     31 …  region  … 16 │ 15 …  quality  … 6 │ 5 4 3 boundary │ 2 1 0 constrained inside
+///                                               of the edges opposite the corners 2 1 0
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Facts(pub(crate) u32);
 
 impl Facts {
-    const QUALITY_STEPS: f32 = 8191.0;
+    const QUALITY_STEPS: f32 = 1023.0;
 
-    fn new(constrained: [bool; 3], quality: f32, region: u32) -> Self {
-        let edges = constrained.iter().rev().fold(0, |bits, &is| bits << 1 | u32::from(is));
-        let quality = (quality.clamp(0.0, 1.0) * Self::QUALITY_STEPS) as u32;
-        Self(region.min(0xFFFF) << 16 | quality << 3 | edges)
+    fn new(edges: [Edge; 3], quality: f32, region: u32) -> Self {
+        let bits = |kind: Edge| edges.iter().rev().fold(0, |bits, &edge| bits << 1 | u32::from(edge == kind));
+        Self(region.min(0xFFFF) << 16 | bits(Edge::Boundary) << 3 | bits(Edge::Inside)).of_quality(quality)
     }
 
-    /// Whether the edge opposite a corner is constrained.
-    pub(crate) fn is_constrained(self, corner: usize) -> bool {
-        self.0 >> corner & 1 == 1
+    /// The same, but as round as that.
+    fn of_quality(self, quality: f32) -> Self {
+        let quality = (quality.clamp(0.0, 1.0) * Self::QUALITY_STEPS) as u32;
+        Self(self.0 & !(0x3FF << 6) | quality << 6)
+    }
+
+    /// What the edge opposite a corner is.
+    pub(crate) fn edge(self, corner: usize) -> Edge {
+        match (self.0 >> corner & 1, self.0 >> (corner + 3) & 1) {
+            (1, _) => Edge::Inside,
+            (_, 1) => Edge::Boundary,
+            _ => Edge::Free,
+        }
     }
 
     /// Twice the inradius by the circumradius: 1 where it is equilateral.
     pub(crate) fn quality(self) -> f32 {
-        (self.0 >> 3 & 0x1FFF) as f32 / Self::QUALITY_STEPS
+        (self.0 >> 6 & 0x3FF) as f32 / Self::QUALITY_STEPS
     }
 
     /// The number of its region, from 1; 0 for none.
@@ -124,7 +146,7 @@ impl Scene {
             // The order of the corners is not told.
             let corners = if triangle.area() < 0.0 { [corners[0], corners[2], corners[1]] } else { corners };
             let triangle = Triangle { corners: corners.map(|v| t.points()[v as usize]) };
-            let facts = Facts::new([false; 3], quality(&triangle), 0);
+            let facts = Facts::new([Edge::Free; 3], quality(&triangle), 0);
             Some(Face { corners, min_angle_deg: min_angle_deg(&triangle), facts })
         };
         let mut scene = Self {
@@ -167,13 +189,10 @@ impl Scene {
         let face = |f: FaceId| {
             let [a, b, c] = t.face_points(f);
             let triangle = Triangle::new(a, b, c);
-            // The half-edge i of a face runs from corner i to the next, so it is opposite corner i + 2.
-            let [first, second, third] = f.half_edges().map(|h| t.is_marked(h));
-            let region = t.mesh().region(f);
             Face {
                 corners: t.face_vertices(f).map(|v| v.0),
                 min_angle_deg: min_angle_deg(&triangle),
-                facts: Facts::new([second, third, first], quality(&triangle), region),
+                facts: bare(t, f).of_quality(quality(&triangle)),
             }
         };
         Self {
@@ -188,6 +207,17 @@ impl Scene {
     pub(crate) fn corners(&self, face: &Face) -> [Point; 3] {
         face.corners.map(|v| self.points[v as usize])
     }
+}
+
+/// Which edges of a face are constrained, and its region.
+fn bare(t: &ConstrainedTriangulation, f: FaceId) -> Facts {
+    // The half-edge i of a face runs from corner i to the next, so it is opposite corner i + 2.
+    let [first, second, third] = f.half_edges().map(|h| match (t.is_marked(h), t.is_real(t.twin(h).face())) {
+        (false, _) => Edge::Free,
+        (true, true) => Edge::Inside,
+        (true, false) => Edge::Boundary,
+    });
+    Facts::new([second, third, first], 0.0, t.mesh().region(f))
 }
 
 /// The smallest angle in degrees, which is opposite the shortest edge: [`Triangle::min_angle`] in single precision, by
@@ -281,5 +311,37 @@ impl Picked {
             self.shown = before.shown.min(self.path.len());
         }
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use trimalla_workbench::{Quiet, script};
+
+    use super::*;
+
+    #[test]
+    fn edges_are_free_inside_or_on_the_boundary() {
+        let mut document = Document::new();
+        let text = "V 0 0 0\nV 1 4 0\nV 2 4 4\nV 3 0 4\nV 4 3 2\nOuter 4 0 1 2 3\nEdge 0 4\nTriangulate";
+        assert_eq!(script::run(&mut document, text, false, &mut Quiet), []);
+        let scene = Scene::of(&document);
+        let sides = scene.faces.iter().flat_map(|face| {
+            (0..3).map(|i| (face.facts.edge(i), [face.corners[(i + 1) % 3], face.corners[(i + 2) % 3]]))
+        });
+        let mut of_kind: [Vec<[u32; 2]>; 3] = Default::default();
+        for (edge, mut ends) in sides {
+            ends.sort_unstable();
+            of_kind[edge as usize].push(ends);
+        }
+        of_kind.iter_mut().for_each(|ends| ends.sort_unstable());
+        assert_eq!(of_kind[Edge::Boundary as usize], [[0, 1], [0, 3], [1, 2], [2, 3]]);
+        assert_eq!(of_kind[Edge::Inside as usize], [[0, 4], [0, 4]], "from both sides");
+        assert_eq!(of_kind[Edge::Free as usize].len(), 6);
+        for face in &scene.faces {
+            let triangle = Triangle { corners: scene.corners(face) };
+            assert!((face.facts.quality() - quality(&triangle)).abs() < 2e-3, "{face:?}");
+            assert_eq!(face.facts.region(), 0);
+        }
     }
 }

@@ -54,7 +54,7 @@ impl Uniform {
         let origin = origin(scene);
         let up = if view.is_y_down { -1.0 } else { 1.0 };
         let [x, y] = [2.0 * view.scale / f64::from(rect.width()), 2.0 * up * view.scale / f64::from(rect.height())];
-        let bits = [switches.edges, switches.constraints, is_dark];
+        let bits = [switches.edges, switches.constraints, switches.boundary, is_dark];
         Self {
             scale: [x as f32, y as f32],
             offset: [((origin.x - view.center.x) * x) as f32, ((origin.y - view.center.y) * y) as f32],
@@ -66,7 +66,7 @@ impl Uniform {
     }
 
     fn bytes(&self, is_linear: bool) -> [u8; Self::BYTES] {
-        let switches = self.switches | u32::from(is_linear) << 3;
+        let switches = self.switches | u32::from(is_linear) << 4;
         let words = [
             self.scale[0].to_bits(),
             self.scale[1].to_bits(),

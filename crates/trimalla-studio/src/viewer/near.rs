@@ -6,7 +6,7 @@ use eframe::egui::{Color32, Rgba};
 
 use super::plane_painter::PlanePainter;
 use super::switches::{Colours, Switches};
-use crate::scene::{Face, Scene};
+use crate::scene::{Edge, Face, Scene};
 
 /// Draws the triangles that may be seen.
 pub(super) fn draw(painter: &PlanePainter, scene: &Scene, switches: &Switches, is_dark: bool) {
@@ -23,7 +23,12 @@ pub(super) fn draw(painter: &PlanePainter, scene: &Scene, switches: &Switches, i
         let corners = scene.corners(face);
         for opposite in 0..3 {
             let ends = [corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]];
-            if face.facts.is_constrained(opposite) && switches.constraints {
+            let is_heavy = match face.facts.edge(opposite) {
+                Edge::Free => false,
+                Edge::Inside => switches.constraints,
+                Edge::Boundary => switches.boundary,
+            };
+            if is_heavy {
                 painter.line(ends, 2.0, painter.palette.constrained);
             } else if switches.edges {
                 painter.line(ends, 1.0, painter.palette.edge);

@@ -8,7 +8,8 @@ struct View {
     threshold: f32,
     // What colours stand for: 0 the smallest angle, 1 roundness, 2 the region.
     mode: u32,
-    // Bit 0: edges; 1: constrained edges; 2: dark ground; 3: the target wants linear colours.
+    // Bit 0: edges; 1: constrained edges inside; 2: those of the boundary; 3: dark ground; 4: the target wants linear
+    // colours.
     switches: u32,
     pixels_per_point: f32,
 }
@@ -63,12 +64,12 @@ fn to_linear(c: vec3<f32>) -> vec3<f32> {
 
 @fragment
 fn fill(in: Corner) -> @location(0) vec4<f32> {
-    let dark = (view.switches & 4u) != 0u;
+    let dark = (view.switches & 8u) != 0u;
     var colour: vec3<f32>;
     if view.mode == 2u {
         colour = of_region(in.facts >> 16u, dark);
     } else if view.mode == 1u {
-        colour = ramp(f32((in.facts >> 3u) & 8191u) / 8191.0, dark);
+        colour = ramp(f32((in.facts >> 6u) & 1023u) / 1023.0, dark);
     } else {
         colour = ramp(in.angle / 60.0, dark);
     }
@@ -90,12 +91,14 @@ fn fill(in: Corner) -> @location(0) vec4<f32> {
         }
     }
     for (var i = 0u; i < 3u; i++) {
-        if (view.switches & 2u) != 0u && ((in.facts >> i) & 1u) != 0u {
+        let inside = (view.switches & 2u) != 0u && ((in.facts >> i) & 1u) != 0u;
+        let boundary = (view.switches & 4u) != 0u && ((in.facts >> (i + 3u)) & 1u) != 0u;
+        if inside || boundary {
             let ink = 1.0 - smoothstep(2.0 * half, 2.0 * half + 0.8, distance[i]);
             colour = mix(colour, heavy, ink);
         }
     }
-    if (view.switches & 8u) != 0u {
+    if (view.switches & 16u) != 0u {
         colour = to_linear(colour);
     }
     return vec4<f32>(colour, 1.0);

@@ -34,7 +34,10 @@ pub(crate) struct Switches {
     /// Whether the user has moved it.
     is_own: bool,
     pub(crate) edges: bool,
+    /// Constrained edges inside the domain.
     pub(crate) constraints: bool,
+    /// Constrained edges that bound the domain.
+    pub(crate) boundary: bool,
     pub(crate) vertices: bool,
     pub(crate) steiner: bool,
     pub(crate) labels: bool,
@@ -57,6 +60,7 @@ impl Default for Switches {
             is_own: false,
             edges: true,
             constraints: true,
+            boundary: true,
             vertices: true,
             steiner: true,
             labels: true,
@@ -96,7 +100,8 @@ impl Switches {
             ui.separator();
             for (is_on, name, help) in [
                 (&mut self.edges, "Edges", "edges of triangles"),
-                (&mut self.constraints, "Constraints", "constrained edges: segments and the boundary"),
+                (&mut self.constraints, "Constraints", "segments: before 'Triangulate', and inside the domain"),
+                (&mut self.boundary, "Boundary", "the boundary of the domain and of its holes"),
                 (&mut self.vertices, "Vertices", "vertices of the drawing"),
                 (&mut self.steiner, "Added", "vertices that a refinement has added, Steiner points"),
                 (&mut self.labels, "Labels", "the names of vertices, where few are seen"),
