@@ -135,6 +135,41 @@ impl Scene {
         scene
     }
 
+    /// The triangles of a triangulation that is refined, and their corners: angles and roundness are not measured yet,
+    /// and vertices are left out, which nobody sees among so many.
+    pub(crate) fn unmeasured(t: &ConstrainedTriangulation) -> Self {
+        let face = |f: FaceId| Face { corners: t.face_vertices(f).map(|v| v.0), min_angle_deg: 0.0, facts: bare(t, f) };
+        let faces: Vec<Face> = t.real_faces().map(face).collect();
+        Self {
+            points: t.points().to_vec(),
+            figures: Figures {
+                vertices: t.used_vertices().count(),
+                steiner: t.steiner_vertices(),
+                triangles: faces.len(),
+                min_angle_deg: 180.0,
+                ..Figures::default()
+            },
+            faces,
+            angles: Histogram::new(CLASSES, 60.0),
+            bounds: t.bounding_box(),
+            ..Self::default()
+        }
+    }
+
+    /// Measures so many triangles of an [`unmeasured`](Self::unmeasured) scene, from the one of that number on; whether
+    /// any are left.
+    pub(crate) fn measure_next(&mut self, from: usize, count: usize) -> bool {
+        let end = (from + count).min(self.faces.len());
+        for face in &mut self.faces[from.min(end)..end] {
+            let triangle = Triangle { corners: face.corners.map(|v| self.points[v as usize]) };
+            face.min_angle_deg = min_angle_deg(&triangle);
+            face.facts = face.facts.of_quality(quality(&triangle));
+            self.angles.add(f64::from(face.min_angle_deg));
+            self.figures.min_angle_deg = self.figures.min_angle_deg.min(f64::from(face.min_angle_deg));
+        }
+        end < self.faces.len()
+    }
+
     /// What is drawn of a triangulation while its algorithm is at work: all vertices, and these triangles.
     pub(crate) fn told(document: &Document, triangles: impl Iterator<Item = [u32; 3]>) -> Self {
         let Some(t) = document.triangulation() else { return Self::of_drawing(document) };
