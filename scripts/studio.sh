@@ -75,10 +75,10 @@ click() { # x y
     sleep 1
 }
 xdotool windowfocus "$window"
-click 675 12 # Triangulate
+click 763 12 # Triangulate
 click 434 58 # Refine
-click 868 12 # Check
-click 545 352 # a triangle
+click 1001 12 # Check
+click 545 388 # a triangle
 sleep 0.5
 import -window root "$temporary/studio.png"
 kill -0 $studio || { echo "error: the studio has ended" >&2; cat "$temporary/log" >&2; exit 1; }

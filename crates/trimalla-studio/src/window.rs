@@ -1,11 +1,11 @@
 //! The studio in a window of the desktop, with the system's file dialogs.
 //!
-//! A dialog is opened where the window lives, as some systems want it, and waited for on a thread of its own: the window
-//! answers meanwhile.
+//! A dialog is opened where the window lives, as some systems want it, and waited for on a thread of its own: the
+//! window answers meanwhile.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::{Duration, Instant};
 
 use eframe::egui::{Context, Ui};
 use rfd::AsyncFileDialog;
@@ -13,9 +13,6 @@ use trimalla_workbench::MessageKind;
 
 use crate::app::Studio;
 use crate::dialog::{Answer, Purpose, Wish};
-
-/// A dialog that ends sooner was never shown: nobody closes one as fast. The system tells no difference.
-const NEVER_SHOWN: Duration = Duration::from_millis(500);
 
 /// The studio, and the file dialog that is open.
 pub struct Window {
@@ -26,7 +23,6 @@ pub struct Window {
 /// A dialog that is open.
 struct Dialog {
     wish: Wish,
-    began: Instant,
     chosen: Receiver<Option<PathBuf>>,
 }
 
@@ -34,6 +30,10 @@ impl Window {
     /// A window around a studio, which asks for files by dialogs.
     #[must_use]
     pub fn new(studio: Studio) -> Self {
+        // A program around this one may have a log of its own: then a dialog that cannot be shown counts as closed.
+        if log::set_logger(&Failures).is_ok() {
+            log::set_max_level(log::LevelFilter::Error);
+        }
         Self { studio: studio.with_dialogs(), dialog: None }
     }
 
@@ -47,7 +47,7 @@ impl Window {
         };
         let answer = match chosen {
             Some(path) => Answer::Chosen(path),
-            None if dialog.began.elapsed() < NEVER_SHOWN => Answer::Impossible,
+            None if HAS_FAILED.load(Ordering::Relaxed) => Answer::Impossible,
             None => Answer::Closed,
         };
         self.studio.answer(dialog.wish, answer);
@@ -58,6 +58,7 @@ impl Window {
         if self.dialog.is_some() {
             return self.studio.say(MessageKind::Error, "a file dialog is open already".to_owned());
         }
+        HAS_FAILED.store(false, Ordering::Relaxed);
         let (sender, chosen) = channel();
         let asked = dialog_of(&wish).set_parent(frame);
         let context = context.clone();
@@ -73,8 +74,28 @@ impl Window {
             let file = asked.save_file();
             std::thread::spawn(move || tell(pollster::block_on(file)));
         }
-        self.dialog = Some(Dialog { wish, began: Instant::now(), chosen });
+        self.dialog = Some(Dialog { wish, chosen });
     }
+}
+
+/// Whether the last dialog could not be shown. It returns nothing then, as one that is closed, and says so in the log.
+static HAS_FAILED: AtomicBool = AtomicBool::new(false);
+
+/// A log that keeps nothing but that a dialog has failed.
+struct Failures;
+
+impl log::Log for Failures {
+    fn enabled(&self, metadata: &log::Metadata<'_>) -> bool {
+        metadata.level() == log::Level::Error && metadata.target().starts_with("rfd")
+    }
+
+    fn log(&self, record: &log::Record<'_>) {
+        if self.enabled(record.metadata()) {
+            HAS_FAILED.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn flush(&self) {}
 }
 
 /// The dialog of the system that asks for it.
