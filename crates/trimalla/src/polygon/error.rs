@@ -94,3 +94,17 @@ pub enum PolygonError {
     #[error("cancelled")]
     Cancelled,
 }
+
+impl PolygonError {
+    /// The same fault, its vertices and rings named by other numbers.
+    pub(super) fn renumbered(self, number: impl Fn(u32) -> u32, of_ring: impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Flat { ring, first } => Self::Flat { ring: of_ring(ring), first: number(first) },
+            Self::Crossing { sides, at } => Self::Crossing { sides: sides.map(|side| side.map(&number)), at },
+            Self::Nesting { ring, vertex, at } => Self::Nesting { ring: of_ring(ring), vertex: number(vertex), at },
+            Self::Misplaced { ring, at } => Self::Misplaced { ring: of_ring(ring), at },
+            Self::NotMonotone { vertex, at } => Self::NotMonotone { vertex: number(vertex), at },
+            other => other,
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! The table of algorithms for polygons.
 
+use super::constrained_delaunay::Flips;
+use super::lone_points::LonePoints;
 use super::{
     Polygon, PolygonError, art_gallery, constrained_delaunay, diagonals, ears, monotone, seidel, visible_pairs,
 };
@@ -24,6 +26,8 @@ impl PolygonMethod {
     /// # Shape
     /// Counter-clockwise triangles of indices into [`Polygon::points`].
     ///
+    /// A hole of one point is a corner of triangles, also of those of `art-gallery`; its guards do not need it.
+    ///
     /// # Errors
     /// Those of the algorithm: each is at the function that this one calls.
     pub fn triangulate(
@@ -31,6 +35,16 @@ impl PolygonMethod {
         polygon: Polygon<'_>,
         trace: &mut (impl Trace + ?Sized),
     ) -> Result<Vec<[u32; 3]>, PolygonError> {
+        let Some(apart) = LonePoints::of(polygon) else { return self.of_rings(polygon, trace) };
+        let mut triangles = apart.triangulate(polygon, trace, |rings, trace| self.of_rings(rings, trace))?;
+        if self == Self::ConstrainedDelaunay {
+            Flips::default().legalise(polygon.points(), &mut triangles, trace)?;
+        }
+        Ok(triangles)
+    }
+
+    /// Triangulates a polygon without holes of one point.
+    fn of_rings(self, polygon: Polygon<'_>, trace: &mut (impl Trace + ?Sized)) -> Result<Vec<[u32; 3]>, PolygonError> {
         match self {
             Self::Monotone => monotone(polygon, trace),
             Self::Ears => ears(polygon, trace),

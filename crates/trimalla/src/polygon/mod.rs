@@ -5,7 +5,9 @@
 //! many.
 //!
 //! Every algorithm proves the polygon valid first: sides that cross or overlap, and holes that are not inside the
-//! outline, are refused with the place. Rings may touch others and themselves in points.
+//! outline, are refused with the place. Rings may touch others and themselves in points. A hole of one point, as some
+//! formats write points inside, is a corner of triangles for [`PolygonMethod`] and [`Triangulator`]; the functions of
+//! single algorithms refuse it as flat. A hole of two points is refused by all.
 //!
 //! Chazelle's algorithm (`[Chazelle91]`) needs linear time. It is not built: as the notes say, it is too complicated to
 //! be of use, and O(n log n) is near enough.
@@ -20,6 +22,7 @@ mod easy;
 mod error;
 mod few;
 mod gallery;
+mod lone_points;
 mod loops;
 mod method;
 mod monotone;

@@ -3,9 +3,10 @@
 use super::constrained_delaunay::Flips;
 use super::corners::Corners;
 use super::few::Few;
+use super::lone_points::LonePoints;
 use super::stack::{Stacks, Triangles};
 use super::sweep::Sweep;
-use super::{Polygon, PolygonError, easy};
+use super::{Polygon, PolygonError, easy, monotone};
 use crate::geometry::Point;
 use crate::trace::NoTrace;
 
@@ -63,7 +64,8 @@ impl Triangulator {
     ///
     /// # Shape
     /// Counter-clockwise triangles of indices into [`Polygon::points`], until the next call;
-    /// `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch and no point repeats the one before.
+    /// `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch and no point repeats the one before. A hole
+    /// of one point is a corner of triangles.
     ///
     /// # Errors
     /// Flat rings, sides that cross or overlap, holes outside the outline.
@@ -76,7 +78,10 @@ impl Triangulator {
         };
         if !easy {
             self.triangles.clear();
-            self.by_sweep(polygon)?;
+            match self.by_sweep(polygon) {
+                Err(PolygonError::Flat { .. }) => self.with_lone_points(polygon)?,
+                other => other?,
+            }
         }
         Ok(&self.triangles)
     }
@@ -134,6 +139,17 @@ impl Triangulator {
             triangles.clear();
         }
         done
+    }
+
+    /// Triangulates a polygon with a flat ring, which may be a hole of one point.
+    #[cold]
+    fn with_lone_points(&mut self, polygon: Polygon<'_>) -> Result<(), PolygonError> {
+        let apart = LonePoints::of(polygon);
+        self.triangles = match apart {
+            Some(apart) => apart.triangulate(polygon, &mut NoTrace, |rings, trace| monotone(rings, trace))?,
+            None => monotone(polygon, &mut NoTrace)?,
+        };
+        Ok(())
     }
 
     fn by_sweep(&mut self, polygon: Polygon<'_>) -> Result<(), PolygonError> {

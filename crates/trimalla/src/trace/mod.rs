@@ -141,3 +141,39 @@ impl Trace for Recorder {
         self.most > 0
     }
 }
+
+/// Tells steps by other numbers of the vertices: of a part of an input by those of the whole.
+#[derive(Debug)]
+pub(crate) struct Renumbered<'a, T: ?Sized> {
+    trace: &'a mut T,
+    /// The number of each vertex.
+    of: &'a [u32],
+}
+
+impl<'a, T: Trace + ?Sized> Renumbered<'a, T> {
+    /// Tells `trace` of vertex `of[v]` where vertex `v` is told.
+    pub(crate) const fn new(trace: &'a mut T, of: &'a [u32]) -> Self {
+        Self { trace, of }
+    }
+}
+
+impl<T: Trace + ?Sized> Trace for Renumbered<'_, T> {
+    fn step(&mut self, step: Step) {
+        let number = |v: u32| self.of.get(v as usize).copied().unwrap_or(v);
+        let shape = match step.shape {
+            Shape::Vertex(v) => Shape::Vertex(number(v)),
+            Shape::Edge(ends) => Shape::Edge(ends.map(number)),
+            Shape::Triangle(corners) => Shape::Triangle(corners.map(number)),
+            other => other,
+        };
+        self.trace.step(Step { shape, ..step });
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.trace.is_cancelled()
+    }
+
+    fn is_listening(&self) -> bool {
+        self.trace.is_listening()
+    }
+}

@@ -3,6 +3,7 @@
 mod enumerate;
 mod gallery;
 mod interpolate;
+mod lone_points;
 mod optimal;
 mod points;
 mod polygon_cases;
