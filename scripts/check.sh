@@ -46,6 +46,8 @@ cargo run --quiet --locked -p trimalla --example refine_to_32 | tail -n 1
 cargo run --quiet --locked -p trimalla --example own_steps | tail -n 1
 cargo run --quiet --locked -p trimalla --example history_cost 20000 | tail -n 1
 cargo run --quiet --locked -p trimalla-compare --example own_strategy | tail -n 1
+step "the library for C"
+sh scripts/c.sh
 step "studio"
 scripts/studio.sh
 step "random inputs"

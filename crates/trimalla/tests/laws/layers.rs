@@ -52,6 +52,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla-workbench", &["trimalla", "trimalla-io"]),
     ("trimalla-studio", &["trimalla", "trimalla-io", "trimalla-workbench"]),
     ("trimalla-triangle", &["trimalla"]),
+    ("trimalla-c", &["trimalla", "trimalla-triangle"]),
     ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench", "trimalla-triangle"]),
 ];
 
