@@ -24,6 +24,7 @@
 //! | triangulate by any algorithm of the textbook, and hear its steps | [`triangulate_by()`] |
 //! | refine a mesh that exists | [`refine_mesh()`] |
 //! | make a drawing of polygons, holes and islands | [`Pslg::of_rings`] |
+//! | know what is wrong with a drawing, and mend it | [`clean::find()`], [`clean::mend()`] |
 //! | triangulate points, insert, remove and move them | [`Delaunay`] |
 //! | triangulate points and segments, and change both | [`ConstrainedDelaunay`] |
 //! | find the triangle or vertex at a place | [`Triangulation::locate`](triangulation::Triangulation::locate) |
@@ -43,7 +44,7 @@
 //!
 //! * [`geometry`]: points, exact predicates, rounded constructions; [`half_edge`]: half-edges without coordinates,
 //!   operators, rollback; [`drawing`]: drawings and meshes as plain arrays
-//! * [`trace`]: what an algorithm tells of its steps
+//! * [`trace`]: what an algorithm tells of its steps; [`clean`]: faults of drawings, found and mended
 //! * [`triangulation`]: half-edges with coordinates, the invariants and their checker
 //! * [`locate`]: where a point lies
 //! * [`delaunay`]: incremental, divide and conquer, insertion, removal
@@ -75,6 +76,7 @@
 #[macro_use]
 mod by_key;
 
+pub mod clean;
 pub mod constrained;
 pub mod delaunay;
 pub mod domain;

@@ -18,7 +18,7 @@ const TIERS: &[&[&str]] = &[
     &["by_key"],
     &["geometry", "half_edge"],
     &["drawing", "trace"],
-    &["triangulation"],
+    &["triangulation", "clean"],
     &["locate"],
     &["delaunay", "polygon"],
     &["constrained"],

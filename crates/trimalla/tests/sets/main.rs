@@ -4,6 +4,7 @@
 mod common;
 
 mod constrained_sets;
+mod damaged_drawings;
 mod hostile_refinement;
 mod meshsuite_a;
 mod random_sets;
