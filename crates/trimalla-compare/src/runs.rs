@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use trimalla::domain;
-use trimalla::refine::{Clock, Progress, Refinement, StopReason};
+use trimalla::refine::{Clock, Progress, Refinement, Start, StopReason};
 
 use crate::error::CompareError;
 use crate::experiment::{Experiment, Task};
@@ -142,7 +142,8 @@ impl Task<'_> {
         let (cdt, _) = domain::build(&self.good.pslg, rule.rule, rule.crossings, rule.algorithm)
             .map_err(|source| CompareError::Drawing { drawing: self.drawing.name.clone(), source })?;
         let clock = (self.experiment.times == Times::BySteps).then_some(now as Clock);
-        Refinement::of_steps(cdt, self.options, self.contender.steps(&self.options), clock)
+        let start = Start::from(cdt).with_steps(self.contender.steps(&self.options)).with_clock(clock);
+        Refinement::new(start, self.options)
             .map_err(|source| CompareError::Option { contender: self.contender.label.clone(), source })
     }
 }

@@ -18,7 +18,7 @@ use trimalla::refine::steps::{
     InsertStep, Places, Plan, PointStep, PrepareStep, Proposal, RecoverStep, RecoverTraits, SelectStep, StepEdit,
     Steps, View,
 };
-use trimalla::refine::{NoObserver, RefineOptions, Refinement};
+use trimalla::refine::{NoObserver, RefineOptions, Refinement, Start};
 
 /// Step 1: subsegments longer than this are halved before the first point goes in; after that, those with a vertex in
 /// the disk of which they are a diameter are, too.
@@ -155,7 +155,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = RefineOptions::default().with_min_angle_deg(25.0).with_max_vertices(5000);
     for (name, steps) in [("the recipe's steps", Steps::of(&options)), ("our own", own_steps())] {
         let (cdt, _) = build(&drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
-        let mut refinement = Refinement::of_steps(cdt, options, steps, None)?;
+        let mut refinement = Refinement::new(Start::from(cdt).with_steps(steps), options)?;
         refinement.run(&mut NoObserver);
         let (cdt, report) = refinement.finish();
         let faults = against_input(&cdt.to_indexed(&drawing), &drawing).faults;

@@ -31,7 +31,7 @@
 //! | choose the angle, the area, the strategy | [`RefineOptions`], [`Preset`](refine::Preset), [`Recipe`](refine::Recipe) |
 //! | bound sizes by place, small near some points and segments | [`size`], [`Start::with_size`](refine::Start::with_size) |
 //! | refine step by step, and back | [`Refinement`] |
-//! | write a strategy of my own | [`refine::steps`] |
+//! | write a strategy of my own | [`refine::steps`], [`Start::with_steps`](refine::Start::with_steps) |
 //! | know whether a mesh is sound, Delaunay, one of its drawing | [`check_mesh`](triangulation::check_mesh), [`check_mesh_delaunay`](triangulation::check_mesh_delaunay), [`against_input`](quality::against_input) |
 //! | draw the Voronoi diagram of points, clip it to a domain | [`dual::Voronoi`] |
 //! | compute heights between vertices, draw contour lines | [`interpolate::interpolate`](interpolate::interpolate()), [`interpolate::Surface`] |

@@ -153,7 +153,7 @@ fn refined(start: Start, options: &RefineOptions, observer: &mut dyn Observer) -
     if let Some(outlook) = &outlook {
         observer.outlook(outlook);
     }
-    let mut refinement = Refinement::timed(start, *options, observer.clock())?;
+    let mut refinement = Refinement::new(start.with_clock(observer.clock()), *options)?;
     if refinement.prepare(observer) {
         observer.begins(&mut refinement);
         refinement.run(observer);

@@ -1,6 +1,8 @@
 //! Refinement of small domains: bound reached, invariants kept, reasons given.
 
-use super::steps::{InsertStep, InsertTraits, Plan, Proposal, SelectStep, View};
+use std::sync::Arc;
+
+use super::steps::{InsertStep, InsertTraits, Plan, Proposal, SelectStep, Steps, View};
 use super::*;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::AlgorithmKey;
@@ -217,8 +219,12 @@ fn bisection_from_outside_stops_where_ours_does() {
     let wedge = Pslg::of_ring([[0.0, 0.0], [9.0, 0.0], [9.0, 1.0], [0.0, 4.0]]);
     let ours = RefineOptions::of(Preset::LeppBisection).with_max_vertices(5000);
     let theirs = RefineOptions { recipe: Recipe { insert: Insert::Flip, ..ours.recipe }, ..ours };
-    let start = |options| Refinement::new(carved(&wedge, AlgorithmKey::Incremental), options).unwrap();
-    let [(mesh, report), other] = [start(ours), start(theirs).with_insert(Halving)].map(|mut r| {
+    let begin = |options: &RefineOptions, steps| {
+        let start = Start::from(carved(&wedge, AlgorithmKey::Incremental)).with_steps(steps);
+        Refinement::new(start, *options).unwrap()
+    };
+    let halving = Steps { insert: Arc::new(Halving), ..Steps::of(&theirs) };
+    let [(mesh, report), other] = [begin(&ours, Steps::of(&ours)), begin(&theirs, halving)].map(|mut r| {
         assert_eq!(r.run(&mut NoObserver), StopReason::Finished);
         let (cdt, report) = r.finish();
         (cdt.canonical(), report)
@@ -244,7 +250,8 @@ fn every_step_is_timed_where_there_is_a_clock() {
     fenced.points.extend((2..7).flat_map(|i| [Point::new(f64::from(i), 3.9), Point::new(f64::from(i) + 0.3, 4.8)]));
     fenced.segments = vec![[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]];
     let timed = |clock: Option<Clock>| {
-        let mut r = Refinement::timed(carved(&fenced, AlgorithmKey::Incremental), options, clock).unwrap();
+        let mut r = Refinement::new(Start::from(carved(&fenced, AlgorithmKey::Incremental)).with_clock(clock), options)
+            .unwrap();
         r.run(&mut NoObserver);
         let (cdt, report) = r.finish();
         (cdt.canonical(), report)
@@ -279,8 +286,11 @@ fn large_drawings_are_as_small_by_patches_as_all_at_once() {
     domain
         .points
         .extend((1..20_000).map(|i| Point::new(spread(i, 0.754_877_666_246_692_8), spread(i, 0.618_033_988_749_895))));
-    let begun = || Refinement::new(carved(&domain, AlgorithmKey::Incremental), RefineOptions::default()).unwrap();
-    let [by_patches, all_at_once] = [begun(), begun().with_select(AllAtOnce)].map(|mut refinement| {
+    let options = RefineOptions::default();
+    let all_at_once = Steps { select: Arc::new(AllAtOnce), ..Steps::of(&options) };
+    let [by_patches, all_at_once] = [Steps::of(&options), all_at_once].map(|steps| {
+        let start = Start::from(carved(&domain, AlgorithmKey::Incremental)).with_steps(steps);
+        let mut refinement = Refinement::new(start, options).unwrap();
         refinement.run(&mut NoObserver);
         let (cdt, report) = refinement.finish();
         assert_eq!(cdt.check_delaunay(), []);

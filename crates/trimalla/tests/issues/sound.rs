@@ -12,7 +12,8 @@ use trimalla::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use trimalla::locate::Locus;
 use trimalla::refine::steps::{Places, PointStep, Proposal, Steps, View};
 use trimalla::refine::{
-    Initial, Insert, NoObserver, Preset, Progress, Recover, RefineOptions, Refinement, Report, Select, StopReason,
+    Initial, Insert, NoObserver, Preset, Progress, Recover, RefineOptions, Refinement, Report, Select, Start,
+    StopReason,
 };
 use trimalla::triangulation::check_mesh;
 use trimalla::{mesh, refine_mesh};
@@ -142,7 +143,7 @@ fn a_place_that_is_not_what_it_says_is_refused() {
             let steps = Steps { point: Arc::new(Proposes(lie)), ..Steps::of(&options) };
             let (cdt, _) =
                 build(&square(), DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
-            let mut refinement = Refinement::of_steps(cdt, options, steps, None).expect("good options");
+            let mut refinement = Refinement::new(Start::from(cdt).with_steps(steps), options).expect("good options");
             assert_eq!(refinement.run(&mut NoObserver), StopReason::Finished, "lie {number}, {insert}");
             let (cdt, report) = refinement.finish();
             assert_eq!(check_mesh(&cdt.to_indexed(&square())), [], "lie {number}, {insert}");
@@ -187,7 +188,10 @@ fn a_run_that_inserts_nothing_can_be_cancelled() {
     let points: Vec<Point> =
         (0..40_u8).flat_map(|i| (0..40_u8).map(move |j| Point::new(f64::from(i), f64::from(j)))).collect();
     let grid = Pslg { points, ..Pslg::default() };
-    let mut refinement = begun(&grid, RefineOptions::default().with_min_angle_deg(50.0)).with_point(Nowhere);
+    let (cdt, _) = build(&grid, DomainRule::Hull, Crossings::Split, AlgorithmKey::default()).expect("a domain");
+    let options = RefineOptions::default().with_min_angle_deg(50.0);
+    let steps = Steps { point: Arc::new(Nowhere), ..Steps::of(&options) };
+    let mut refinement = Refinement::new(Start::from(cdt).with_steps(steps), options).expect("good options");
     let mut calls = 0;
     let stop = refinement.run(&mut |_: Progress| {
         calls += 1;

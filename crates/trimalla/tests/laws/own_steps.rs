@@ -15,7 +15,7 @@ use trimalla::geometry::Point;
 use trimalla::quality::against_input;
 use trimalla::refine::conformance::{self, Subject};
 use trimalla::refine::steps::Steps;
-use trimalla::refine::{NoObserver, Recover, RefineOptions, Refinement, StepOutcome, StopReason};
+use trimalla::refine::{NoObserver, Recover, RefineOptions, Refinement, Start, StepOutcome, StopReason};
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 
 fn with(change: impl Fn(&mut Steps) + Send + Sync + 'static) -> Subject {
@@ -38,7 +38,7 @@ fn begun(options: RefineOptions, steps: Steps) -> Refinement {
 
 fn begun_on(drawing: &Pslg, options: RefineOptions, steps: Steps) -> Refinement {
     let (cdt, _) = build(drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
-    Refinement::of_steps(cdt, options, steps, None).expect("good options")
+    Refinement::new(Start::from(cdt).with_steps(steps), options).expect("good options")
 }
 
 /// The segment is gone while points go in, and there in the end; the library's own step does the same.

@@ -12,7 +12,7 @@ use trimalla::half_edge::FaceId;
 use trimalla::quality::{against_input, aspect_ratio};
 use trimalla::refine::{
     Initial, Insert, Name, NoObserver, PlacePoint, Prepare, PrepareWhen, Preset, Reason, Recipe, Recover,
-    RefineOptions, Refinement, Report, Select, StepOutcome,
+    RefineOptions, Refinement, Report, Select, Start, StepOutcome,
 };
 use trimalla::size::TriangleInRegion;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
@@ -24,9 +24,12 @@ fn shape(name: &str) -> Pslg {
     read_poly(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/shapes").join(name).with_extension("poly"))
 }
 
+fn started(drawing: &Pslg) -> Start {
+    build(drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain").0.into()
+}
+
 fn begun(drawing: &Pslg, options: RefineOptions) -> Refinement {
-    let (cdt, _) = build(drawing, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default()).expect("a domain");
-    Refinement::new(cdt, options).expect("good options")
+    Refinement::new(started(drawing), options).expect("good options")
 }
 
 /// Flips and cavities lead to the same mesh, vertex by vertex, whatever the order and the points.
@@ -147,7 +150,8 @@ fn aspect_ratios_and_tests_of_the_caller_are_met() {
     }
     let fine = |t: &Triangle| t.centroid().y > 0.0 && t.area() > 1.0;
     let test = move |at: TriangleInRegion| fine(&at.triangle);
-    let mut refinement = begun(&drawing, RefineOptions::default().with_min_angle_deg(20.0)).with_test(test);
+    let start = started(&drawing).with_test(test);
+    let mut refinement = Refinement::new(start, RefineOptions::default().with_min_angle_deg(20.0)).expect("options");
     refinement.run(&mut NoObserver);
     let (cdt, report) = refinement.finish();
     assert_eq!((report.leftovers.len(), cdt.check_delaunay()), (0, vec![]));
@@ -167,7 +171,8 @@ fn a_test_of_the_caller_gets_triangles_of_the_domain() {
         assert!(t.orientation() == Orientation::CounterClockwise && t.centroid().x > 5e3, "{t:?}");
         t.area() > 0.5
     };
-    let mut refinement = begun(&drawing, RefineOptions::default()).with_test(asked);
+    let start = started(&drawing).with_test(asked);
+    let mut refinement = Refinement::new(start, RefineOptions::default()).expect("options");
     refinement.run(&mut NoObserver);
     assert!(refinement.finish().1.segments_split > 10);
 }
@@ -371,7 +376,8 @@ fn interfered(mut refinement: Refinement, options: RefineOptions, random: &mut S
         }
         9 => {
             let most = 0.05 + 0.1 * random.below(4) as f64;
-            refinement.with_test(move |at: TriangleInRegion| at.triangle.area() > most)
+            refinement.change_test(move |at: TriangleInRegion| at.triangle.area() > most);
+            refinement
         }
         _ => refinement,
     }

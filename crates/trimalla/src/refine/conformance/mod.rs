@@ -45,6 +45,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::engine::Refinement;
+use super::engine::start::Start;
 use super::measure::ruler::Ruler;
 use super::recipe::options::RefineOptions;
 use super::recipe::{Recipe, Select};
@@ -116,7 +117,7 @@ impl Subject {
     /// A refinement that has not made a step; where the order is manual, every triangle is picked.
     fn begin(&self, drawing: &Pslg, algorithm: AlgorithmKey) -> Result<Refinement, Breach> {
         let cdt = carved(drawing, algorithm)?;
-        let begun = Refinement::of_steps(cdt, self.options(), self.steps(), None);
+        let begun = Refinement::new(Start::from(cdt).with_steps(self.steps()), self.options());
         let mut refinement = begun.map_err(|error| Breach(error.to_string()))?;
         if self.recipe.select == Select::Manual {
             let faces: Vec<FaceId> = by_name(refinement.triangulation());

@@ -120,9 +120,9 @@ impl Criterion {
         self.user_test.clone()
     }
 
-    /// The criterion with this test of the caller's own, which replaces the one before.
-    pub(in crate::refine) fn with_user_test(self, user_test: Arc<UserTest>) -> Self {
-        Self { user_test: Some(user_test), ..self }
+    /// The criterion with this test of the caller's own, if there is one, in place of the one before.
+    pub(in crate::refine) fn with_user_test(self, user_test: Option<Arc<UserTest>>) -> Self {
+        Self { user_test, ..self }
     }
 
     /// What is wrong with a face that has these corners, if anything; tests the size first. Angles are certified

@@ -36,36 +36,28 @@ impl Floors {
     ) -> Self {
         let (floor, floor_reason) = length_floor(bounds, options, ruler);
         let precision = precision_floor(bounds, ruler);
-        let floors = Self {
+        Self {
             floor_sq: floor * floor,
             floor_reason,
             precision_sq: precision * precision,
             precision: precision / ruler.scale(),
-            bisection_floor_sq: 0.0,
-        };
-        floors.for_insert(cdt, ruler, insert)
-    }
-
-    /// Replaces the bisection floor by that of this step 4.
-    ///
-    /// Edges below the precision floor do not count.
-    pub(in crate::refine) fn for_insert(
-        self,
-        cdt: &ConstrainedTriangulation,
-        ruler: Ruler,
-        insert: InsertTraits,
-    ) -> Self {
-        if !insert.keeps_small_angles {
-            return Self { bisection_floor_sq: 0.0, ..self };
+            bisection_floor_sq: if insert.keeps_small_angles {
+                bisection_floor_sq(cdt, ruler, precision * precision)
+            } else {
+                0.0
+            },
         }
-        let length_sq = |h: HalfEdgeId| {
-            let [a, b] = cdt.edge_points(h);
-            ruler.length_sq(a, b)
-        };
-        let lengths = cdt.edges().map(length_sq).filter(|&length_sq| length_sq >= self.precision_sq);
-        let shortest_sq = lengths.fold(f64::INFINITY, f64::min);
-        Self { bisection_floor_sq: shortest_sq / (BISECTIONS * BISECTIONS), ..self }
     }
+}
+
+/// The square of the bisection floor. Edges below the precision floor do not count.
+fn bisection_floor_sq(cdt: &ConstrainedTriangulation, ruler: Ruler, precision_sq: f64) -> f64 {
+    let length_sq = |h: HalfEdgeId| {
+        let [a, b] = cdt.edge_points(h);
+        ruler.length_sq(a, b)
+    };
+    let lengths = cdt.edges().map(length_sq).filter(|&length_sq| length_sq >= precision_sq);
+    lengths.fold(f64::INFINITY, f64::min) / (BISECTIONS * BISECTIONS)
 }
 
 /// The length floor in the ruler's units, and the reason reported for distances below it.

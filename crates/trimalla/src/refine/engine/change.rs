@@ -1,10 +1,14 @@
-//! Changing the options of a refinement under way.
+//! Changing the options or the test of a refinement under way.
+
+use std::sync::Arc;
 
 use super::Refinement;
-use super::start::Start;
+use super::parts::Improvement;
+use super::start::{Setup, Start};
 use crate::constrained::ConstrainedTriangulation;
 use crate::refine::recipe::options::{OptionError, RefineOptions};
 use crate::refine::watch::report::Report;
+use crate::size::TriangleInRegion;
 use crate::triangulation::Triangulation;
 
 impl Refinement {
@@ -27,17 +31,29 @@ impl Refinement {
             work: std::mem::take(&mut self.scratch.work),
             is_delaunay: self.strategy.traits.insert.keeps_delaunay,
             fields: self.problem.test.size().fields().to_vec(),
+            setup: Setup { test: self.problem.test.user_test(), ..Setup::default() },
         };
-        let mut changed = Self::timed(start, options, None)?;
+        let mut changed = Self::new(start, options)?;
         changed.ledger.stopwatch = self.ledger.stopwatch;
         changed.ledger.report = Report { recipe: options.recipe, ..std::mem::take(&mut self.ledger.report) };
         changed.ledger.insertions = self.ledger.insertions;
         changed.ledger.steps_observed = self.ledger.steps_observed;
         changed.history = self.history.take();
-        *self = match self.problem.test.user_test() {
-            Some(test) => changed.with_user_test(test),
-            None => changed,
-        };
+        *self = changed;
         Ok(())
+    }
+
+    /// Continues with a test of the caller's own, in place of the one before, if there was one: all triangles are
+    /// tested by it. [`Start::with_test`] says what a test must keep; [`back`](Self::back) restores the old one.
+    ///
+    /// # Complexity
+    /// Linear.
+    pub fn change_test(&mut self, test: impl Fn(TriangleInRegion) -> bool + Send + Sync + 'static) {
+        self.record_change();
+        self.problem.test = self.problem.test.clone().with_user_test(Some(Arc::new(test)));
+        self.ledger.improvement = Improvement::UNWATCHED;
+        if self.is_open() && !self.is_filling() {
+            self.test_everything();
+        }
     }
 }

@@ -39,6 +39,7 @@ impl Refinement {
         if !is_unproved(&self.problem.options)
             || self.strategy.traits.select.is_manual
             || self.strategy.traits.insert.keeps_small_angles
+            || self.problem.test.user_test().is_some()
         {
             return Improvement::UNWATCHED;
         }

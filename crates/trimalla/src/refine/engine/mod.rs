@@ -23,23 +23,21 @@ mod test_faces;
 mod treat;
 
 use std::fmt;
-use std::sync::Arc;
 
 use crate::constrained::{ConstrainedTriangulation, Edit};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
 use crate::refine::agenda::queue::{Patches, Queue};
-use crate::refine::criteria::bad_triangles::{UserTest, sorted};
+use crate::refine::criteria::bad_triangles::sorted;
 use crate::refine::criteria::reason::{Reason, StopReason};
 use crate::refine::recipe::options::{OptionError, RefineOptions};
-use crate::refine::steps::{InsertStep, PointStep, SelectStep, Steps, View};
+use crate::refine::steps::{Steps, View};
 use crate::refine::watch::event::StepOutcome;
 use crate::refine::watch::observer::{Beginning, Observer, Overview, Progress};
-use crate::refine::watch::stopwatch::{Clock, Part, Stopwatch};
-use crate::size::TriangleInRegion;
+use crate::refine::watch::stopwatch::{Part, Stopwatch};
 use filling::FillStage;
-use parts::{Agenda, Improvement, Ledger, Opening, Picked, Problem, Scratch, SegmentWork, Strategy};
+use parts::{Agenda, Ledger, Opening, Picked, Problem, Scratch, SegmentWork, Strategy};
 use records::History;
 use start::Start;
 
@@ -89,49 +87,32 @@ impl Refinement {
     ///
     /// If step 4 keeps the circle test and the start fails it somewhere, edges are flipped until it holds.
     ///
-    /// # Errors
-    /// [`OptionError`].
-    pub fn new(start: impl Into<Start>, options: RefineOptions) -> Result<Self, OptionError> {
-        Self::timed(start, options, None)
-    }
-
-    /// Like [`new`](Self::new), with a clock, if there is one, that measures the steps:
-    /// [`Report::step_times`](super::Report::step_times).
+    /// [`Start`] has what else a refinement may begin with: size fields, steps and a test of the caller's own, a clock.
     ///
     /// # Errors
     /// [`OptionError`].
-    pub fn timed(start: impl Into<Start>, options: RefineOptions, clock: Option<Clock>) -> Result<Self, OptionError> {
-        let mut refinement = Self::of_steps(start, options, Steps::of(&options), clock)?;
-        refinement.strategy.walks_prove_places = true;
-        Ok(refinement)
-    }
-
-    /// Like [`timed`](Self::timed), with these steps in place of the recipe's.
-    ///
-    /// # Errors
-    /// [`OptionError`].
-    pub fn of_steps(
-        start: impl Into<Start>,
-        mut options: RefineOptions,
-        steps: Steps,
-        clock: Option<Clock>,
-    ) -> Result<Self, OptionError> {
-        let Start { mut cdt, mut work, is_delaunay, fields } = start.into();
+    pub fn new(start: impl Into<Start>, mut options: RefineOptions) -> Result<Self, OptionError> {
+        let Start { mut cdt, mut work, is_delaunay, fields, setup } = start.into();
         options.validate()?;
         if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
             return Err(OptionError::NoTriangles);
         }
         // The indices of half-edges bound the number of vertices.
         options.limits.max_vertices = options.limits.max_vertices.min(max_points());
+        let strategy = match setup.steps {
+            Some(steps) => Strategy::of(steps),
+            None => Strategy { walks_prove_places: true, ..Strategy::of(Steps::of(&options)) },
+        };
         let opening = if is_delaunay { Opening::Release } else { Opening::Given };
         let vertices = cdt.input_points() + cdt.steiner_vertices();
+        let problem = Problem::new((&cdt, is_delaunay), fields, options, strategy.traits.insert);
         let mut refinement = Self {
-            problem: Problem::new((&cdt, is_delaunay), fields, options, steps.insert.traits()),
-            strategy: Strategy::of(steps),
+            problem: problem.with_user_test(setup.test),
+            strategy,
             agenda: Agenda::default(),
             segments: SegmentWork { opening, ..SegmentWork::default() },
             filling: FillStage::Done,
-            ledger: Ledger::new(&options, vertices, Stopwatch::new(clock)),
+            ledger: Ledger::new(&options, vertices, Stopwatch::new(setup.clock)),
             scratch: Scratch { work, ..Scratch::default() },
             history: None,
             cdt,
@@ -195,75 +176,6 @@ impl Refinement {
         )]
         let vertices = (self.cdt.real_faces().map(parts).sum::<f64>() / 2.0) as usize;
         vertices
-    }
-
-    /// Replaces step 2 by one of the caller's own.
-    #[must_use]
-    pub fn with_select(mut self, select: impl SelectStep + Send + Sync + 'static) -> Self {
-        self.record_change();
-        self.strategy.steps.select = Arc::new(select);
-        self.strategy = self.strategy.renewed();
-        if self.is_open() {
-            self.begin();
-        }
-        self
-    }
-
-    /// Replaces step 3 by one of the caller's own; [`Steps`] shows one.
-    #[must_use]
-    pub fn with_point(mut self, point: impl PointStep + Send + Sync + 'static) -> Self {
-        self.record_change();
-        self.strategy.steps.point = Arc::new(point);
-        self.strategy = Strategy { walks_prove_places: false, ..self.strategy.renewed() };
-        self
-    }
-
-    /// Replaces step 4 by one of the caller's own.
-    #[must_use]
-    pub fn with_insert(mut self, insert: impl InsertStep + Send + Sync + 'static) -> Self {
-        self.record_change();
-        self.problem.floors = self.problem.floors.for_insert(&self.cdt, self.problem.ruler, insert.traits());
-        self.strategy.steps.insert = Arc::new(insert);
-        self.strategy = self.strategy.renewed();
-        if self.strategy.traits.insert.keeps_small_angles {
-            self.ledger.improvement = Improvement::UNWATCHED;
-        }
-        self
-    }
-
-    /// Adds a test of the caller's own: triangles that it refuses are bad, too.
-    ///
-    /// The test gets a triangle and the attribute of its region. It must return the same result for the same triangle,
-    /// or the mesh depends on the order of tests. Whatever it returns, the limits end the refinement.
-    ///
-    /// # Examples
-    /// ```
-    /// use trimalla::refine::{NoObserver, RefineOptions, Refinement};
-    /// use trimalla::size::TriangleInRegion;
-    /// # use trimalla::{constrained::Crossings, delaunay::AlgorithmKey, domain::{DomainRule, build}, drawing::Pslg, geometry::Point};
-    /// # let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
-    /// # let pslg = Pslg { points, segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]], ..Pslg::default() };
-    /// # let (cdt, _) = build(&pslg, DomainRule::Seeds, Crossings::Refuse, AlgorithmKey::default())?;
-    /// // The smaller the farther left.
-    /// let coarse = |at: TriangleInRegion| at.triangle.area() > 0.05 + 0.1 * at.triangle.centroid().x;
-    /// let mut refinement = Refinement::new(cdt, RefineOptions::default())?.with_test(coarse);
-    /// refinement.run(&mut NoObserver);
-    /// # assert!(refinement.finish().1.triangles > 20);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn with_test(mut self, test: impl Fn(TriangleInRegion) -> bool + Send + Sync + 'static) -> Self {
-        self.record_change();
-        self.with_user_test(Arc::new(test))
-    }
-
-    pub(super) fn with_user_test(mut self, test: Arc<UserTest>) -> Self {
-        self.problem.test = self.problem.test.clone().with_user_test(test);
-        self.ledger.improvement = Improvement::UNWATCHED;
-        if self.is_open() && !self.is_filling() {
-            self.test_everything();
-        }
-        self
     }
 
     /// Whether every unconstrained edge passes the circle test between steps: not in a given mesh that is refined as it

@@ -10,7 +10,7 @@ use crate::delaunay::{Cavity, Lawson};
 use crate::geometry::BoundingBox;
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 use crate::refine::agenda::queue::{Queue, Ticket};
-use crate::refine::criteria::bad_triangles::Criterion;
+use crate::refine::criteria::bad_triangles::{Criterion, UserTest};
 use crate::refine::criteria::encroachment::Region;
 use crate::refine::criteria::floors::Floors;
 use crate::refine::criteria::reason::Reason;
@@ -71,9 +71,12 @@ impl Problem {
             options,
         }
     }
-}
 
-impl Problem {
+    /// The problem with this test of the caller's own in place of the one before, if there is one.
+    pub(super) fn with_user_test(self, test: Option<Arc<UserTest>>) -> Self {
+        Self { test: self.test.with_user_test(test), ..self }
+    }
+
     /// The view of a triangulation that the steps get.
     #[inline(always)] // Several times for each triangle treated.
     pub(super) fn view<'a>(&'a self, cdt: &'a ConstrainedTriangulation, strategy: &Strategy) -> View<'a> {
@@ -107,12 +110,6 @@ impl Strategy {
             longest_walk: View::longest_walk(traits.insert.keeps_delaunay),
             steps,
         }
-    }
-
-    /// Derives the traits again after a step has been replaced.
-    pub(super) fn renewed(self) -> Self {
-        let walks_prove_places = self.walks_prove_places;
-        Self { walks_prove_places, ..Self::of(self.steps) }
     }
 }
 

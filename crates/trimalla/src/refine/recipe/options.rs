@@ -7,7 +7,7 @@ use crate::quality::aspect_ratio;
 
 /// What makes a triangle bad.
 ///
-/// A test of the caller's own goes to [`Refinement::with_test`](crate::refine::Refinement::with_test).
+/// A test of the caller's own goes to [`Start::with_test`](crate::refine::Start::with_test).
 #[doc(alias = "quality")]
 #[doc(alias = "bad triangle")]
 #[doc(alias = "calidad")]
