@@ -108,8 +108,8 @@ impl<J: Journal> Edit<'_, J> {
         let mut released: Vec<Released> = Vec::with_capacity(inner.len());
         let mut waiting = Lawson::default();
         for &h in &inner {
-            let (a, b) = (self.origin(h), self.dest(h));
-            released.push(Piece { from: a.min(b), to: a.max(b), mark: self.mark(h) });
+            let [from, to] = self.edge_key(h).ends();
+            released.push(Piece { from, to, mark: self.mark(h) });
             self.data.set_mark(h, 0, self.j);
             waiting.push(h);
         }

@@ -12,6 +12,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::constrained::Beside;
 use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, lexicographic, on_segment};
+use crate::half_edge::EdgeKey;
 
 /// The neighbours of each vertex.
 #[derive(Clone, Debug)]
@@ -297,7 +298,7 @@ impl Leg {
         let (mut open, mut found) = (vec![last], Vec::new());
         while let Some(w) = open.pop() {
             for &v in backwards.get(&w).into_iter().flatten() {
-                found.push([v.min(w), v.max(w)]);
+                found.push(EdgeKey::of([v, w]).ends());
                 if seen.insert(v) {
                     open.push(v);
                 }

@@ -16,6 +16,7 @@
 //! * `operators` rewire it, each with its drawing;
 //! * [`Journal`] notes what an operator overwrites, so that it can be taken back exactly;
 //! * circulators ([`HalfEdgeMesh::star`], …) walk a neighbourhood;
+//! * [`EdgeKey`] and [`TriangleKey`] name edges and triangles by their vertices;
 //! * [`SideTable`] keeps user data beside elements.
 //!
 //! This room knows no coordinates; [`crate::triangulation`] adds them.
@@ -25,6 +26,7 @@ mod edges;
 mod half_edges;
 mod ids;
 mod journal;
+mod keys;
 mod operators;
 mod push_if;
 mod side_table;
@@ -38,6 +40,8 @@ pub(crate) use ids::id_type;
 pub use ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 pub use journal::{Checkpoint, Column, Entry, Journal, NoJournal, UndoLog};
 pub(crate) use journal::{Room, columns};
+pub(crate) use keys::edges_of;
+pub use keys::{EdgeKey, TriangleKey};
 pub use operators::FaceError;
 pub(crate) use operators::{Boundary, Half, Patch, RimEdge, Side, Triangle};
 pub(crate) use push_if::push_if;

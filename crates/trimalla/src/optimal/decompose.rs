@@ -322,7 +322,7 @@ pub(crate) fn fill<T: Trace + ?Sized>(
     mut search: impl FnMut(&[u32], &mut T) -> Result<Vec<[u32; 3]>, OptimalError>,
 ) -> Result<Vec<[u32; 3]>, OptimalError> {
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
-    for Face { walk, triangle_count } in mesh.faces(|edge| kept.binary_search(&edge).is_ok()) {
+    for Face { walk, triangle_count } in mesh.faces(|edge| kept.binary_search(&edge.ends()).is_ok()) {
         if walk.len() != triangle_count + 2 {
             return Err(OptimalError::NotOneWalk { method, vertex: walk[0] });
         }

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::input::Prepared;
 use crate::geometry::{Orientation, Point, lexicographically_less, orient2d};
+use crate::half_edge::edges_of;
 
 /// The triangles of a maximal set of edges that do not cross: each from its smallest vertex on, sorted.
 ///
@@ -41,11 +42,7 @@ pub(crate) fn triangles(points: &[Point], prepared: &Prepared, edges: &[[u32; 2]
 
 /// The sum of the lengths of the edges of triangles, each edge once; rounded, and summed in one order.
 pub(crate) fn total_length(points: &[Point], triangles: &[[u32; 3]]) -> f64 {
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
-    let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges.iter().map(|e| length(points, *e)).sum()
+    edges_of(triangles).into_iter().map(|edge| length(points, edge.ends())).sum()
 }
 
 /// The length of an edge, rounded.

@@ -1,5 +1,7 @@
 //! Triangles that know their neighbours, and the faces that some of their edges make.
 
+use crate::half_edge::EdgeKey;
+
 /// No neighbour.
 const NONE: u32 = u32::MAX;
 
@@ -18,9 +20,9 @@ impl Mesh {
     /// The mesh of triangles, of which `fixed` edges must stay, besides those of the boundary.
     pub(crate) fn new(triangles: Vec<[u32; 3]>, fixed: &[[u32; 2]]) -> Self {
         let mut mesh = Self { twins: vec![NONE; 3 * triangles.len()], triangles };
-        let mut fixed: Vec<[u32; 2]> = fixed.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        let mut fixed: Vec<EdgeKey<u32>> = fixed.iter().copied().map(EdgeKey::of).collect();
         fixed.sort_unstable();
-        let mut edges: Vec<([u32; 2], u32)> = (0..mesh.twins.len() as u32).map(|h| (mesh.lower_first(h), h)).collect();
+        let mut edges: Vec<(EdgeKey<u32>, u32)> = (0..mesh.twins.len() as u32).map(|h| (mesh.edge_key(h), h)).collect();
         edges.sort_unstable();
         for pair in edges.windows(2) {
             let [(edge, h), (other, twin)] = [pair[0], pair[1]];
@@ -108,22 +110,21 @@ impl Mesh {
         self.twins[twin as usize] = h;
     }
 
-    fn lower_first(&self, h: u32) -> [u32; 2] {
-        let [a, b] = self.ends(h);
-        [a.min(b), a.max(b)]
+    fn edge_key(&self, h: u32) -> EdgeKey<u32> {
+        EdgeKey::of(self.ends(h))
     }
 
     /// The faces between edges of the mesh: the triangles that are joined across edges that are not kept, and the walk
     /// around them. A face with holes comes once for each of its walks.
     ///
     /// # Shape
-    /// `is_kept` is asked with the lower vertex first. Edges of the boundary are kept.
+    /// Edges of the boundary are kept, whatever `is_kept` says.
     ///
     /// # Complexity
     /// Linear, and one question an edge.
-    pub(crate) fn faces(&self, is_kept: impl Fn([u32; 2]) -> bool) -> Vec<Face> {
+    pub(crate) fn faces(&self, is_kept: impl Fn(EdgeKey<u32>) -> bool) -> Vec<Face> {
         let kept: Vec<bool> =
-            (0..self.twins.len() as u32).map(|h| self.twin(h).is_none() || is_kept(self.lower_first(h))).collect();
+            (0..self.twins.len() as u32).map(|h| self.twin(h).is_none() || is_kept(self.edge_key(h))).collect();
         let piece = self.pieces(&kept);
         let mut count = vec![0; piece.len()];
         for &p in &piece {

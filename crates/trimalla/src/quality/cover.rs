@@ -40,6 +40,7 @@ use crate::drawing::{IndexedMesh, Pslg, Sides};
 use crate::geometry::{
     BoundingBox, BoxTree, Orientation, Point, SegmentContact, orient2d, segment_contact, segments_cross_properly,
 };
+use crate::half_edge::EdgeKey;
 use crate::triangulation::mesh_vertex;
 
 /// The edges that cover the segments tested so far, and the data to test more.
@@ -240,13 +241,13 @@ impl<'a> Cover<'a> {
     /// mesh.
     fn blocked(&self, course: &Course, ends: [u32; 2], starts: Vec<u32>) -> Option<Block> {
         let [a, b] = ends.map(|v| self.place(v));
-        let mut seen: BTreeSet<[u32; 2]> = BTreeSet::new();
+        let mut seen: BTreeSet<EdgeKey<u32>> = BTreeSet::new();
         for seen_from in starts {
             let mut open: Vec<[u32; 2]> = self.sides.from(seen_from).iter().map(|s| [s.dest, s.apex]).collect();
             while let Some(edge @ [x, y]) = open.pop() {
                 let [p, q] = edge.map(|v| self.place(v));
                 let is_met = p.is_finite() && q.is_finite() && segment_contact(a, b, p, q) != SegmentContact::Apart;
-                if !is_met || !seen.insert([x.min(y), x.max(y)]) {
+                if !is_met || !seen.insert(EdgeKey::of(edge)) {
                     continue;
                 }
                 if self.blocks(course, ends, edge) {

@@ -18,13 +18,7 @@ impl Triangulation {
     /// The edges of a chain in dimension 1, or all edges, each from its smaller vertex id, sorted.
     #[must_use]
     pub fn canonical_edges(&self) -> Vec<[VertexId; 2]> {
-        let mut list: Vec<_> = self
-            .edges()
-            .map(|h| {
-                let (a, b) = (self.origin(h), self.dest(h));
-                [a.min(b), a.max(b)]
-            })
-            .collect();
+        let mut list: Vec<_> = self.edges().map(|h| self.edge_key(h).ends()).collect();
         list.sort_unstable();
         list
     }

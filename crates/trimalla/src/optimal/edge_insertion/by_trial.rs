@@ -51,6 +51,7 @@ use super::chain::{Chain, Hand, Progress};
 use super::criteria::{Criterion, Slope};
 use super::improve;
 use crate::geometry::{Orientation, orient2d};
+use crate::half_edge::EdgeKey;
 use crate::optimal::mesh::Mesh;
 use crate::optimal::{Optimal, OptimalError, OptimalInput};
 use crate::trace::{Shape, Trace};
@@ -70,8 +71,8 @@ pub(in crate::optimal) fn min_max_slope(
 /// What is kept between searches.
 #[derive(Default)]
 struct Trial {
-    /// The edges that failed, the lower vertex first.
-    failed: HashSet<[u32; 2]>,
+    /// The edges that failed.
+    failed: HashSet<EdgeKey<u32>>,
     /// The search that last visited a triangle.
     visited: Vec<u32>,
     searches: u32,
@@ -141,7 +142,7 @@ impl Trial {
         trace: &mut (impl Trace + ?Sized),
     ) -> Option<Cavity> {
         let q = mesh.apex(side);
-        let edge = [q.min(s), q.max(s)];
+        let edge = EdgeKey::of([q, s]);
         if self.failed.contains(&edge) {
             return None;
         }

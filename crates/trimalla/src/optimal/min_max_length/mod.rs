@@ -52,6 +52,7 @@ use super::input::in_order;
 use super::mesh::Mesh;
 use super::{Optimal, OptimalError, OptimalInput};
 use crate::geometry::{Point, Segment, compare_lengths};
+use crate::half_edge::{EdgeKey, edges_of};
 use crate::trace::Trace;
 
 /// The longest edge as short as possible, through the relative neighbourhood graph.
@@ -163,9 +164,5 @@ fn length_sq(points: &[Point], [a, b]: [u32; 2]) -> f64 {
 
 /// The edges of triangles, each from its lower vertex, sorted.
 fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> =
-        triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
+    edges_of(triangles).into_iter().map(EdgeKey::ends).collect()
 }

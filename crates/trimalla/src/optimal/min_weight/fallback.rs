@@ -8,14 +8,14 @@ use super::lengths::Lengths;
 use super::walks::{Plane, Start};
 use crate::constrained::{ConstrainedDelaunay, Crossings};
 use crate::geometry::{Point, segments_cross_properly};
-use crate::half_edge::VertexId;
+use crate::half_edge::{EdgeKey, VertexId};
 
 /// Triangles of the faces with these walks, all of whose sides are among the fixed edges; none if they do not fit
 /// together, which would be a fault of ours.
 pub(super) fn triangulate(plane: &Plane<'_>, fixed: &[[u32; 2]], starts: &[Start]) -> Option<Vec<[u32; 3]>> {
     let made = ConstrainedDelaunay::new(plane.points, fixed, Crossings::Refuse).ok()?;
-    let mut is_fixed: Vec<[u32; 2]> = fixed.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
-    is_fixed.sort_unstable();
+    let mut fixed: Vec<EdgeKey<u32>> = fixed.iter().copied().map(EdgeKey::of).collect();
+    fixed.sort_unstable();
     let mut is_met = vec![false; made.face_slots()];
     let mut open = Vec::new();
     for &start in starts {
@@ -42,7 +42,7 @@ pub(super) fn triangulate(plane: &Plane<'_>, fixed: &[[u32; 2]], starts: &[Start
         triangles.push(corners);
         for i in 0..3 {
             let (a, b) = (corners[i], corners[(i + 1) % 3]);
-            if is_fixed.binary_search(&[a.min(b), a.max(b)]).is_err() {
+            if fixed.binary_search(&EdgeKey::of([a, b])).is_err() {
                 open.push(made.half_edge_between(VertexId(b), VertexId(a))?.face());
             }
         }

@@ -40,6 +40,7 @@ use super::input::in_order;
 use super::mesh::Mesh;
 use super::{Optimal, OptimalError, OptimalInput};
 use crate::geometry::Segment;
+use crate::half_edge::edges_of;
 use crate::trace::Trace;
 use total::TotalLength;
 
@@ -63,9 +64,9 @@ pub(super) fn triangulate(
 
 /// The sum of the lengths of all edges, rounded.
 fn total_length(input: &OptimalInput<'_>, triangles: &[[u32; 3]]) -> f64 {
-    let mut edges: Vec<[u32; 2]> =
-        triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges.into_iter().map(|[a, b]| Segment::new(input.points[a as usize], input.points[b as usize]).length()).sum()
+    let length = |ends: [u32; 2]| {
+        let [a, b] = ends.map(|v| input.points[v as usize]);
+        Segment::new(a, b).length()
+    };
+    edges_of(triangles).into_iter().map(|edge| length(edge.ends())).sum()
 }

@@ -11,7 +11,6 @@
 
 use crate::constrained::ConstrainedTriangulation;
 use crate::half_edge::{FaceId, VertexId};
-use crate::refine::criteria::bad_triangles::sorted;
 
 /// Triangles in buckets by rank. Each bucket is a linked list.
 pub(in crate::refine) struct RankBuckets {
@@ -54,7 +53,7 @@ impl RankBuckets {
             let mut number = head;
             while number != Self::END {
                 let (f, next) = self.link(number);
-                bucket.push((sorted(cdt.face_vertices(f)), f));
+                bucket.push((cdt.face_key(f), f));
                 number = next;
             }
             bucket.sort_unstable();

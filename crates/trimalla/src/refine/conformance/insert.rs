@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Breach, Subject, by_name, carved, drawings, ensure, laws, view};
+use super::{Breach, Subject, by_key, carved, drawings, ensure, laws, view};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Edit, Provenance, Workspace};
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
@@ -42,7 +42,7 @@ fn of_drawing(subject: &Subject, pslg: &Pslg) -> Result<(), Breach> {
 
 /// The middle of every triangle and of every edge.
 fn places(cdt: &ConstrainedTriangulation) -> Vec<Proposal> {
-    let middles = by_name(cdt).into_iter().map(|f| {
+    let middles = by_key(cdt).into_iter().map(|f| {
         let [a, b, c] = cdt.corners(f);
         (f, Triangle::new(a, b, c).centroid())
     });

@@ -54,7 +54,7 @@ use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossing
 use crate::delaunay::AlgorithmKey;
 use crate::domain::{DomainRule, build};
 use crate::drawing::Pslg;
-use crate::half_edge::{FaceId, VertexId};
+use crate::half_edge::FaceId;
 use crate::size::SizeBounds;
 
 pub use insert::insert;
@@ -120,7 +120,7 @@ impl Subject {
         let begun = Refinement::new(Start::from(cdt).with_steps(self.steps()), self.options());
         let mut refinement = begun.map_err(|error| Breach(error.to_string()))?;
         if self.recipe.select == Select::Manual {
-            let faces: Vec<FaceId> = by_name(refinement.triangulation());
+            let faces: Vec<FaceId> = by_key(refinement.triangulation());
             ensure(faces.into_iter().all(|f| refinement.pick(f)), || "a triangle cannot be picked".to_owned())?;
         }
         Ok(refinement)
@@ -142,15 +142,10 @@ fn ensure(holds: bool, breach: impl FnOnce() -> String) -> Result<(), Breach> {
     if holds { Ok(()) } else { Err(Breach(breach())) }
 }
 
-/// Three vertices in ascending order: the name of a triangle, which does not depend on its slot.
-fn name(cdt: &ConstrainedTriangulation, face: FaceId) -> [VertexId; 3] {
-    super::criteria::bad_triangles::sorted(cdt.face_vertices(face))
-}
-
-/// The triangles in the order of their names.
-fn by_name(cdt: &ConstrainedTriangulation) -> Vec<FaceId> {
+/// The triangles in the order of their keys.
+fn by_key(cdt: &ConstrainedTriangulation) -> Vec<FaceId> {
     let mut faces: Vec<FaceId> = cdt.real_faces().collect();
-    faces.sort_unstable_by_key(|&f| name(cdt, f));
+    faces.sort_unstable_by_key(|&f| cdt.face_key(f));
     faces
 }
 

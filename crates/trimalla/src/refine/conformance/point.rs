@@ -1,6 +1,6 @@
 //! The suite of step 3.
 
-use super::{Breach, Subject, by_name, drawings, ensure, laws, name, view};
+use super::{Breach, Subject, by_key, drawings, ensure, laws, view};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
@@ -53,7 +53,7 @@ fn described(subject: &Subject, cdt: &ConstrainedTriangulation) -> Result<Vec<Ve
     let of_face = |face: FaceId| {
         let mut places = Places::new();
         step.propose(view(cdt, &options), face, &mut places);
-        let at = |breach: &str| Breach(format!("{breach}, proposed for {:?}", name(cdt, face)));
+        let at = |breach: &str| Breach(format!("{breach}, proposed for {:?}", cdt.face_key(face)));
         if places.proposals().len() > MOST_PLACES {
             return Err(at("more places than anyone can try"));
         }
@@ -70,7 +70,7 @@ fn described(subject: &Subject, cdt: &ConstrainedTriangulation) -> Result<Vec<Ve
         }
         Ok(places.proposals().iter().map(|&place| description(cdt, place)).collect())
     };
-    by_name(cdt).into_iter().map(of_face).collect()
+    by_key(cdt).into_iter().map(of_face).collect()
 }
 
 fn is_where_it_says(cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(), Breach> {
@@ -116,10 +116,7 @@ fn is_on(cdt: &ConstrainedTriangulation, h: HalfEdgeId, p: Point, ulps: f64) -> 
 }
 
 fn description(cdt: &ConstrainedTriangulation, place: Proposal) -> Description {
-    let ends = |h: HalfEdgeId| {
-        let (a, b) = (cdt.origin(h), cdt.dest(h));
-        Some([a.min(b), a.max(b)])
-    };
+    let ends = |h: HalfEdgeId| Some(cdt.edge_key(h).ends());
     let bits = |p: Point| Some([p.x.to_bits(), p.y.to_bits()]);
     match place {
         Proposal::Free { point, .. } => ("free", None, bits(point)),

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::badness::Badness;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector, angles_of_two, sides_angle_excess, triangle_angles_at_least};
-use crate::half_edge::{FaceId, VertexId};
+use crate::half_edge::FaceId;
 use crate::quality::aspect_ratio;
 use crate::refine::recipe::options::Criteria;
 use crate::size::{AreaBound, SizeBounds, SizeField, TriangleInRegion};
@@ -193,11 +193,4 @@ impl Criterion {
     fn is_too_slender(&self, [a, b, c]: [Point; 3]) -> bool {
         aspect_ratio(&Triangle::new(a, b, c)) > self.max_aspect_ratio
     }
-}
-
-/// Three vertices in ascending order: the name of a triangle, which does not depend on its slot.
-#[inline]
-pub(in crate::refine) fn sorted([a, b, c]: [VertexId; 3]) -> [VertexId; 3] {
-    let (low, high) = (a.min(b), a.max(b));
-    [low.min(c), low.max(high.min(c)), high.max(c)]
 }

@@ -1,12 +1,12 @@
 //! Queued splits of subsegments.
 
 use crate::geometry::Point;
-use crate::half_edge::{HalfEdgeId, VertexId};
+use crate::half_edge::{EdgeKey, HalfEdgeId, VertexId};
 
-/// A subsegment queued for its split, lower vertex first.
+/// A subsegment queued for its split.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Encroached {
-    pub(super) ends: [VertexId; 2],
+    pub(super) edge: EdgeKey,
     /// Whether it is split even if no vertex encroaches upon it, since it was in the way of a point.
     pub(super) forced: bool,
     /// The plan made when it was queued: it needed the split, and there was room.

@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Refinement;
-use crate::half_edge::{FaceId, HalfEdgeId, VertexId, columns};
-use crate::refine::criteria::bad_triangles::sorted;
+use crate::half_edge::{FaceId, HalfEdgeId, TriangleKey, VertexId, columns};
 use crate::refine::criteria::reason::Reason;
 use crate::refine::measure::lepp::lepp;
 use crate::refine::steps::Proposal;
@@ -59,9 +58,9 @@ impl Refinement {
     #[inline(never)]
     fn add_selected(&mut self, face: FaceId) {
         let path = lepp(&self.cdt, self.problem.ruler, face, self.problem.options.recipe.lepp_rule);
-        let name = |f: FaceId| sorted(self.cdt.face_vertices(f));
+        let name = |f: FaceId| self.cdt.face_key(f).vertices();
         let (selected, faces) = ((name(face), self.badness(face)), path.faces.iter().map(|&f| name(f)).collect());
-        let terminal = self.ends(path.terminal_edge);
+        let terminal = self.cdt.edge_key(path.terminal_edge).ends();
         self.note(|event| {
             (event.selected, event.lepp, event.terminal_edge) = (Some(selected), faces, Some(terminal));
         });
@@ -79,10 +78,11 @@ impl Refinement {
     #[inline(never)]
     fn add_candidate(&mut self, place: Proposal, tried: Result<(), Reason>) {
         // After an insertion the half-edge is another one; other fields of the event give its ends.
+        let ends = |h: HalfEdgeId| self.cdt.edge_key(h).ends();
         let (point, edge) = match place {
             Proposal::Free { point, .. } => (Some(point), None),
-            Proposal::OnEdge { edge, point } => (Some(point), tried.is_err().then(|| self.ends(edge))),
-            Proposal::Split(h) => (None, Some(self.ends(h))),
+            Proposal::OnEdge { edge, point } => (Some(point), tried.is_err().then(|| ends(edge))),
+            Proposal::Split(h) => (None, Some(ends(h))),
         };
         self.note(|event| event.candidates.push(Candidate { point, edge, refused: tried.err() }));
     }
@@ -95,11 +95,6 @@ impl Refinement {
         self.note(|event| event.inserted = Some(InsertedVertex { vertex, point, kind }));
     }
 
-    fn ends(&self, h: HalfEdgeId) -> [VertexId; 2] {
-        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        [a.min(b), a.max(b)]
-    }
-
     /// The triangles that the step destroyed and those that it made, by the log.
     fn changed_faces(&self) -> (Vec<Name>, Vec<Name>) {
         let mut slots: BTreeMap<u32, Name> = BTreeMap::new();
@@ -110,10 +105,11 @@ impl Refinement {
             let name = slots.entry(face).or_insert_with(|| self.cdt.face_vertices(FaceId(face)));
             name[corner] = VertexId(u32::try_from(entry.old).unwrap_or(u32::MAX));
         }
+        let sorted = |v: Name| TriangleKey::of(v).vertices();
         let is_real = |v: &Name| v.iter().all(|v| v.is_finite() && *v != VertexId::DEAD);
         let mut before: Vec<Name> = slots.values().copied().filter(is_real).map(sorted).collect();
         let now = slots.keys().map(|&f| FaceId(f)).filter(|&f| self.cdt.is_real(f));
-        let mut after: Vec<Name> = now.map(|f| sorted(self.cdt.face_vertices(f))).collect();
+        let mut after: Vec<Name> = now.map(|f| self.cdt.face_key(f).vertices()).collect();
         before.sort_unstable();
         after.sort_unstable();
         let destroyed = before.iter().filter(|t| after.binary_search(t).is_err()).copied().collect();

@@ -24,13 +24,12 @@
 
 use std::ops::ControlFlow;
 
+use super::Refinement;
 use super::filling::{FillStage, FilledPart, Nodes};
-use super::{Refinement, ends_of};
 use crate::delaunay::insertion_order;
 use crate::geometry::{BoundingBox, Orientation, Point, Segment, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::{Locus, Walk};
-use crate::refine::criteria::bad_triangles::sorted;
 use crate::refine::measure::lattice::Lattice;
 use crate::refine::recipe::Initial;
 use crate::refine::watch::event::InsertedKind;
@@ -119,7 +118,7 @@ impl Refinement {
     /// Queues the subsegments that are too long; returns whether any of them can be split.
     fn queue_long_subsegments(&mut self, bounds: BoundingBox) -> bool {
         let mut long: Vec<HalfEdgeId> = self.cdt.marked_edges().filter(|&h| self.is_long(h, bounds)).collect();
-        long.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
+        long.sort_unstable_by_key(|&h| self.cdt.edge_key(h));
         long.into_iter().filter(|&h| self.queue_subsegment(h, true).is_ok()).count() > 0
     }
 
@@ -146,7 +145,7 @@ impl Refinement {
     fn large_faces(&self, bounds: BoundingBox) -> Vec<(FaceId, Lattice)> {
         let lattice = |f: FaceId| Some((f, self.lattice_for(f, bounds)?));
         let mut faces: Vec<(FaceId, Lattice)> = self.cdt.real_faces().filter_map(lattice).collect();
-        faces.sort_unstable_by_key(|&(f, _)| sorted(self.cdt.face_vertices(f)));
+        faces.sort_unstable_by_key(|&(f, _)| self.cdt.face_key(f));
         faces
     }
 

@@ -228,8 +228,8 @@ impl Refinement {
         agenda.encroached.rotate_right(usize::from(step.split.is_some()));
         agenda.picked.truncate(step.picked - step.taken.len());
         step.taken.into_iter().rev().for_each(|picked| agenda.picked.push_front(picked));
-        for ends in step.unsplittable {
-            agenda.unsplittable.remove(&ends);
+        for edge in step.unsplittable {
+            agenda.unsplittable.remove(&edge);
         }
         if let Some(refusals) = step.before_retry {
             (agenda.given_up, agenda.unsplittable) = *refusals;

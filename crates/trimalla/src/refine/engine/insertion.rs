@@ -4,8 +4,8 @@
 //! faces that it replaces. With [`Plan::Fan`] these faces are found before anything changes. With other plans they are
 //! known only after the insertion: the vertex is inserted under the journal, and rolled back if it must not stay.
 
+use super::Refinement;
 use super::parts::Scratch;
-use super::{Refinement, ends_of};
 use crate::constrained::{Edit, Provenance, SplitCavity};
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
@@ -172,7 +172,7 @@ impl Refinement {
 
     /// Rolls back to a checkpoint, and returns those of some edges that existed before it.
     fn roll_back_to(&mut self, here: Checkpoint, edges: &[HalfEdgeId]) -> Vec<HalfEdgeId> {
-        let ends: Vec<[VertexId; 2]> = edges.iter().map(|&h| ends_of(&self.cdt, h)).collect();
+        let ends: Vec<[VertexId; 2]> = edges.iter().map(|&h| self.cdt.edge_key(h).ends()).collect();
         self.cdt.rollback(&mut self.scratch.log, here);
         ends.into_iter().filter_map(|[a, b]| self.cdt.half_edge_between(a, b)).collect()
     }

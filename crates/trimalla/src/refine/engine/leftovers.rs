@@ -3,8 +3,7 @@
 use super::Refinement;
 use crate::constrained::ConstrainedTriangulation;
 use crate::geometry::{Point, Triangle, Vector};
-use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
-use crate::refine::criteria::bad_triangles::sorted;
+use crate::half_edge::{EdgeKey, FaceId, HalfEdgeId, VertexId};
 use crate::refine::criteria::badness::Badness;
 use crate::refine::criteria::extremes::Extremes;
 use crate::refine::criteria::reason::{Reason, StopReason};
@@ -114,8 +113,7 @@ impl Refinement {
         if let Some((reason, _)) = self.across_gap(f).filter(|&(_, is_hopeless)| is_of_shape && is_hopeless) {
             return reason;
         }
-        let name = sorted(self.cdt.face_vertices(f));
-        match self.agenda.given_up.binary_search_by_key(&name, |&(v, _)| v) {
+        match self.agenda.given_up.binary_search_by_key(&self.cdt.face_key(f), |&(key, _)| key) {
             Ok(i) => self.reason_of_given_up(f, self.agenda.given_up[i].1),
             Err(_) => match self.ledger.report.stop {
                 StopReason::Cancelled => Reason::Cancelled,
@@ -259,11 +257,8 @@ impl Refinement {
         let corners = self.cdt.face_vertices(f);
         let [a, b, c] = corners.map(|v| self.cdt.point(v));
         let lengths = [(a, b), (b, c), (c, a)].map(|(p, q)| self.problem.ruler.length_sq(p, q));
-        let ends = |i: usize| {
-            let (v, w) = (corners[i], corners[(i + 1) % 3]);
-            (v.min(w), v.max(w))
-        };
-        let less = |i: usize, k: usize| lengths[i].total_cmp(&lengths[k]).then_with(|| ends(i).cmp(&ends(k))).is_lt();
+        let edge = |i: usize| EdgeKey::of([corners[i], corners[(i + 1) % 3]]);
+        let less = |i: usize, k: usize| lengths[i].total_cmp(&lengths[k]).then_with(|| edge(i).cmp(&edge(k))).is_lt();
         let shorter = usize::from(less(1, 0));
         f.half_edges()[if less(2, shorter) { 2 } else { shorter }]
     }

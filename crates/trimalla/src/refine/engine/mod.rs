@@ -27,9 +27,8 @@ use std::fmt;
 use crate::constrained::{ConstrainedTriangulation, Edit};
 use crate::delaunay::max_points;
 use crate::geometry::BoundingBox;
-use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, UndoLog, VertexId};
+use crate::half_edge::{FaceId, NoJournal, UndoLog};
 use crate::refine::agenda::queue::{Patches, Queue};
-use crate::refine::criteria::bad_triangles::sorted;
 use crate::refine::criteria::reason::{Reason, StopReason};
 use crate::refine::recipe::options::{OptionError, RefineOptions};
 use crate::refine::steps::{Steps, View};
@@ -289,7 +288,7 @@ impl Refinement {
             Ok(()) if self.problem.options.recipe.until_destroyed => self.agenda.current = Some(ticket),
             Ok(()) if self.agenda.queue.is_valid(&self.cdt, ticket) => self.test_face(face),
             Ok(()) => {}
-            Err(reason) => self.agenda.given_up.push((sorted(self.cdt.face_vertices(face)), reason)),
+            Err(reason) => self.agenda.given_up.push((self.cdt.face_key(face), reason)),
         }
         StepOutcome::Triangle
     }
@@ -326,9 +325,7 @@ impl Refinement {
         if !self.strategy.traits.select.is_manual {
             return self.agenda.queue.pop(&self.cdt, self.strategy.traits.select.takes_oldest);
         }
-        let there = |cdt: &ConstrainedTriangulation, &(f, name): &Picked| {
-            cdt.is_real(f) && sorted(cdt.face_vertices(f)) == name
-        };
+        let there = |cdt: &ConstrainedTriangulation, &(f, key): &Picked| cdt.is_real(f) && cdt.face_key(f) == key;
         while let Some(picked) = self.agenda.picked.pop_front() {
             if let Some(record) = self.record() {
                 record.note_taken(picked);
@@ -347,7 +344,7 @@ impl Refinement {
     pub fn pick(&mut self, face: FaceId) -> bool {
         let is_there = face.index() < self.cdt.face_slots() && self.cdt.is_real(face);
         if is_there {
-            self.agenda.picked.push_back((face, sorted(self.cdt.face_vertices(face))));
+            self.agenda.picked.push_back((face, self.cdt.face_key(face)));
         }
         is_there
     }
@@ -381,10 +378,4 @@ impl Beginning for Refinement {
     fn pick(&mut self, face: FaceId) -> bool {
         Self::pick(self, face)
     }
-}
-
-/// The ends of an edge, the lower one first.
-pub(super) fn ends_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> [VertexId; 2] {
-    let (a, b) = (cdt.origin(h), cdt.dest(h));
-    [a.min(b), a.max(b)]
 }

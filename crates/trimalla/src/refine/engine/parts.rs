@@ -8,7 +8,7 @@ use super::encroached::Encroached;
 use crate::constrained::{ConstrainedTriangulation, Recovery, Released, Workspace};
 use crate::delaunay::{Cavity, Lawson};
 use crate::geometry::BoundingBox;
-use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
+use crate::half_edge::{EdgeKey, FaceId, HalfEdgeId, TriangleKey, UndoLog, VertexId};
 use crate::refine::agenda::queue::{Queue, Ticket};
 use crate::refine::criteria::bad_triangles::{Criterion, UserTest};
 use crate::refine::criteria::encroachment::Region;
@@ -25,8 +25,8 @@ use crate::refine::watch::report::Report;
 use crate::refine::watch::stopwatch::Stopwatch;
 use crate::size::{SizeBounds, SizeField};
 
-/// A triangle, by its slot and its sorted vertices.
-pub(super) type Picked = (FaceId, [VertexId; 3]);
+/// A triangle, by its slot and its vertices.
+pub(super) type Picked = (FaceId, TriangleKey);
 
 /// The options, and what is derived from them and from the input. It does not change while points are inserted.
 #[derive(Clone)]
@@ -133,9 +133,9 @@ pub(super) struct Agenda {
     /// Subsegments queued for their split.
     pub(super) encroached: VecDeque<Encroached>,
     /// Subsegments whose split failed although it was possible when they were queued.
-    pub(super) unsplittable: BTreeSet<[VertexId; 2]>,
+    pub(super) unsplittable: BTreeSet<EdgeKey>,
     /// Triangles that were given up, and why.
-    pub(super) given_up: Vec<([VertexId; 3], Reason)>,
+    pub(super) given_up: Vec<(TriangleKey, Reason)>,
     /// The number of insertions and deletions at the last retry.
     pub(super) changes_at_retry: u64,
     pub(super) retries: u32,

@@ -6,7 +6,7 @@ use super::encroached::Encroached;
 use super::filling::{FillStage, TakenNode};
 use super::parts::{Ledger, Picked, SegmentWork};
 use crate::constrained::Released;
-use crate::half_edge::{Entry, UndoLog, VertexId};
+use crate::half_edge::{EdgeKey, Entry, TriangleKey, UndoLog};
 use crate::refine::agenda::queue::{Changes, Queue, Ticket};
 use crate::refine::criteria::reason::Reason;
 
@@ -61,7 +61,7 @@ pub(super) struct StepRecord {
     pub(super) split: Option<Encroached>,
     pub(super) taken: Vec<Picked>,
     /// Subsegments that turned out to be unsplittable.
-    pub(super) unsplittable: Vec<[VertexId; 2]>,
+    pub(super) unsplittable: Vec<EdgeKey>,
     /// The triangles given up and the unsplittable subsegments before a retry.
     pub(super) before_retry: Option<Box<Refusals>>,
     /// The queue if the step replaced it; else the journal of the queue.
@@ -74,7 +74,7 @@ pub(super) struct StepRecord {
 }
 
 /// Triangles that were given up, and subsegments that cannot be split.
-pub(super) type Refusals = (Vec<([VertexId; 3], Reason)>, BTreeSet<[VertexId; 2]>);
+pub(super) type Refusals = (Vec<(TriangleKey, Reason)>, BTreeSet<EdgeKey>);
 
 impl<R> Default for History<R> {
     fn default() -> Self {
@@ -137,7 +137,7 @@ impl StepRecord {
     /// Approximate size of the record in bytes, with its lists.
     fn bytes(&self) -> usize {
         let refusals = self.before_retry.as_ref().map_or(0, |refusals| {
-            refusals.0.len() * size_of::<([VertexId; 3], Reason)>() + refusals.1.len() * size_of::<[VertexId; 2]>()
+            refusals.0.len() * size_of::<(TriangleKey, Reason)>() + refusals.1.len() * size_of::<EdgeKey>()
         });
         let segments = self.segments.as_ref().map_or(0, |segments| {
             size_of::<SegmentWork>() + (segments.released.len() + segments.lost.len()) * size_of::<Released>()
@@ -157,8 +157,8 @@ impl StepRecord {
     }
 
     /// Records a subsegment that the step found to be unsplittable.
-    pub(super) fn note_unsplittable(&mut self, ends: [VertexId; 2]) {
-        self.unsplittable.push(ends);
+    pub(super) fn note_unsplittable(&mut self, edge: EdgeKey) {
+        self.unsplittable.push(edge);
     }
 
     /// Records a picked triangle that the step took.

@@ -1,8 +1,8 @@
 //! Splits of encroached subsegments: which are queued, where they are split, which vertices are deleted first.
 
+use super::Refinement;
 use super::encroached::{Encroached, SplitPlace, SplitPlan};
 use super::insertion::Site;
-use super::{Refinement, ends_of};
 use crate::constrained::{Provenance, SplitError};
 use crate::geometry::{CircleSide, Point, in_diametral_disk};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
@@ -14,13 +14,12 @@ use crate::refine::watch::event::InsertedKind;
 impl Refinement {
     /// Queues the split of a subsegment; the error says why it cannot be split.
     pub(super) fn queue_subsegment(&mut self, h: HalfEdgeId, forced: bool) -> Result<(), Reason> {
-        let (a, b) = (self.cdt.origin(h), self.cdt.dest(h));
-        let ends = [a.min(b), a.max(b)];
-        if self.agenda.unsplittable.contains(&ends) {
+        let edge = self.cdt.edge_key(h);
+        if self.agenda.unsplittable.contains(&edge) {
             return Err(self.reason_of_refusal(h, self.problem.floors.floor_reason));
         }
         let plan = self.plan_split(self.in_order(h)).map_err(|reason| self.reason_of_refusal(h, reason))?;
-        self.agenda.encroached.push_back(Encroached { ends, forced, plan });
+        self.agenda.encroached.push_back(Encroached { edge, forced, plan });
         Ok(())
     }
 
@@ -62,7 +61,7 @@ impl Refinement {
         // A loop instead of `collect`: the nested iterators would compile to a state machine.
         self.cdt.for_each_marked_edge(|h| {
             if self.needs_split(h) {
-                found.push((ends_of(&self.cdt, h), h));
+                found.push((self.cdt.edge_key(h), h));
             }
         });
         found.sort_unstable();
@@ -75,22 +74,23 @@ impl Refinement {
     /// Takes the oldest queued subsegment, and splits it if it still needs that; returns whether there was one.
     pub(super) fn split_next_subsegment(&mut self) -> bool {
         let Some(encroached) = self.agenda.encroached.pop_front() else { return false };
-        let Encroached { ends: [a, b], forced, plan } = encroached;
+        let Encroached { edge, forced, plan } = encroached;
         if let Some(record) = self.record() {
             record.note_split(encroached);
         }
+        let [a, b] = edge.ends();
         self.note(|event| event.subsegment = Some([a, b]));
         // Edges of the hull of a triangulation that was not carved carry no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
         let there = self.cdt.half_edge_between_known(a, b, plan.half_edge).filter(is_subsegment);
-        if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&[a, b])) {
+        if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&edge)) {
             let plan = Some(plan).filter(|plan| plan.apexes == self.apexes(h));
             let is_needed = forced || plan.is_some() || self.needs_split(h);
             if is_needed && !self.split(h, plan) {
                 // It could be split when it was queued: marking it avoids endless attempts.
-                self.agenda.unsplittable.insert([a, b]);
+                self.agenda.unsplittable.insert(edge);
                 if let Some(record) = self.record() {
-                    record.note_unsplittable([a, b]);
+                    record.note_unsplittable(edge);
                 }
             }
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Refinement;
 use crate::constrained::{Recovery, Released};
-use crate::half_edge::VertexId;
+use crate::half_edge::{EdgeKey, VertexId};
 use crate::refine::criteria::reason::StopReason;
 use crate::refine::steps::{Bring, Proposal, StepEdit, View};
 
@@ -72,9 +72,9 @@ impl StepEdit for Refinement {
         if !self.may_change() {
             return 0;
         }
-        let mut wanted: Vec<[VertexId; 2]> = pieces.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        let mut wanted: Vec<EdgeKey> = pieces.iter().copied().map(EdgeKey::of).collect();
         wanted.sort_unstable();
-        let is_wanted = |piece: &Released| wanted.binary_search(&[piece.from, piece.to]).is_ok();
+        let is_wanted = |piece: &Released| wanted.binary_search(&EdgeKey::of([piece.from, piece.to])).is_ok();
         let (chosen, others) = std::mem::take(&mut self.segments.released).into_iter().partition(is_wanted);
         self.segments.released = others;
         self.recover_whole(chosen)

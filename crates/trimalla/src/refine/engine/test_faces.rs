@@ -1,12 +1,12 @@
 //! Tests of new faces: bad triangles join the queue, and so do subsegments that need a split.
 
-use super::{Refinement, ends_of};
+use super::Refinement;
 use crate::delaunay::Cavity;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId, push_if};
 use crate::refine::agenda::queue::Queue;
 use crate::refine::agenda::rank_buckets::RankBuckets;
-use crate::refine::criteria::bad_triangles::{Criterion, Side, UniformBounds, sorted};
+use crate::refine::criteria::bad_triangles::{Criterion, Side, UniformBounds};
 use crate::refine::criteria::badness::Badness;
 use crate::refine::steps::{SelectStep, View};
 use crate::refine::watch::stopwatch::Part;
@@ -201,7 +201,7 @@ impl Refinement {
     /// Sorts faces by their vertices, since triangles of equal priority are treated in the order in which they were
     /// queued.
     pub(super) fn sort_by_vertices(&self, faces: &mut [FaceId]) {
-        faces.sort_unstable_by_key(|&f| sorted(self.cdt.face_vertices(f)));
+        faces.sort_unstable_by_key(|&f| self.cdt.face_key(f));
     }
 
     /// Tests faces that are new or have changed: queues the bad ones, and the encroached subsegments beside them.
@@ -232,8 +232,8 @@ impl Refinement {
         let mut subsegments = std::mem::take(&mut self.scratch.beside);
         let before = self.ledger.stopwatch.enter(Part::Prepare);
         subsegments.retain(|&h| self.needs_split(h));
-        subsegments.sort_unstable_by_key(|&h| ends_of(&self.cdt, h));
-        subsegments.dedup_by_key(|h| ends_of(&self.cdt, *h));
+        subsegments.sort_unstable_by_key(|&h| self.cdt.edge_key(h));
+        subsegments.dedup_by_key(|h| self.cdt.edge_key(*h));
         for h in subsegments.drain(..) {
             // A subsegment that cannot be split stays encroached; triangles beside it get that as their reason.
             let _ = self.queue_subsegment(h, false);

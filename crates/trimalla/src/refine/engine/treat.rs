@@ -6,8 +6,8 @@
 //!    would encroach upon one, the subsegment is queued for a split instead. Step 4 plans how the point is inserted,
 //!    and `insertion.rs` executes the plan.
 
+use super::Refinement;
 use super::insertion::{Changed, Inserted, Refused, Site};
-use super::{Refinement, ends_of};
 use crate::constrained::Provenance;
 use crate::geometry::Point;
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
@@ -156,7 +156,7 @@ impl Refinement {
         order.sort_by(|&h, &g| {
             let shorter = length(h).total_cmp(&length(g));
             let by_length = if self.problem.region.is_lens() { shorter.reverse() } else { shorter };
-            by_length.then_with(|| ends_of(&self.cdt, h).cmp(&ends_of(&self.cdt, g)))
+            by_length.then_with(|| self.cdt.edge_key(h).cmp(&self.cdt.edge_key(g)))
         });
         let mut refused = Reason::PrecisionFloor;
         for h in order {
@@ -183,7 +183,7 @@ impl Refinement {
             Err(Refused::Encroaches(encroached)) => {
                 self.ledger.report.points_rejected += 1;
                 if let Some(event) = &mut self.ledger.event {
-                    event.encroached = encroached.iter().map(|&h| ends_of(&self.cdt, h)).collect();
+                    event.encroached = encroached.iter().map(|&h| self.cdt.edge_key(h).ends()).collect();
                 }
                 self.split_instead(&encroached)
             }

@@ -22,7 +22,7 @@
 use std::collections::VecDeque;
 
 use crate::constrained::{ConstrainedTriangulation, Workspace};
-use crate::half_edge::{FaceId, HalfEdgeId, NoJournal, VertexId};
+use crate::half_edge::{EdgeKey, FaceId, HalfEdgeId, NoJournal, VertexId};
 use crate::refine::measure::joints::{Piece, common_end};
 use crate::refine::measure::ruler::Ruler;
 
@@ -47,7 +47,8 @@ impl Footed {
     /// # Complexity
     /// One insertion a foot; the number of feet is bounded by a multiple of vertices and pieces.
     pub(super) fn of(cdt: &ConstrainedTriangulation) -> Self {
-        let mut pieces: Vec<Piece> = cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| ends(cdt, h)).collect();
+        let mut pieces: Vec<Piece> =
+            cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| cdt.edge_key(h).ends()).collect();
         pieces.sort_unstable();
         let ruler = Ruler::for_box(cdt.bounding_box());
         let foot_on = vec![None; cdt.points().len()];
@@ -59,7 +60,7 @@ impl Footed {
     fn insert_feet(&mut self) {
         let cdt = &self.cdt;
         let mut waiting: Vec<(Piece, HalfEdgeId)> =
-            cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| (ends(cdt, h), h)).collect();
+            cdt.edges().filter(|&h| cdt.is_marked(h)).map(|h| (cdt.edge_key(h).ends(), h)).collect();
         waiting.sort_unstable();
         let mut waiting = VecDeque::from(waiting);
         let mut left = MOST_FEET * (self.cdt.points().len() + self.pieces.len());
@@ -79,7 +80,7 @@ impl Footed {
             self.foot_on[foot.index()] = Some(piece);
             let around = self.cdt.faces_around(foot).flat_map(FaceId::half_edges);
             let mut around: Vec<_> =
-                around.filter(|&g| self.cdt.is_marked(g)).map(|g| (ends(&self.cdt, g), g)).collect();
+                around.filter(|&g| self.cdt.is_marked(g)).map(|g| (self.cdt.edge_key(g).ends(), g)).collect();
             around.sort_unstable();
             waiting.extend(around);
         }
@@ -87,7 +88,7 @@ impl Footed {
 
     /// The half-edge of a subsegment, which usually is still in the slot where it was when it was queued.
     fn find(&self, [a, b]: Piece, slot: HalfEdgeId) -> Option<HalfEdgeId> {
-        let there = self.cdt.is_real(slot.face()) && ends(&self.cdt, slot) == [a, b];
+        let there = self.cdt.is_real(slot.face()) && self.cdt.edge_key(slot).ends() == [a, b];
         if there { Some(slot) } else { self.cdt.half_edge_between(a, b) }
     }
 
@@ -113,7 +114,7 @@ impl Footed {
 
     /// The piece that a subsegment is part of.
     pub(super) fn piece_of(&self, h: HalfEdgeId) -> Piece {
-        let [a, b] = ends(&self.cdt, h);
+        let [a, b] = self.cdt.edge_key(h).ends();
         self.foot_on[a.index()].or(self.foot_on[b.index()]).unwrap_or([a, b])
     }
 
@@ -130,7 +131,7 @@ impl Footed {
 
     /// Whether a piece joins two vertices.
     pub(super) fn joins(&self, u: VertexId, v: VertexId) -> bool {
-        self.pieces.binary_search(&[u.min(v), u.max(v)]).is_ok()
+        self.pieces.binary_search(&EdgeKey::of([u, v]).ends()).is_ok()
     }
 
     /// Whether the distance between two vertices is a feature, not just where segments meet or a foot happens to lie.
@@ -142,9 +143,4 @@ impl Footed {
             (Some(one), Some(two)) => one != two && common_end(one, two).is_none(),
         }
     }
-}
-
-fn ends(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> Piece {
-    let (a, b) = (cdt.origin(h), cdt.dest(h));
-    [a.min(b), a.max(b)]
 }

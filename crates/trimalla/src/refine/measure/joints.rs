@@ -12,7 +12,7 @@
 
 use crate::constrained::{ConstrainedTriangulation, Provenance};
 use crate::drawing::SegmentId;
-use crate::half_edge::{HalfEdgeId, VertexId};
+use crate::half_edge::{EdgeKey, HalfEdgeId, VertexId};
 
 /// A piece of an input segment, by its two ends in the order of the segment.
 pub(in crate::refine) type Piece = [VertexId; 2];
@@ -118,10 +118,10 @@ impl Joints {
         for (segment, &[start, end]) in cdt.segment_ids().zip(cdt.segments()) {
             let mut from = start;
             while let Some(joint) = self.sorted.get(at).filter(|joint| joint.segment == segment) {
-                pieces.push([from.min(joint.vertex), from.max(joint.vertex)]);
+                pieces.push(EdgeKey::of([from, joint.vertex]).ends());
                 (from, at) = (joint.vertex, at + 1);
             }
-            pieces.push([from.min(end), from.max(end)]);
+            pieces.push(EdgeKey::of([from, end]).ends());
         }
         pieces.sort_unstable();
         pieces

@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Edit};
 use crate::geometry::{Point, Vector, math};
-use crate::half_edge::{FaceId, HalfEdgeId, Journal, NoJournal, VertexId};
+use crate::half_edge::{EdgeKey, FaceId, HalfEdgeId, Journal, NoJournal, VertexId};
 use crate::locate::{Locus, Walk};
 pub use crate::refine::recipe::{Centroid, LeppRule};
 use crate::triangulation::{Closure, Triangulation};
@@ -56,8 +56,7 @@ impl Lepp {
 #[must_use]
 pub fn compare_edges(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, g: HalfEdgeId) -> Ordering {
     let key = |h: HalfEdgeId| {
-        let (a, b) = (t.origin(h), t.dest(h));
-        let (low, high) = (a.min(b), a.max(b));
+        let [low, high] = t.edge_key(h).ends();
         (ruler.length_sq(t.point(low), t.point(high)), low, high)
     };
     let ((l, a, b), (m, c, d)) = (key(h), key(g));
@@ -139,11 +138,8 @@ pub fn terminal_faces(t: &Triangulation, h: HalfEdgeId) -> [Option<FaceId>; 2] {
 /// `centroid` of `[Valenzuela09]`, section 6.1.2; the average after `[MeshSuite]` and Sanhueza.
 #[must_use]
 pub fn quadrilateral_centroid(t: &Triangulation, ruler: Ruler, h: HalfEdgeId, kind: Centroid) -> Point {
-    let (a, b) = ends_in_order(t, h);
-    let (c, d) = {
-        let (p, q) = (t.apex(h), t.apex(t.twin(h)));
-        (p.min(q), p.max(q))
-    };
+    let [a, b] = t.edge_key(h).ends();
+    let [c, d] = EdgeKey::of([t.apex(h), t.apex(t.twin(h))]).ends();
     let [pa, pb, pc, pd] = [a, b, c, d].map(|v| t.point(v));
     // Relative to the middle of the edge, so that large coordinates cost no digits.
     let m = Point::midpoint(pa, pb);
@@ -172,11 +168,6 @@ fn areas_beside(edge: Vector, ways: [Vector; 2]) -> [f64; 2] {
     let extent = [edge, ways[0], ways[1]].into_iter().fold(0.0, |most: f64, v| most.max(v.x.abs()).max(v.y.abs()));
     let near_one = areas(math::power_of_two_scale(extent));
     if near_one[0] + near_one[1] > f64::MIN_POSITIVE { near_one } else { [1.0, 1.0] }
-}
-
-fn ends_in_order(t: &Triangulation, h: HalfEdgeId) -> (VertexId, VertexId) {
-    let (a, b) = (t.origin(h), t.dest(h));
-    (a.min(b), a.max(b))
 }
 
 /// The middle of an edge, rounded.

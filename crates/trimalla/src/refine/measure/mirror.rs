@@ -17,7 +17,7 @@ use super::joints::{Joints, Piece, common_end};
 use super::ruler::Ruler;
 use crate::constrained::{ConstrainedTriangulation, Released, SegmentPlan};
 use crate::geometry::{CircleSide, Point, Vector, in_diametral_disk};
-use crate::half_edge::{HalfEdgeId, VertexId};
+use crate::half_edge::{EdgeKey, HalfEdgeId, VertexId};
 
 /// One degree, in degrees and as the square of its sine, with room for rounding. At wider angles splits in the middle
 /// cost little, and the mesh is more even.
@@ -135,7 +135,7 @@ impl<'a> Mirrors<'a> {
         }
         let apex = match self.joints.piece_of(cdt, v) {
             Some(other) => common_end(piece, other),
-            None => piece.into_iter().find(|&end| self.pieces.binary_search(&[v.min(end), v.max(end)]).is_ok()),
+            None => piece.into_iter().find(|&end| self.pieces.binary_search(&EdgeKey::of([v, end]).ends()).is_ok()),
         }?;
         let wedge = Wedge { apex: cdt.point(apex), ends, vertex: at };
         if wedge.is_below(SHELL_SINE_SQ, self.ruler) { wedge.mirrored(self.ruler) } else { None }

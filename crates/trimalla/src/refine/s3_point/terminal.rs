@@ -21,7 +21,7 @@
 //! | S3 | the triangle of s and the new point would have an angle below the bound |
 
 use crate::geometry::{Point, Triangle, triangle_angles_at_least};
-use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
+use crate::half_edge::{FaceId, HalfEdgeId};
 use crate::refine::measure::lepp::{LeppRule, compare_edges, edges_by_length, terminal_edge, terminal_faces};
 use crate::refine::recipe::{ConstrainedSecond, Terminal};
 use crate::refine::steps::{Places, Proposal, View};
@@ -97,9 +97,5 @@ fn is_larger(view: View<'_>, f: FaceId, g: FaceId) -> bool {
         let [a, b, c] = view.cdt.corners(f);
         Triangle::new(a, b, c).circumradius_sq().unwrap_or(f64::INFINITY)
     };
-    radius_sq(f).total_cmp(&radius_sq(g)).then_with(|| sorted(view, g).cmp(&sorted(view, f))).is_gt()
-}
-
-fn sorted(view: View<'_>, f: FaceId) -> [VertexId; 3] {
-    crate::refine::criteria::bad_triangles::sorted(view.cdt.face_vertices(f))
+    radius_sq(f).total_cmp(&radius_sq(g)).then_with(|| view.cdt.face_key(g).cmp(&view.cdt.face_key(f))).is_gt()
 }

@@ -18,6 +18,7 @@ pub use fault::{MeshFault, MeshVertex};
 
 use crate::drawing::{IndexedMesh, Side, Sides};
 use crate::geometry::{CircleSide, Orientation, Point, in_circle, lexicographic, orient2d};
+use crate::half_edge::EdgeKey;
 
 /// Every fault of a mesh except the circle test; empty for a sound mesh.
 ///
@@ -72,15 +73,10 @@ pub fn check_mesh(mesh: &IndexedMesh) -> Vec<MeshFault> {
 #[must_use]
 pub fn check_mesh_delaunay(mesh: &IndexedMesh, constrained: &[[u32; 2]]) -> Vec<MeshFault> {
     let sides = Sides::of(mesh);
-    let mut locked: Vec<[u32; 2]> = mesh.segments.iter().chain(constrained).copied().map(undirected).collect();
+    let mut locked: Vec<EdgeKey<u32>> = mesh.segments.iter().chain(constrained).copied().map(EdgeKey::of).collect();
     locked.sort_unstable();
-    let free = |s: &&Side| locked.binary_search(&undirected([s.origin, s.dest])).is_err();
+    let free = |s: &&Side| locked.binary_search(&EdgeKey::of([s.origin, s.dest])).is_err();
     sides.edges().filter(free).filter_map(|s| circle_fault(mesh, &sides, s)).collect()
-}
-
-/// An edge with its smaller end first.
-fn undirected([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// A vertex in range, with its place.
