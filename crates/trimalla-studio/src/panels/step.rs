@@ -57,7 +57,9 @@ pub(crate) fn show(ui: &mut Ui, document: &Document) {
 fn outcome(event: &Event) -> &'static str {
     use trimalla::refine::StepOutcome as Outcome;
     match event.outcome {
-        Outcome::Subsegment => "a subsegment was tested",
+        Outcome::SubsegmentSplit => "a subsegment was split",
+        Outcome::SubsegmentKept => "a subsegment needs no split any more",
+        Outcome::SubsegmentRefused => "there is no room to split a subsegment",
         Outcome::Filled => "a node of the lattice was tested",
         Outcome::Triangle => "a bad triangle was treated",
         Outcome::Prepared => "the loop was prepared",

@@ -55,6 +55,25 @@ fn every_step_keeps_the_invariants() {
 }
 
 #[test]
+fn the_outcome_says_whether_a_subsegment_was_split() {
+    let options = RefineOptions::of(Preset::LeppCircumcenter).with_min_angle_deg(33.0).with_max_area(0.05);
+    let mut r = Refinement::new(carved(&Pslg::of_ring(L_SHAPE), AlgorithmKey::Incremental), options).unwrap();
+    let (mut split, mut is_finished) = (0, false);
+    for _ in 0..5000 {
+        let event = r.step();
+        let is_split = event.outcome == StepOutcome::SubsegmentSplit;
+        assert_eq!(event.subsegment.is_some() && event.inserted.is_some(), is_split, "{event:?}");
+        split += u64::from(is_split);
+        is_finished = event.outcome == StepOutcome::Finished;
+        if is_finished {
+            break;
+        }
+    }
+    assert!(is_finished && split > 10, "{split}");
+    assert_eq!(r.finish().1.segments_split, split);
+}
+
+#[test]
 fn the_area_bound_is_reached() {
     let options = RefineOptions::default().with_min_angle_deg(0.0).with_max_area(0.01);
     let (cdt, report) = refined(&Pslg::of_ring(L_SHAPE), options);

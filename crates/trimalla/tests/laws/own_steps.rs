@@ -100,7 +100,8 @@ fn a_step_1_of_our_own_splits_before_points_go_in() {
     let mut points_before = None;
     for _ in 0..1000 {
         let event = refinement.step();
-        if event.outcome != StepOutcome::Subsegment && event.outcome != StepOutcome::Prepared {
+        let is_before = [StepOutcome::Prepared, StepOutcome::SubsegmentSplit, StepOutcome::SubsegmentKept];
+        if !is_before.contains(&event.outcome) {
             points_before = Some(refinement.triangulation().steiner_vertices());
             break;
         }

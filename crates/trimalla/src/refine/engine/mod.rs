@@ -221,7 +221,9 @@ impl Refinement {
                 StepOutcome::Exhausted => break StopReason::Budget,
                 StepOutcome::Stalled => break StopReason::NoLongerImproves,
                 StepOutcome::Prepared
-                | StepOutcome::Subsegment
+                | StepOutcome::SubsegmentSplit
+                | StepOutcome::SubsegmentKept
+                | StepOutcome::SubsegmentRefused
                 | StepOutcome::Filled
                 | StepOutcome::Triangle
                 | StepOutcome::Recovered
@@ -268,8 +270,8 @@ impl Refinement {
         if self.ledger.improvement.is_due(self.ledger.vertices) && self.no_longer_improves() {
             return StepOutcome::Stalled;
         }
-        if self.split_next_subsegment() {
-            return StepOutcome::Subsegment;
+        if let Some(outcome) = self.split_next_subsegment() {
+            return outcome;
         }
         if self.fill_step() {
             return StepOutcome::Filled;

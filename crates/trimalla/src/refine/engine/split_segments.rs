@@ -9,7 +9,7 @@ use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::refine::criteria::reason::Reason;
 use crate::refine::recipe::options::Protect;
 use crate::refine::steps::Proposal;
-use crate::refine::watch::event::InsertedKind;
+use crate::refine::watch::event::{InsertedKind, StepOutcome};
 
 impl Refinement {
     /// Queues the split of a subsegment; the error says why it cannot be split.
@@ -71,9 +71,9 @@ impl Refinement {
         }
     }
 
-    /// Takes the oldest queued subsegment, and splits it if it still needs that; returns whether there was one.
-    pub(super) fn split_next_subsegment(&mut self) -> bool {
-        let Some(encroached) = self.agenda.encroached.pop_front() else { return false };
+    /// Takes the oldest queued subsegment, if there is one, and splits it if it still needs that.
+    pub(super) fn split_next_subsegment(&mut self) -> Option<StepOutcome> {
+        let encroached = self.agenda.encroached.pop_front()?;
         let Encroached { edge, forced, plan } = encroached;
         if let Some(record) = self.record() {
             record.note_split(encroached);
@@ -83,18 +83,23 @@ impl Refinement {
         // Edges of the hull of a triangulation that was not carved carry no marks.
         let is_subsegment = |&h: &HalfEdgeId| self.cdt.is_marked(h) || self.cdt.is_boundary_edge(h);
         let there = self.cdt.half_edge_between_known(a, b, plan.half_edge).filter(is_subsegment);
-        if let Some(h) = there.filter(|_| !self.agenda.unsplittable.contains(&edge)) {
-            let plan = Some(plan).filter(|plan| plan.apexes == self.apexes(h));
-            let is_needed = forced || plan.is_some() || self.needs_split(h);
-            if is_needed && !self.split(h, plan) {
-                // It could be split when it was queued: marking it avoids endless attempts.
-                self.agenda.unsplittable.insert(edge);
-                if let Some(record) = self.record() {
-                    record.note_unsplittable(edge);
-                }
-            }
+        let Some(h) = there else { return Some(StepOutcome::SubsegmentKept) };
+        if self.agenda.unsplittable.contains(&edge) {
+            return Some(StepOutcome::SubsegmentRefused);
         }
-        true
+        let plan = Some(plan).filter(|plan| plan.apexes == self.apexes(h));
+        if !forced && plan.is_none() && !self.needs_split(h) {
+            return Some(StepOutcome::SubsegmentKept);
+        }
+        if self.split(h, plan) {
+            return Some(StepOutcome::SubsegmentSplit);
+        }
+        // It could be split when it was queued: marking it avoids endless attempts.
+        self.agenda.unsplittable.insert(edge);
+        if let Some(record) = self.record() {
+            record.note_unsplittable(edge);
+        }
+        Some(StepOutcome::SubsegmentRefused)
     }
 
     /// Splits a subsegment; returns whether it was possible.

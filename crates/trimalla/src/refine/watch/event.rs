@@ -10,8 +10,12 @@ use crate::refine::criteria::reason::Reason;
 /// What one step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StepOutcome {
-    /// A queued subsegment was tested, and split if it still needed the split.
-    Subsegment,
+    /// A queued subsegment was split.
+    SubsegmentSplit,
+    /// A queued subsegment is left whole: it no longer needs the split, or is no longer there.
+    SubsegmentKept,
+    /// A queued subsegment needs the split, and there is no room for it.
+    SubsegmentRefused,
     /// A node of the lattice was tested, and inserted if there was room.
     Filled,
     /// A bad triangle was treated: a point was inserted, subsegments were queued, or it was given up.
@@ -39,12 +43,14 @@ impl StepOutcome {
         matches!(self, Self::Finished | Self::Exhausted | Self::Stalled)
     }
 
-    /// The outcome in a word, as the program prints it.
+    /// The outcome in a word or two, as the program prints it.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
             Self::Prepared => "prepared",
-            Self::Subsegment => "subsegment",
+            Self::SubsegmentSplit => "subsegment split",
+            Self::SubsegmentKept => "subsegment kept",
+            Self::SubsegmentRefused => "subsegment refused",
             Self::Filled => "filled",
             Self::Triangle => "triangle",
             Self::Recovered => "recovered",
