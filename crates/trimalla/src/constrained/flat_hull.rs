@@ -8,12 +8,8 @@
 //! A mesh leaves them out: the domain then ends at a–c–b. A Delaunay triangulation keeps them, as it is exact.
 
 use super::constrained_triangulation::ConstrainedTriangulation;
-use crate::geometry::{Segment, math};
+use crate::geometry::{Segment, last_places};
 use crate::half_edge::{HalfEdgeId, VertexId};
-
-/// How far from a side of the hull a vertex may lie to count as on it, in last places of the largest coordinate of the
-/// side: its own rounding and that of the two ends, each after the few operations that rotate or scale a drawing.
-const ON_HULL_ULPS: f64 = 16.0;
 
 /// Marks the flat triangles at the hull as outside.
 ///
@@ -35,13 +31,12 @@ pub(crate) fn leave_out(cdt: &ConstrainedTriangulation, outside: &mut [bool]) {
     for (_, side) in sides {
         let [a, b] = cdt.edge_points(side);
         let segment = Segment::new(a, b);
-        let reach = ON_HULL_ULPS * math::last_place(segment.largest_coordinate());
         let mut inwards = vec![side];
         // Each face is marked once.
         while let Some(h) = inwards.pop() {
             let (face, apex) = (h.face().index(), cdt.apex(h));
             let is_flat = !cdt.is_marked(h) && !outside[face] && !bounds[apex.index()];
-            if is_flat && segment.distance(cdt.point(apex)) <= reach {
+            if is_flat && segment.passes_within(last_places::ON_HULL, cdt.point(apex)) {
                 outside[face] = true;
                 bounds[apex.index()] = true;
                 inwards.extend([cdt.twin(h.next()), cdt.twin(h.prev())]);

@@ -23,8 +23,8 @@
 //!
 //! 1. Before the outside is removed, every triangle outside with a boundary edge is tested. If one has an angle below
 //!    [`THIN`], the boundary [may be thin](is_thin_outside), and every split needs the proof.
-//! 2. Otherwise only splits of boundary edges shorter than [`SHORT_ULPS`] need it, and splits less than a third of that
-//!    from an end.
+//! 2. Otherwise only splits of boundary edges shorter than [`PROVED_SPLIT`] need it, and splits less than a third of
+//!    that from an end.
 //!
 //! ```text
 //!      a ─────────────── c    outside G        A pocket: the boundary a–b–c bends by rounding, as the side of a drawing that
@@ -39,10 +39,10 @@
 //!   above a third of `THIN`.
 //! * Vertices that split S, or a boundary edge whose pocket S closes, lie before S or at most 64 u beyond: an end of a
 //!   boundary edge lies within 16 u of its input segment, a computed point within 2, and each of the 26 halvings down
-//!   to `SHORT_ULPS` adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a
-//!   third of `SHORT_ULPS` from the ends of their subsegments, or had a proof.
+//!   to `PROVED_SPLIT` adds at most 2, where the point is computed from the ends of a subsegment. They lie at least a
+//!   third of `PROVED_SPLIT` from the ends of their subsegments, or had a proof.
 //! * Seen from o, 64 u across S shift a place along S by less than 64 u ÷ (`THIN` ÷ 3), about 10⁷ u. That is less than
-//!   half of the third of `SHORT_ULPS`, 2.2 · 10⁷ u. So from o the vertices along S are seen in their order, in front
+//!   half of the third of `PROVED_SPLIT`, 2.2 · 10⁷ u. So from o the vertices along S are seen in their order, in front
 //!   of o: what bends beyond S stays in the triangle of o and S, where nothing else comes.
 //!
 //! An edge of the convex hull without a triangle outside has nothing to meet there.
@@ -55,13 +55,12 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::insert_segment::Crossings;
 use super::plan::SegmentPlan;
+use crate::geometry::last_places::PROVED_SPLIT;
 use crate::geometry::{BoundingBox, Point, math};
 use crate::half_edge::{Boundary, Checkpoint, Entry, FaceId, HalfEdgeId, Journal, NoJournal, UndoLog, VertexId};
 use crate::locate::Locus;
 use crate::triangulation::{Closure, Triangulation};
 
-/// Boundary edges shorter than this, in last places of the largest coordinate, are split with proof only.
-const SHORT_ULPS: f64 = (1_u32 << 26) as f64;
 /// Triangles outside with a boundary edge and an angle below this, as its tangent, make the boundary thin.
 const THIN: f64 = 2e-5;
 
@@ -185,7 +184,7 @@ fn are_apart(p: Point, q: Point, distance: f64) -> bool {
 fn short_edge(t: &Triangulation) -> f64 {
     let bounds = BoundingBox::of_finite(t.points().iter().copied());
     let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
-    SHORT_ULPS * math::last_place(largest)
+    PROVED_SPLIT * math::last_place(largest)
 }
 
 /// Whether a triangle outside of the kept faces is thin and bounds the boundary, but for pockets; `boundary` are the

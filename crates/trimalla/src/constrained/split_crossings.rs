@@ -34,12 +34,10 @@ use super::insert_segment::crossing_of;
 use super::plan::SegmentPlan;
 use super::provenance::Provenance;
 use crate::drawing::SegmentId;
+use crate::geometry::last_places::COMPUTED_CROSSING;
 use crate::geometry::{BoundingBox, Point, Segment, Strip};
 use crate::half_edge::{HalfEdgeId, Journal, VertexId};
 use crate::locate::Locus;
-
-/// The reach of rounding, in last places of the coordinates of the edge: the error of a crossing point.
-const REACH_PLACES: f64 = 4.0;
 
 /// A stretch of constraint that is still to be put in.
 #[derive(Clone, Copy, Debug)]
@@ -189,7 +187,7 @@ impl ConstrainedTriangulation {
             (None, None) => None,
         };
         let splits_both = |p: &Point| of_edge.is_split_by(*p) && of_line.is_split_by(*p) && keeps_sides(*p);
-        at_an_end(Some(REACH_PLACES))
+        at_an_end(Some(COMPUTED_CROSSING))
             .or_else(|| self.crossing_of_segments(h, piece).filter(splits_both).map(Meeting::Point))
             .or_else(|| Some(self.crossing_of_edges(h, piece)).filter(splits_both).map(Meeting::Point))
             .or_else(|| at_an_end(None))

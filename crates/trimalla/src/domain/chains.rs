@@ -24,11 +24,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::course::{Adjacency, Course, Courses};
 use crate::constrained::{Beside, ConstrainedTriangulation};
 use crate::drawing::{Pslg, SegmentId};
-use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, math, on_segment};
+use crate::geometry::{BoundingBox, BoxTree, Point, Segment, Strip, last_places};
 use crate::half_edge::{HalfEdgeId, VertexId};
-
-/// How far a vertex may be off the line through its neighbours to be inside a chain: three rounded points.
-const JOINT_ULPS: f64 = 4.0;
 
 /// The half-edge that stands for an edge, given either of its two.
 pub(super) fn edge_of(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> HalfEdgeId {
@@ -54,12 +51,6 @@ impl Names {
     pub(super) fn has(&self, edge: HalfEdgeId) -> bool {
         self.0.contains_key(&edge)
     }
-}
-
-/// Whether a point is off a segment by no more than `ulps` last places.
-fn lies_along(segment: Segment, p: Point, ulps: f64) -> bool {
-    on_segment(segment.start, segment.end, p)
-        || segment.distance(p) <= ulps * math::last_place(segment.largest_coordinate())
 }
 
 /// Names the edges along each segment of a drawing, whose ends are given.
@@ -359,7 +350,7 @@ pub(super) fn rejoin(
 fn is_joint(u: Point, p: Point, w: Point) -> bool {
     let segment = Segment::new(u, w);
     let t = segment.nearest_parameter(p);
-    t > 0.0 && t < 1.0 && lies_along(segment, p, JOINT_ULPS)
+    t > 0.0 && t < 1.0 && segment.passes_within(last_places::JOINT, p)
 }
 
 /// Cuts a run of vertices into pieces that lie along the segments between their ends; each from its lower end on.
@@ -371,7 +362,7 @@ fn straight_pieces(cdt: &ConstrainedTriangulation, run: &[VertexId], mut take: i
         let off = |&k: &usize| {
             let [u, p, w] = [k - 1, k, k + 1].map(|k| cdt.point(run[k]));
             let keeps_rule = strip.contains(p) && strip.order(u, p).is_lt() && strip.order(p, w).is_lt();
-            !(keeps_rule && lies_along(segment, p, JOINT_ULPS))
+            !(keeps_rule && segment.passes_within(last_places::JOINT, p))
         };
         let distance = |k: &usize| segment.distance(cdt.point(run[*k]));
         let farthest = (i + 1..j).filter(off).max_by(|k, l| distance(k).total_cmp(&distance(l)));

@@ -14,6 +14,7 @@ mod frame;
 mod from_mint;
 mod hilbert;
 pub(crate) mod lanes;
+pub(crate) mod last_places;
 pub mod math;
 mod order;
 mod point;

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::frame::Frame;
 use super::math;
 use super::predicates::{SegmentContact, crossing_parameter, on_segment, segment_contact};
-use super::{BoundingBox, Point, Strip, Vector, lexicographically_less};
+use super::{BoundingBox, Point, Strip, Vector, last_places, lexicographically_less};
 
 /// A straight segment between two points, which may coincide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -120,6 +120,15 @@ impl Segment {
         frame.length(nearest)
     }
 
+    /// Whether a point is on the segment, or off it by no more than so many last places of its largest coordinate.
+    ///
+    /// The distance is rounded; [`Strip`] decides exactly.
+    #[must_use]
+    pub(crate) fn passes_within(self, last_places: f64, p: Point) -> bool {
+        on_segment(self.start, self.end, p)
+            || self.distance(p) <= last_places * math::last_place(self.largest_coordinate())
+    }
+
     /// The only point that two segments share: rounded where they cross, exact where an end lies on the other segment.
     ///
     /// # Guarantees
@@ -148,17 +157,13 @@ impl Segment {
         let on = |line: Self, across: Self| line.at(crossing_parameter(across.ends(), line.ends()));
         let confined = |p: Point| two.bounding_box().clamp(one.bounding_box().clamp(p));
         let point = confined(on(one, two));
-        if Strip::new(two, Self::CROSSING_PLACES).contains(point) {
+        if Strip::new(two, last_places::CROSSING).contains(point) {
             return point;
         }
         let [by_x, across_x] = Self::finer_first(one, two, |s| s.start.x.abs().max(s.end.x.abs()));
         let [by_y, across_y] = Self::finer_first(one, two, |s| s.start.y.abs().max(s.end.y.abs()));
         confined(Point::new(on(by_x, across_x).x, on(by_y, across_y).y))
     }
-
-    /// How far a crossing may be off either segment, in last places: more than the error of a crossing in the
-    /// coordinates of the segment on which it was computed, so that it seldom has to be computed on both.
-    const CROSSING_PLACES: f64 = 8.0;
 
     /// Two sorted segments, that with the smaller magnitude first; of equal ones that with the lower start.
     fn finer_first(one: Self, two: Self, magnitude: impl Fn(Self) -> f64) -> [Self; 2] {

@@ -59,7 +59,7 @@
 use core::cmp::Ordering;
 
 use super::predicates::{Difference, ExactSum, TWO_PRODUCTS_BOUND, UNDERFLOW_GUARD};
-use super::{Point, Segment, math};
+use super::{Point, Segment, last_places, math};
 
 /// The points that lie along a segment within some last places of its coordinates: the rule above, decided exactly.
 ///
@@ -81,11 +81,11 @@ pub struct Strip {
 
 impl Strip {
     /// How far a vertex of a segment's chain may be off the segment, in last places of each coordinate.
-    pub const LAST_PLACES: f64 = 16.0;
+    pub const LAST_PLACES: f64 = last_places::CHAIN;
 
     /// How far from its segments a vertex may be at which an edge is split, in last places: what is left to
     /// [`LAST_PLACES`](Self::LAST_PLACES) is for later splits.
-    pub const PARTING_PLACES: f64 = 12.0;
+    pub const PARTING_PLACES: f64 = last_places::PARTING;
 
     /// The strip of so many last places of the largest magnitudes of x and of y at the ends of a segment.
     #[must_use]

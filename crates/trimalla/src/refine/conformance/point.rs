@@ -4,15 +4,13 @@ use super::{Breach, Subject, by_key, drawings, ensure, laws, view};
 use crate::constrained::ConstrainedTriangulation;
 use crate::delaunay::AlgorithmKey;
 use crate::drawing::Pslg;
-use crate::geometry::{Orientation, Point, Segment, math, orient2d};
+use crate::geometry::{Orientation, Point, Segment, last_places, orient2d};
 use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 use crate::locate::Locus;
 use crate::refine::steps::{Places, Proposal};
 
 /// No strategy needs more places than this for one triangle.
 const MOST_PLACES: usize = 16;
-/// The largest distance of a point on an edge from the edge, in units in the last place of the largest coordinate.
-const ROUNDING_ULPS: f64 = 4.0;
 
 /// Puts a step 3 through its suite.
 ///
@@ -90,7 +88,7 @@ fn is_where_it_says(cdt: &ConstrainedTriangulation, place: Proposal) -> Result<(
         }
         Proposal::Free { point, .. } => Err(Breach(format!("{point}, at a vertex or outside"))),
         Proposal::OnEdge { edge, point } => {
-            ensure(is_free_edge(cdt, edge) && is_on(cdt, edge, point, ROUNDING_ULPS), || {
+            ensure(is_free_edge(cdt, edge) && is_on(cdt, edge, point, last_places::PROPOSED_ON_EDGE), || {
                 format!("{point}, off its edge or on a segment")
             })
         }
@@ -106,13 +104,12 @@ fn is_free_edge(cdt: &ConstrainedTriangulation, h: HalfEdgeId) -> bool {
     is_edge(cdt, h) && !cdt.is_marked(h) && [h, cdt.twin(h)].into_iter().all(|side| cdt.is_real(side.face()))
 }
 
-/// Whether a point lies on an edge and not at its ends, to within some units in the last place.
-fn is_on(cdt: &ConstrainedTriangulation, h: HalfEdgeId, p: Point, ulps: f64) -> bool {
+/// Whether a point lies on an edge and not at its ends, to within some last places.
+fn is_on(cdt: &ConstrainedTriangulation, h: HalfEdgeId, p: Point, last_places: f64) -> bool {
     let [a, b] = cdt.edge_points(h);
-    let edge = Segment::new(a, b);
-    let is_near = edge.distance(p) <= ulps * math::last_place(edge.largest_coordinate());
+    let is_near = last_places > 0.0 && Segment::new(a, b).passes_within(last_places, p);
     let is_between = p != a && p != b && (p - a).dot(b - a) > 0.0 && (p - b).dot(a - b) > 0.0;
-    is_between && (orient2d(a, b, p) == Orientation::Collinear || ulps > 0.0 && is_near)
+    is_between && (orient2d(a, b, p) == Orientation::Collinear || is_near)
 }
 
 fn description(cdt: &ConstrainedTriangulation, place: Proposal) -> Description {

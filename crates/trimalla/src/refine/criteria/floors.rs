@@ -2,7 +2,7 @@
 
 use super::reason::Reason;
 use crate::constrained::ConstrainedTriangulation;
-use crate::geometry::BoundingBox;
+use crate::geometry::{BoundingBox, last_places};
 use crate::half_edge::HalfEdgeId;
 use crate::refine::measure::ruler::Ruler;
 use crate::refine::recipe::options::RefineOptions;
@@ -76,5 +76,5 @@ pub(in crate::refine) fn length_floor(
 /// The precision floor, the shortest distance at which rounding leaves room for vertices, in the ruler's units.
 pub(in crate::refine) fn precision_floor(bounds: Option<BoundingBox>, ruler: Ruler) -> f64 {
     let largest = bounds.map_or(0.0, BoundingBox::largest_coordinate);
-    largest * ruler.scale() * 256.0 * f64::EPSILON
+    largest * ruler.scale() * last_places::PRECISION_FLOOR * f64::EPSILON
 }
