@@ -12,7 +12,7 @@
 
 use super::chains::{Chain, Locked, edge_of, follow, rejoin};
 use super::error::{DomainError, Warning};
-use super::given::{Given, GivenAreas, take_over};
+use super::given::{Given, GivenAreas, TakeOver};
 use super::mesh_error::MeshError;
 use super::shells;
 use crate::constrained::{ConstrainedTriangulation, ConstraintError, Provenance};
@@ -80,7 +80,9 @@ pub fn from_mesh(mesh: &IndexedMesh, areas: &[Option<f64>], input: Option<&Pslg>
     let unknown = if input.is_some() { Provenance::Free } else { Provenance::Input };
     shells::recover(&mut cdt, unknown);
     cdt.triangulate_outside();
-    let (given, areas) = take_over(&mut cdt, mesh, areas, bare, input, markers, &mut warnings)?;
+    let taken = TakeOver::new(mesh, input, markers);
+    taken.assign_seeds(&mut cdt, &mut warnings)?;
+    let (given, areas) = taken.finish(&mut cdt, areas, bare);
     if input.is_none() {
         warnings.extend(pieces(&cdt));
     }

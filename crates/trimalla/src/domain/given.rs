@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use super::error::{DomainError, Warning};
 use super::regions;
 use crate::constrained::{ConstrainedTriangulation, RegionRule, Workspace};
-use crate::drawing::{IndexedMesh, Pslg};
-use crate::half_edge::{FaceId, NoJournal};
+use crate::drawing::{IndexedMesh, Pslg, Region};
+use crate::half_edge::{EdgeKey, FaceId, NoJournal};
 use crate::triangulation::Triangulation;
 
 /// Data of a given mesh that a triangulation does not hold, kept for the result.
@@ -60,9 +60,9 @@ impl Given {
     /// Puts subsegments into the order and direction of the given ones. The parts of a split subsegment take its place,
     /// from end to end; subsegments that were not listed come last.
     fn put_subsegments_in_order(&self, mesh: &mut IndexedMesh) {
-        let mut given: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
+        let mut given: BTreeMap<EdgeKey<u32>, (usize, bool)> = BTreeMap::new();
         for (index, &[a, b]) in self.subsegments.iter().enumerate() {
-            given.entry([a.min(b), a.max(b)]).or_insert((index, a > b));
+            given.entry(EdgeKey::of([a, b])).or_insert((index, a > b));
         }
         let mut placed: Vec<(usize, [u32; 2], i32)> = Vec::with_capacity(mesh.segments.len());
         let markers = std::mem::take(&mut mesh.segment_markers);
@@ -76,8 +76,7 @@ impl Given {
                 run.push(part);
             }
             let (from, to) = (first.0[0], end_of(&run));
-            let (index, starts_high) =
-                given.get(&[from.min(to), from.max(to)]).copied().unwrap_or((usize::MAX, from > to));
+            let (index, starts_high) = given.get(&EdgeKey::of([from, to])).copied().unwrap_or((usize::MAX, from > to));
             if starts_high != (from > to) {
                 run.reverse();
                 run.iter_mut().for_each(|(ends, _)| ends.reverse());
@@ -106,43 +105,63 @@ fn end_of(run: &[([u32; 2], i32)]) -> u32 {
     run.last().map_or(u32::MAX, |&([_, to], _)| to)
 }
 
-/// Makes regions of attributes, seeds and bounds, and keeps the rest for the result; bounds triangle by triangle are
-/// handed on together with `bare`, the triangles.
-pub(super) fn take_over(
-    cdt: &mut ConstrainedTriangulation,
-    mesh: &IndexedMesh,
-    areas: &[Option<f64>],
-    bare: Option<Triangulation>,
-    input: Option<&Pslg>,
-    segment_markers: Vec<i32>,
-    warnings: &mut Vec<Warning>,
-) -> Result<(Given, Option<GivenAreas>), DomainError> {
-    let mut given = Given { drawing: drawing(mesh, input, segment_markers), ..Given::default() };
-    given.subsegments.clone_from(&mesh.segments);
-    given.vertices = mesh.points.len();
-    given.point_markers.clone_from(&mesh.point_markers);
-    if given.drawing.attributes_per_point == mesh.attributes_per_point {
-        given.point_attributes.clone_from(&mesh.point_attributes);
+/// Takes over the data of a mesh whose triangles are taken up:
+///
+/// 1. [`new`](Self::new) keeps what only the result needs: points, markers, holes, the order of subsegments;
+/// 2. [`assign_seeds`](Self::assign_seeds) makes regions of the seeds of the drawing;
+/// 3. [`finish`](Self::finish) splits these regions by attributes and by area bounds.
+pub(super) struct TakeOver<'a> {
+    mesh: &'a IndexedMesh,
+    seeds: &'a [Region],
+    given: Given,
+}
+
+impl<'a> TakeOver<'a> {
+    pub(super) fn new(mesh: &'a IndexedMesh, input: Option<&'a Pslg>, segment_markers: Vec<i32>) -> Self {
+        let drawing = drawing(mesh, input, segment_markers);
+        let has_attributes = drawing.attributes_per_point == mesh.attributes_per_point;
+        let given = Given {
+            point_attributes: if has_attributes { mesh.point_attributes.clone() } else { Vec::new() },
+            drawing,
+            subsegments: mesh.segments.clone(),
+            vertices: mesh.points.len(),
+            point_markers: mesh.point_markers.clone(),
+            ..Given::default()
+        };
+        Self { mesh, seeds: input.map_or(&[], |pslg| &pslg.regions), given }
     }
-    let seeds = input.map_or(&[][..], |pslg| &pslg.regions);
-    if !seeds.is_empty() {
-        let mut work = Workspace::default();
-        regions::assign(&mut cdt.edit(&mut work, &mut NoJournal), seeds, warnings)?;
+
+    pub(super) fn assign_seeds(
+        &self,
+        cdt: &mut ConstrainedTriangulation,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<(), DomainError> {
+        regions::assign(&mut cdt.edit(&mut Workspace::default(), &mut NoJournal), self.seeds, warnings)
     }
-    if seeds.is_empty() && mesh.triangle_attributes.is_empty() && areas.is_empty() {
-        given.attributes_per_triangle = 0;
-        return Ok((given, None));
+
+    /// Returns the data for the result; and the bounds triangle by triangle, if there are any, with `bare`, the
+    /// triangles.
+    pub(super) fn finish(
+        mut self,
+        cdt: &mut ConstrainedTriangulation,
+        areas: &[Option<f64>],
+        bare: Option<Triangulation>,
+    ) -> (Given, Option<GivenAreas>) {
+        let has_attributes = !self.mesh.triangle_attributes.is_empty();
+        if !has_attributes && self.seeds.is_empty() && areas.is_empty() {
+            return (self.given, None);
+        }
+        let faces = face_rules(cdt, self.mesh, areas);
+        self.given.attributes_per_triangle = match (has_attributes, self.seeds.is_empty()) {
+            (true, _) => self.mesh.attributes_per_triangle,
+            (false, false) => 1,
+            (false, true) => 0,
+        };
+        let mut rules = number_regions(cdt, faces, areas.is_empty(), &mut self.given);
+        let areas = bare.map(|triangles| GivenAreas { triangles, max_areas: take_max_areas(&mut rules) });
+        cdt.set_regions(rules, &mut NoJournal);
+        (self.given, areas)
     }
-    let faces = face_rules(cdt, mesh, areas);
-    given.attributes_per_triangle = match (mesh.triangle_attributes.is_empty(), seeds.is_empty()) {
-        (false, _) => mesh.attributes_per_triangle,
-        (true, false) => 1,
-        (true, true) => 0,
-    };
-    let mut rules = number_regions(cdt, faces, areas.is_empty(), &mut given);
-    let areas = bare.map(|triangles| GivenAreas { triangles, max_areas: take_max_areas(&mut rules) });
-    cdt.set_regions(rules, &mut NoJournal);
-    Ok((given, areas))
 }
 
 /// Attributes and bound of a face.
