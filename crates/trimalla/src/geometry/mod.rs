@@ -34,8 +34,8 @@ pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
 pub use point::{Point, Vector};
 pub(crate) use predicates::{
-    AngleMeasure, HeightMeasure, SlopeMeasure, Turn, angles_of_two, barycentric, compare_angles, compare_lengths,
-    inside_two_circles, largest_corner, order_if_clear, sides_angle_excess, tangent_radii,
+    AngleMeasure, HeightMeasure, Natural, SlopeMeasure, Turn, angles_of_two, barycentric, compare_angles,
+    compare_lengths, inside_two_circles, largest_corner, order_if_clear, sides_angle_excess, tangent_radii,
 };
 pub use predicates::{
     CircleSide, Orientation, SegmentContact, along, angle_at_least, ccw, collinear, in_circle, in_circle_perturbed,

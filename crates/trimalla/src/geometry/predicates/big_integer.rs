@@ -2,28 +2,34 @@
 
 use core::cmp::Ordering;
 
-/// An integer. Its limbs are the magnitude, the lowest first, and the last one is not zero; zero is not negative.
+use super::natural::Natural;
+
+/// An integer. Zero is not negative.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct BigInteger {
     negative: bool,
-    limbs: Vec<u64>,
+    magnitude: Natural,
 }
 
 impl BigInteger {
     /// Zero.
-    pub(super) const ZERO: Self = Self { negative: false, limbs: Vec::new() };
+    pub(super) const ZERO: Self = Self { negative: false, magnitude: Natural::ZERO };
+
+    /// The integer of a sign and a magnitude.
+    fn signed(negative: bool, magnitude: Natural) -> Self {
+        Self { negative: negative && !magnitude.is_zero(), magnitude }
+    }
 
     /// Integers such that each value is exactly one of them times one common power of two.
     ///
     /// # Shape
-    /// Values must be finite. Numbers of one order of magnitude fit into two limbs; 35 are the most.
+    /// Values must be finite. Numbers of one order of magnitude fit into two digits; 35 are the most.
     pub(super) fn scaled<const N: usize>(values: [f64; N]) -> [Self; N] {
         let lowest = Self::exponent(values);
         values.map(|value| {
             let (significand, exponent) = decompose(value);
-            let magnitude = Self { negative: false, limbs: vec![significand] }.trimmed();
-            let shifted = if significand == 0 { magnitude } else { magnitude.shifted((exponent - lowest) as usize) };
-            Self { negative: value < 0.0, ..shifted }
+            let shift = if significand == 0 { 0 } else { (exponent - lowest) as usize };
+            Self::signed(value < 0.0, Natural::shifted(u128::from(significand), shift))
         })
     }
 
@@ -44,23 +50,24 @@ impl BigInteger {
     /// The magnitude, rounded, as a number below 2^64 and the exponent of the power of two that it is multiplied by.
     fn leading(&self) -> (f64, i32) {
         let mut value = 0.0;
-        let top = self.limbs.len().saturating_sub(3);
-        for &limb in self.limbs[top..].iter().rev() {
-            value = value * 18_446_744_073_709_551_616.0 + limb as f64; // 2^64
+        let digits = self.magnitude.digits();
+        let top = digits.len().saturating_sub(3);
+        for &digit in digits[top..].iter().rev() {
+            value = value * 18_446_744_073_709_551_616.0 + digit as f64; // 2^64
         }
         (value, 64 * top as i32)
     }
 
     /// The sum.
     pub(super) fn plus(&self, other: &Self) -> Self {
+        let mut magnitude = self.magnitude.clone();
         if self.negative == other.negative {
-            return Self { negative: self.negative, limbs: sum(&self.limbs, &other.limbs) };
+            magnitude.add(&other.magnitude);
+            return Self { negative: self.negative, magnitude };
         }
-        let (more, less) = match magnitude_order(&self.limbs, &other.limbs) {
-            Ordering::Less => (other, self),
-            _ => (self, other),
-        };
-        Self { negative: more.negative, limbs: difference(&more.limbs, &less.limbs) }.trimmed()
+        let is_of_other = self.magnitude < other.magnitude;
+        let negative = if is_of_other { other.negative } else { self.negative };
+        Self::signed(negative, Natural::distance(magnitude, other.magnitude.clone()))
     }
 
     /// The difference.
@@ -70,22 +77,12 @@ impl BigInteger {
 
     /// The integer with the other sign.
     pub(super) fn negated(&self) -> Self {
-        Self { negative: !self.negative && !self.limbs.is_empty(), limbs: self.limbs.clone() }
+        Self::signed(!self.negative, self.magnitude.clone())
     }
 
     /// The product.
     pub(super) fn times(&self, other: &Self) -> Self {
-        let mut limbs = vec![0; self.limbs.len() + other.limbs.len()];
-        for (i, &a) in self.limbs.iter().enumerate() {
-            let mut carry = 0_u128;
-            for (j, &b) in other.limbs.iter().enumerate() {
-                carry += u128::from(a) * u128::from(b) + u128::from(limbs[i + j]);
-                limbs[i + j] = low_limb(carry);
-                carry >>= 64;
-            }
-            limbs[i + other.limbs.len()] = low_limb(carry);
-        }
-        Self { negative: self.negative != other.negative, limbs }.trimmed()
+        Self::signed(self.negative != other.negative, self.magnitude.times(&other.magnitude))
     }
 
     /// The square.
@@ -96,75 +93,12 @@ impl BigInteger {
     /// The order of two integers.
     pub(super) fn compare(&self, other: &Self) -> Ordering {
         match (self.negative, other.negative) {
-            (false, false) => magnitude_order(&self.limbs, &other.limbs),
-            (true, true) => magnitude_order(&other.limbs, &self.limbs),
-            (negative, _) => {
-                if negative {
-                    Ordering::Less
-                } else {
-                    Ordering::Greater
-                }
-            }
+            (false, false) => self.magnitude.cmp(&other.magnitude),
+            (true, true) => other.magnitude.cmp(&self.magnitude),
+            (true, false) => Ordering::Less,
+            (false, true) => Ordering::Greater,
         }
     }
-
-    /// Without leading zeros.
-    fn trimmed(mut self) -> Self {
-        while self.limbs.last() == Some(&0) {
-            self.limbs.pop();
-        }
-        self.negative &= !self.limbs.is_empty();
-        self
-    }
-
-    /// Times two to a power.
-    fn shifted(&self, bits: usize) -> Self {
-        let shift = bits % 64;
-        let mut limbs = vec![0; bits / 64];
-        let mut carry = 0;
-        for &limb in &self.limbs {
-            limbs.push(limb << shift | carry);
-            carry = if shift == 0 { 0 } else { limb >> (64 - shift) };
-        }
-        limbs.push(carry);
-        Self { negative: self.negative, limbs }.trimmed()
-    }
-}
-
-fn sum(a: &[u64], b: &[u64]) -> Vec<u64> {
-    let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    let mut limbs = Vec::with_capacity(long.len() + 1);
-    let mut carry = 0_u128;
-    for (i, &limb) in long.iter().enumerate() {
-        carry += u128::from(limb) + u128::from(short.get(i).copied().unwrap_or(0));
-        limbs.push(low_limb(carry));
-        carry >>= 64;
-    }
-    if carry != 0 {
-        limbs.push(low_limb(carry));
-    }
-    limbs
-}
-
-/// The difference of magnitudes, the first of which is not the smaller one.
-fn difference(more: &[u64], less: &[u64]) -> Vec<u64> {
-    let mut borrow = false;
-    let each = more.iter().enumerate().map(|(i, &limb)| {
-        let (first, under) = limb.overflowing_sub(less.get(i).copied().unwrap_or(0));
-        let (second, under_again) = first.overflowing_sub(u64::from(borrow));
-        borrow = under || under_again;
-        second
-    });
-    each.collect()
-}
-
-fn magnitude_order(a: &[u64], b: &[u64]) -> Ordering {
-    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the lower limb is meant")]
-const fn low_limb(wide: u128) -> u64 {
-    wide as u64
 }
 
 /// A number times a power of two; infinite or zero where that is out of range.
@@ -218,9 +152,9 @@ mod tests {
     #[test]
     fn far_exponents_share_one_power_of_two() {
         let [large, small, none] = BigInteger::scaled([f64::MAX, 5e-324, 0.0]);
-        assert_eq!(small, BigInteger { negative: false, limbs: vec![1] });
-        assert_eq!(large.limbs.len(), 33);
-        assert!(none.limbs.is_empty());
+        assert_eq!(small, BigInteger::signed(false, Natural::shifted(1, 0)));
+        assert_eq!(large.magnitude.digits().len(), 33);
+        assert!(none.magnitude.is_zero());
         let square = large.squared();
         assert_eq!(square.minus(&square.plus(&small)).compare(&none), Ordering::Less);
         assert_eq!(square.plus(&small).minus(&square), small);

@@ -17,10 +17,10 @@
 
 use std::cmp::Ordering;
 
-use super::natural::Natural;
 use super::weight::{Weight, order_of_ways};
 use crate::geometry::math::power_of_two_scale;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Natural, Point, Vector};
+use crate::half_edge::EdgeKey;
 
 /// The digits of 64 bits behind the point of a square root, one round after the other.
 const PLACES: [usize; 3] = [4, 16, 64];
@@ -96,8 +96,7 @@ impl<'a> Lengths<'a> {
 
     /// The order of edges: by length, then by their vertices.
     pub(super) fn order(&self, one: [u32; 2], two: [u32; 2]) -> Ordering {
-        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-        self.compare(one, two).then_with(|| sorted(one).cmp(&sorted(two)))
+        self.compare(one, two).then_with(|| EdgeKey::of(one).cmp(&EdgeKey::of(two)))
     }
 
     /// What two sums of lengths do not have in common.

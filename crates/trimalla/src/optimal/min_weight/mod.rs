@@ -49,7 +49,6 @@ mod faces;
 mod fallback;
 mod fans;
 mod lengths;
-mod natural;
 mod polygon_program;
 mod skeleton;
 mod walks;
@@ -66,6 +65,7 @@ use walks::Plane;
 use super::input::in_order;
 use super::{Optimal, OptimalError, OptimalInput};
 use crate::geometry::{Point, segments_cross_properly};
+use crate::half_edge::{EdgeKey, edges_of};
 use crate::trace::{Shape, Trace};
 
 /// What the search for a triangulation of least weight may cost.
@@ -271,10 +271,6 @@ fn unproved(base: &Base<'_>, lengths: &Lengths<'_>) -> MinimumWeight {
 /// The result with its triangles in order.
 fn finished(lengths: &Lengths<'_>, triangles: Vec<[u32; 3]>, is_proved: bool) -> Optimal {
     let triangles = in_order(triangles);
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)]);
-    let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    let value = lengths.sum(edges.into_iter());
+    let value = lengths.sum(edges_of(&triangles).into_iter().map(EdgeKey::ends));
     Optimal { triangles, is_proved, value }
 }

@@ -1,14 +1,16 @@
 //! Natural numbers of any size, for comparisons that double precision leaves open.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 /// A natural number: digits of 64 bits, the lowest first, the highest not zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Natural(Vec<u64>);
+pub(crate) struct Natural(Vec<u64>);
 
 impl Natural {
+    pub(super) const ZERO: Self = Self(Vec::new());
+
     /// `value * 2^shift`.
-    pub(super) fn shifted(value: u128, shift: usize) -> Self {
+    pub(crate) fn shifted(value: u128, shift: usize) -> Self {
         let mut all = vec![0; shift / 64];
         let bits = shift % 64;
         let (low, high) = (value as u64, (value >> 64) as u64);
@@ -17,7 +19,12 @@ impl Natural {
         Self(all).trimmed()
     }
 
-    pub(super) fn is_zero(&self) -> bool {
+    /// The digits, the lowest first; the highest is not zero.
+    pub(super) fn digits(&self) -> &[u64] {
+        &self.0
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
@@ -34,7 +41,7 @@ impl Natural {
     }
 
     /// Adds a number.
-    pub(super) fn add(&mut self, other: &Self) {
+    pub(crate) fn add(&mut self, other: &Self) {
         if self.0.len() < other.0.len() {
             self.0.resize(other.0.len(), 0);
         }
@@ -63,7 +70,7 @@ impl Natural {
     }
 
     /// The distance of two numbers.
-    pub(super) fn distance(mut one: Self, mut two: Self) -> Self {
+    pub(crate) fn distance(mut one: Self, mut two: Self) -> Self {
         if one < two {
             std::mem::swap(&mut one, &mut two);
         }
@@ -72,7 +79,7 @@ impl Natural {
     }
 
     /// The product.
-    pub(super) fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         let mut product = vec![0; self.0.len() + other.0.len()];
         for (i, &a) in self.0.iter().enumerate() {
             let mut carry = 0;
@@ -87,12 +94,12 @@ impl Natural {
     }
 
     /// The number times a small one.
-    pub(super) fn times_small(&self, factor: u64) -> Self {
+    pub(crate) fn times_small(&self, factor: u64) -> Self {
         self.times(&Self::shifted(u128::from(factor), 0))
     }
 
     /// The number times `2^(64 * digits)`.
-    pub(super) fn raised(&self, digits: usize) -> Self {
+    pub(crate) fn raised(&self, digits: usize) -> Self {
         let mut all = vec![0; digits];
         all.extend(&self.0);
         Self(all).trimmed()
@@ -125,7 +132,7 @@ impl Natural {
     }
 
     /// The square root, rounded down: one binary digit after the other, as by hand.
-    pub(super) fn root(&self) -> Self {
+    pub(crate) fn root(&self) -> Self {
         let (mut root, mut rest) = (Self::default(), Self::default());
         for pair in (0..self.bits().div_ceil(2)).rev() {
             let two = (self.0[pair / 32] >> (2 * (pair % 32))) & 3;
@@ -147,7 +154,7 @@ impl Natural {
     }
 
     /// The square root, if the number is a square.
-    pub(super) fn exact_root(&self) -> Option<Self> {
+    pub(crate) fn exact_root(&self) -> Option<Self> {
         let root = self.root();
         (root.times(&root) == *self).then_some(root)
     }
