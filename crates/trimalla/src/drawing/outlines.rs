@@ -2,6 +2,7 @@
 
 use super::IndexedMesh;
 use super::sides::{Side, Sides};
+use crate::geometry::Ring;
 
 /// A part of the plane that triangles cover, joined along edges: its outline and its holes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,17 +38,12 @@ impl IndexedMesh {
         }
         // All rings have the part on their left, so that the outer one alone runs counter-clockwise.
         for Outline { rings } in &mut outlines {
-            if let Some(outer) = rings.iter().position(|ring| self.turns_left(ring)) {
+            if let Some(outer) = Ring::outline_of(rings, &self.points) {
                 rings[..=outer].rotate_right(1);
             }
         }
         outlines.retain(|outline| !outline.rings.is_empty());
         outlines
-    }
-
-    fn turns_left(&self, ring: &[u32]) -> bool {
-        let points: Vec<_> = ring.iter().map(|&v| self.points[v as usize]).collect();
-        crate::geometry::Ring::new(&points).orientation() == crate::geometry::Orientation::CounterClockwise
     }
 
     /// The ring that a boundary side begins; empty if it was gone along before.

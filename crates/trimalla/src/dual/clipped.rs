@@ -19,8 +19,8 @@ use super::error::VoronoiError;
 use super::overlay::Overlay;
 use super::voronoi::Voronoi;
 use crate::delaunay::Delaunay;
-use crate::geometry::{BoundingBox, Orientation, Point, Ring};
-use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
+use crate::geometry::{BoundingBox, Point, Ring};
+use crate::half_edge::{EdgeKey, FaceId, HalfEdgeId, VertexId};
 use crate::trace::{NoTrace, Trace};
 use crate::triangulation::Triangulation;
 
@@ -106,7 +106,7 @@ impl ClippedVoronoi {
     #[must_use]
     pub fn sides(&self) -> Vec<[u32; 2]> {
         let rings = self.cells.iter().flatten().flat_map(Piece::rings);
-        let mut sides: Vec<[u32; 2]> = rings.flat_map(sides_of).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let mut sides: Vec<[u32; 2]> = rings.flat_map(sides_of).map(|side| EdgeKey::of(side).ends()).collect();
         sides.sort_unstable();
         sides.dedup();
         sides
@@ -256,11 +256,7 @@ fn ring_through(
 
 /// The piece with these rings, one of which is the outer one.
 fn piece_of(mut rings: Vec<Vec<u32>>, points: &[Point]) -> Piece {
-    let is_outer = |ring: &Vec<u32>| {
-        let corners: Vec<Point> = ring.iter().map(|&i| points[i as usize]).collect();
-        Ring::new(&corners).orientation() == Orientation::CounterClockwise
-    };
-    let outer = if rings.len() == 1 { Some(0) } else { rings.iter().position(is_outer) };
+    let outer = if rings.len() == 1 { Some(0) } else { Ring::outline_of(&rings, points) };
     let outer = outer.map_or_else(Vec::new, |i| rings.swap_remove(i));
     Piece { outer, holes: rings }
 }

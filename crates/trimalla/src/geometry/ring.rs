@@ -21,6 +21,18 @@ impl<'a> Ring<'a> {
         Self { points }
     }
 
+    /// The first of some rings that runs counter-clockwise: the outline, among the rings of a connected area that all
+    /// have it on their left.
+    ///
+    /// # Shape
+    /// Each ring lists indices of points.
+    pub(crate) fn outline_of(rings: &[Vec<u32>], points: &[Point]) -> Option<usize> {
+        rings.iter().position(|ring| {
+            let corners: Vec<Point> = ring.iter().map(|&v| points[v as usize]).collect();
+            Ring::new(&corners).orientation() == Orientation::CounterClockwise
+        })
+    }
+
     /// The sides: pairs of successive points, the last point with the first.
     pub fn sides(self) -> impl ExactSizeIterator<Item = (Point, Point)> + DoubleEndedIterator + Clone {
         let points = self.points;
