@@ -9,10 +9,11 @@ use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
 /// A broken invariant of a triangulation, with the elements concerned.
 ///
-/// The numbers name invariants. I01: half-edges are symmetric. I02: the faces around a vertex are one cycle. I03: Euler's
-/// formula holds. I04: faces are counter-clockwise. I06: the hull is convex. I07: duplicates are unused. I08: vertices
-/// are finite. I09, I10 and I12: the circle test, that of constrained triangulations, and its tie rule. I13: segments
-/// are chains of edges. Others, such as I05, that no two triangles overlap, follow from these or concern meshes alone.
+/// The numbers name invariants. I01: half-edges are symmetric. I02: the faces around a vertex are one cycle. I03:
+/// Euler's formula holds. I04: faces are counter-clockwise. I06: the hull is convex. I07: duplicates are unused. I08:
+/// vertices are finite. I09, I10 and I12: the circle test, that of constrained triangulations, and its tie rule. I13:
+/// segments are chains of edges. Others, such as I05, that no two triangles overlap, follow from these or concern
+/// meshes alone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Fault {
