@@ -97,6 +97,28 @@ impl ConstrainedDelaunay {
         algorithm: AlgorithmKey,
     ) -> Result<Self, ConstraintError> {
         let (t, curve_order) = algorithm.triangulate_all(points)?;
+        Self::with_segments(t, curve_order, segments, crossings)
+    }
+
+    /// [`with_algorithm`](Self::with_algorithm) for a caller that will carve, and so read the marks of all edges.
+    pub(crate) fn to_be_carved(
+        points: &[Point],
+        segments: &[[u32; 2]],
+        crossings: Crossings,
+        algorithm: AlgorithmKey,
+    ) -> Result<Self, ConstraintError> {
+        let (mut t, curve_order) = algorithm.triangulate_all(points)?;
+        t.mesh.reserve_marks();
+        Self::with_segments(t, curve_order, segments, crossings)
+    }
+
+    /// Inserts segments into the triangulation of some points, whose order along a curve may be known.
+    fn with_segments(
+        t: Triangulation,
+        curve_order: Option<Vec<VertexId>>,
+        segments: &[[u32; 2]],
+        crossings: Crossings,
+    ) -> Result<Self, ConstraintError> {
         let data = ConstrainedTriangulation::new(t).with_curve_order(curve_order);
         let mut cdt = Self::new_unchecked(data);
         cdt.insert_segments_with(segments, crossings, &mut NoJournal)?;

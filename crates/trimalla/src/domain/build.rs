@@ -72,7 +72,7 @@ pub fn triangulate(
     algorithm: AlgorithmKey,
 ) -> Result<(ConstrainedDelaunay, Vec<Warning>), DomainError> {
     pslg.validate()?;
-    let cdt = ConstrainedDelaunay::with_algorithm(&pslg.points, &pslg.segments, crossings, algorithm)?;
+    let cdt = ConstrainedDelaunay::to_be_carved(&pslg.points, &pslg.segments, crossings, algorithm)?;
     let warnings = warnings_of(&cdt);
     Ok((cdt, warnings))
 }

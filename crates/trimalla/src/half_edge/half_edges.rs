@@ -415,15 +415,31 @@ impl HalfEdgeMesh {
             if m == 0 {
                 return;
             }
-            // Written rather than taken as zeroed memory: pages of that are mapped twice, at the first read and at the
-            // first write.
-            self.mark.resize(self.face_slots(), [0; 3]);
+            self.begin_marks();
             if J::ACTIVE {
                 j.note(columns::MARKS_ADDED, 0, 0);
             }
         }
         self.set_mark_one_side(h, m, j);
         self.set_mark_one_side(self.twin(h), m, j);
+    }
+
+    /// Begins to keep marks: makes room for those of all faces, none of which has one yet.
+    #[cold]
+    #[inline(never)]
+    fn begin_marks(&mut self) {
+        if self.mark.capacity() == 0 {
+            // Zeroed memory: pages without a mark are never mapped.
+            self.mark = vec![[0; 3]; self.face_slots()];
+        } else {
+            self.mark.resize(self.face_slots(), [0; 3]);
+        }
+    }
+
+    /// Reserves memory for marks, for a caller that will read those of all faces. It is written as a whole then: pages
+    /// of zeroed memory would be mapped twice, at the first read and at the first write.
+    pub(crate) fn reserve_marks(&mut self) {
+        self.mark.reserve_exact(self.face_slots());
     }
 
     /// Sets the region of a face.
