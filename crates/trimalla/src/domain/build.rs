@@ -2,7 +2,7 @@
 
 use super::error::{DomainError, OpenEnd, Warning};
 use super::flood::{depths, flood};
-use super::left_out::left_out;
+use super::left_out::{has_lost_side, segments_left_out, vertices_left_out};
 use super::near_misses::nearest_outside;
 use super::{regions, seeds};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings, leave_out};
@@ -174,9 +174,13 @@ fn carved(
     let removed = kept.iter().enumerate().filter(|(_, is_kept)| !**is_kept).map(|(f, _)| FaceId::from_index(f));
     let removed: Vec<FaceId> = removed.filter(|&f| cdt.is_real(f)).collect();
     warnings.extend(nearest_outside(&cdt, &removed));
+    let loses_segments = removed.iter().any(|&f| has_lost_side(&cdt, &kept, f));
     cdt.edit(&mut NoJournal).carve_real(&kept);
-    if !removed.is_empty() || pslg.segment_markers.iter().any(|&marker| marker != 0) {
-        warnings.extend(left_out(&cdt, pslg));
+    if !removed.is_empty() {
+        warnings.extend(vertices_left_out(&cdt, pslg));
+    }
+    if loses_segments || pslg.segment_markers.iter().any(|&marker| marker != 0) {
+        warnings.extend(segments_left_out(&cdt, pslg));
     }
     regions::assign(&mut cdt.edit(&mut NoJournal), &pslg.regions, &mut warnings)?;
     Ok((cdt, warnings))

@@ -3,19 +3,33 @@
 use super::error::Warning;
 use crate::constrained::ConstrainedTriangulation;
 use crate::drawing::{Pslg, SegmentId};
-use crate::half_edge::VertexId;
+use crate::half_edge::{FaceId, HalfEdgeId, VertexId};
 
-/// Warnings about vertices and segments outside a carved triangulation, and about markers hidden by others.
+/// Whether a side of a face that will be removed is a subsegment without a kept face beside it.
+///
+/// Without any such face every segment keeps all of its subsegments.
+#[inline]
+pub(super) fn has_lost_side(cdt: &ConstrainedTriangulation, kept: &[bool], f: FaceId) -> bool {
+    let is_lost = |h: HalfEdgeId| cdt.is_marked(h) && !kept[cdt.twin(h).face().index()];
+    cdt.has_marked_side(f) && f.half_edges().into_iter().any(is_lost)
+}
+
+/// The warning about vertices outside a carved triangulation.
 ///
 /// # Complexity
-/// Linear in vertices and edges, a sort of the spans where segments overlap, and the segments of each.
-pub(super) fn left_out(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+/// Linear.
+pub(super) fn vertices_left_out(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Option<Warning> {
     let is_unused = |v: &VertexId| !cdt.is_used(*v) && cdt.representative(*v) == *v;
     let vertices = (0..pslg.points.len()).map(VertexId::from_index).filter(is_unused).map(|v| v.0);
-    if let Some((count, first)) = counted(vertices) {
-        warnings.push(Warning::VerticesOutside { count, first });
-    }
+    counted(vertices).map(|(count, first)| Warning::VerticesOutside { count, first })
+}
+
+/// Warnings about segments outside a carved triangulation, and about markers hidden by others.
+///
+/// # Complexity
+/// Linear in the edges, a sort of the spans where segments overlap, and the segments of each.
+pub(super) fn segments_left_out(cdt: &ConstrainedTriangulation, pslg: &Pslg) -> Vec<Warning> {
+    let mut warnings = Vec::new();
     if !pslg.segments.is_empty() {
         let found = Found::of(cdt, pslg);
         let has_length = |s: &SegmentId| cdt.segments().get(s.index()).is_some_and(|[a, b]| a != b);
