@@ -67,44 +67,37 @@ impl ConstrainedTriangulation {
     /// Linear, and a sort of each segment's pieces.
     fn subsegments(&self, pslg: &Pslg) -> Vec<Subsegment> {
         let markers = if pslg.segment_markers.iter().all(|&m| m == 0) { &[][..] } else { &pslg.segment_markers };
-        let (edges, ends) = self.edges_by_segment();
-        let mut sorted = Vec::with_capacity(edges.len());
-        let mut pieces = edges.into_iter();
-        for (segment, &end) in (0..).map(SegmentId).zip(&ends) {
-            let segment = Some(segment).filter(|&s| s.index() < self.segments().len());
-            let start = sorted.len();
-            sorted.extend(pieces.by_ref().take(end - start).map(|h| self.subsegment(h, segment, markers)));
-            if end - start > 1 {
-                sorted[start..].sort_unstable_by(|a, b| a.along.total_cmp(&b.along).then_with(|| a.ends.cmp(&b.ends)));
-            }
-        }
-        sorted
-    }
-
-    /// The marked edges by the lowest segment that each is part of, those of none at the end, sorted by counting; and
-    /// where those of each segment end.
-    fn edges_by_segment(&self) -> (Vec<HalfEdgeId>, Vec<usize>) {
         let count = self.segments().len();
-        // Until the edges are in order each place holds where the edges of its segment start, after that where they
-        // end.
+        // Until the subsegments are in order each place holds where those of its segment start, after that where they
+        // end. Those of no segment come last.
         let mut places = vec![0_usize; count + 2];
         let mut found = Vec::new();
-        // A loop instead of `collect`: the nested iterators would compile to a state machine.
+        // A loop instead of `collect`: the nested iterators would compile to a state machine. Subsegments are looked at
+        // in the order of slots: in the order of segments each would wait for its faces.
         self.for_each_marked_edge(|h| {
-            let segment = self.first_segment_of(h).map_or(count, |segment| segment.index());
-            places[segment + 1] += 1;
-            found.push((segment, h));
+            let segment = self.first_segment_of(h);
+            let place = segment.map_or(count, SegmentId::index);
+            places[place + 1] += 1;
+            found.push((place as u32, self.subsegment(h, segment, markers)));
         });
         for i in 0..=count {
             places[i + 1] += places[i];
         }
-        let mut sorted = vec![HalfEdgeId(0); found.len()];
-        for (segment, h) in found {
-            sorted[places[segment]] = h;
-            places[segment] += 1;
+        let mut sorted = vec![Subsegment::NONE; found.len()];
+        for (place, subsegment) in found {
+            let at = &mut places[place as usize];
+            sorted[*at] = subsegment;
+            *at += 1;
         }
-        places.pop();
-        (sorted, places)
+        let mut start = 0;
+        for &end in &places[..=count] {
+            if end - start > 1 {
+                sorted[start..end]
+                    .sort_unstable_by(|a, b| a.along.total_cmp(&b.along).then_with(|| a.ends.cmp(&b.ends)));
+            }
+            start = end;
+        }
+        sorted
     }
 
     /// The subsegment of an edge. Its marker is that of its lowest segment with a marker other than 0; else 1 on the
@@ -167,6 +160,11 @@ struct Subsegment {
     along: f64,
     on_boundary: bool,
     marker: i32,
+}
+
+impl Subsegment {
+    /// A placeholder.
+    const NONE: Self = Self { ends: [VertexId::INFINITE; 2], along: 0.0, on_boundary: false, marker: 0 };
 }
 
 /// The vertices that a mesh as plain arrays has: all but unused Steiner slots.
