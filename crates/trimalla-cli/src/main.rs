@@ -11,6 +11,7 @@
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`player`] | every step recorded: as a line, as a picture, and on a page that plays them |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
+//! | [`sizes`] | how large triangles are to be |
 //! | [`progress`] | the progress line, and Ctrl-C |
 //! | [`prompt`], [`script_text`] | commands typed at a terminal; what a script shows |
 //! | [`triangle`] | Triangle's switches and files |
@@ -35,6 +36,7 @@ mod recipe_options;
 mod refining;
 mod repeat;
 mod script_text;
+mod sizes;
 mod targets;
 mod terrain;
 mod text;

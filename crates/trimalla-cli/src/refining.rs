@@ -18,6 +18,7 @@ use crate::progress::{self, Watch};
 use crate::recipe_file;
 use crate::recipe_options::AskedOptions;
 use crate::repeat::CommandLine;
+use crate::sizes::SizeOptions;
 use crate::trace::{Trace, TraceOptions};
 use crate::{json, text};
 
@@ -26,6 +27,9 @@ use crate::{json, text};
 pub(crate) struct RefiningOptions {
     #[command(flatten)]
     asked: AskedOptions,
+
+    #[command(flatten)]
+    sizes: SizeOptions,
 
     #[command(flatten)]
     pub(crate) output: OutputOptions,
@@ -99,7 +103,8 @@ impl RefiningOptions {
             .with_trace(trace.clone())
             .timed(self.details)
             .warning(!self.report.quiet);
-        let task = Task { input, options: asked.refine_options(), picks };
+        let sizing = self.sizes.sizing(input.drawing())?;
+        let task = Task { input, options: asked.refine_options(), sizing, picks };
         let mut outcome = task.run(&mut watch).map_err(|error| match error {
             TaskError::Library(error) => in_words(error),
             TaskError::Pick(error) => error.into(),
@@ -107,6 +112,7 @@ impl RefiningOptions {
         drop(watch); // Clears its line.
         outcome.warnings.splice(0..0, job.notes);
         outcome.warnings.extend(self.asked.pick.warning(asked.recipe.select));
+        outcome.warnings.extend(self.sizes.warning(outcome.meshed.report.triangles));
         outcome.warnings.extend(trace.as_ref().and_then(Trace::warning));
         let Outcome { meshed: Meshed { mesh, report, .. }, before, warnings, missed, .. } = &outcome;
         let seconds = start.elapsed().as_secs_f64();
@@ -114,7 +120,7 @@ impl RefiningOptions {
         let recorded = trace.map(|trace| trace.finish()).transpose()?.unwrap_or_default();
         self.report.warn(warnings);
         let made = outcome.options_of(asked);
-        let command = job.command.with_refinement(&made, self.asked.pick.numbers());
+        let command = self.sizes.add_to(job.command).with_refinement(&made, self.asked.pick.numbers());
         let details = self.details.then(|| Statistics::of(mesh));
         let charts = details.as_ref().map(|statistics| bars::of_report(statistics, report)).unwrap_or_default();
         let prepared = outputs.prepare_mesh(recorded, mesh, &charts)?.with_recipe(&self.asked.file, asked)?;
@@ -133,6 +139,9 @@ impl RefiningOptions {
             text::add_before(&mut lines, *before);
             text::add_counts(&mut lines, mesh, job.vertices);
             text::add_outcome(&mut lines, report, asked, missed);
+            if let Some(sizes) = self.sizes.in_words() {
+                lines.row("sizes", sizes);
+            }
             text::add_attempts(&mut lines, outcome.meshed.attempted.as_ref());
             if let Some(floor) = &outcome.floor {
                 lines.row("floor", floor);

@@ -18,6 +18,8 @@ Examples:
   trimalla mesh key.poly -o key.1.ele -o key.svg          a mesh and its picture
   trimalla mesh key.poly --max-area 0.5 --min-angle 33    smaller, rounder triangles
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
+  trimalla mesh key.poly --triangles 5000                 about so many
+  trimalla mesh key.poly --size 0.5 --grow 1.2            edges of 0.5, smaller ones near small features
   trimalla mesh - -o - --format poly <key.poly            in a pipe
   trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
   trimalla mesh key.poly --player run.html                every step, to play in a browser

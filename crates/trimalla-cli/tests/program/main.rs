@@ -25,6 +25,7 @@ mod recipes;
 mod refine;
 mod reports;
 mod run;
+mod sizes;
 mod small_angles;
 mod spared;
 mod terrain;

@@ -4,7 +4,7 @@ use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::domain::Warning;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::refine::{Beginning, Clock, Event, NamedOptions, Observer, Outlook, Overview, Progress, RefineOptions};
-use trimalla::{DomainOptions, Error, MeshOptions, Meshed};
+use trimalla::{DomainOptions, Error, MeshOptions, Meshed, Sizing};
 
 use super::foresight::Foresight;
 use super::missed::MissedBounds;
@@ -42,6 +42,8 @@ pub struct Task<'a> {
     pub input: TaskInput<'a>,
     /// Recipe, criteria and limits, and how many runs may be made.
     pub options: RefineOptions,
+    /// Sizes beside those of the options.
+    pub sizing: Sizing,
     /// The triangles that the order `manual` treats.
     pub picks: Picks,
 }
@@ -89,11 +91,11 @@ impl Task<'_> {
             TaskInput::Drawing { drawing, domain, numbers } => {
                 run.foresight = Some(Foresight::new(numbers, self.options));
                 let options = MeshOptions { domain: *domain, refine: self.options };
-                trimalla::mesh_with(drawing, &options, &mut run)
+                trimalla::mesh_sized(drawing, &options, &self.sizing, &mut run)
             }
             TaskInput::Mesh { mesh, areas, drawing, .. } => {
                 let drawing = drawing.as_ref().map(|(drawing, _)| *drawing);
-                trimalla::refine_mesh_with(mesh, areas, drawing, &self.options, &mut run)
+                trimalla::refine_mesh_sized(mesh, areas, drawing, &self.options, &self.sizing, &mut run)
             }
         };
         let Run { foresight, before, fault, .. } = run;
@@ -128,6 +130,15 @@ impl Outcome {
 }
 
 impl TaskInput<'_> {
+    /// The drawing, if there is one.
+    #[must_use]
+    pub fn drawing(&self) -> Option<&Pslg> {
+        match self {
+            Self::Drawing { drawing, .. } => Some(drawing),
+            Self::Mesh { drawing, .. } => drawing.as_ref().map(|(drawing, _)| *drawing),
+        }
+    }
+
     /// A warning in the words of the drawing where it is about that.
     fn describe(&self, warning: &Warning) -> String {
         match (self, warning) {

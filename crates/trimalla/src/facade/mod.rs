@@ -3,9 +3,11 @@
 mod attempts;
 mod by_method;
 mod quiet;
+mod sizing;
 
 pub use attempts::Attempted;
 pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
+pub use sizing::Sizing;
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};
 use crate::delaunay::{AlgorithmKey, BuildError};
@@ -129,10 +131,23 @@ pub struct Meshed {
 /// # Errors
 /// See [`mesh`].
 pub fn mesh_with(pslg: &Pslg, options: &MeshOptions, observer: &mut dyn Observer) -> Result<Meshed, Error> {
+    mesh_sized(pslg, options, &Sizing::default(), observer)
+}
+
+/// [`mesh_with`] under sizes beside those of the options.
+///
+/// # Errors
+/// See [`mesh`].
+pub fn mesh_sized(
+    pslg: &Pslg,
+    options: &MeshOptions,
+    sizing: &Sizing,
+    observer: &mut dyn Observer,
+) -> Result<Meshed, Error> {
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
-    let Refined { cdt, report, outlook, attempted } = refined(cdt.into(), &options.refine, observer)?;
+    let Refined { cdt, report, outlook, attempted } = sizing::refined(cdt.into(), &options.refine, sizing, observer)?;
     Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook, attempted })
 }
 
@@ -145,7 +160,7 @@ struct Refined {
 }
 
 /// Refines a triangulation under an observer; the outlook is shown to one that wants it.
-fn refined(start: Start, options: &RefineOptions, observer: &mut dyn Observer) -> Result<Refined, OptionError> {
+fn refined_at_once(start: Start, options: &RefineOptions, observer: &mut dyn Observer) -> Result<Refined, OptionError> {
     if options.make_several_attempts() {
         return refined_by_attempts(&start, options, observer);
     }
@@ -226,6 +241,21 @@ pub fn refine_mesh_with(
     options: &RefineOptions,
     observer: &mut dyn Observer,
 ) -> Result<Meshed, Error> {
+    refine_mesh_sized(mesh, areas, input, options, &Sizing::default(), observer)
+}
+
+/// [`refine_mesh_with`] under sizes beside those of the options.
+///
+/// # Errors
+/// See [`refine_mesh`].
+pub fn refine_mesh_sized(
+    mesh: &IndexedMesh,
+    areas: &[Option<f64>],
+    input: Option<&Pslg>,
+    options: &RefineOptions,
+    sizing: &Sizing,
+    observer: &mut dyn Observer,
+) -> Result<Meshed, Error> {
     options.validate()?;
     let mut taken = domain::from_mesh(mesh, areas, input)?;
     let (given, mut warnings) = (std::mem::take(&mut taken.given), std::mem::take(&mut taken.warnings));
@@ -235,7 +265,7 @@ pub fn refine_mesh_with(
             return Err(Error::NotOfDrawing(faults));
         }
     }
-    let Refined { cdt, report, outlook, attempted } = refined(taken.into(), options, observer)?;
+    let Refined { cdt, report, outlook, attempted } = sizing::refined(taken.into(), options, sizing, observer)?;
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }

@@ -55,6 +55,7 @@ pub use criteria::reason::{Reason, StopReason};
 pub use engine::Refinement;
 pub(crate) use engine::recovery::make_conforming;
 pub use engine::start::Start;
+pub(crate) use forecast::gradation::gradation;
 pub use forecast::outlook::Outlook;
 pub use forecast::{Cause, Feature, Forecast, Gap, forecast};
 pub use measure::lepp;

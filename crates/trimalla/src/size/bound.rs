@@ -58,6 +58,18 @@ impl AreaBound {
         self.doubled
     }
 
+    /// The length of the edges of an equilateral triangle with this area, infinite where there is no bound.
+    #[must_use]
+    pub fn edge(self) -> f64 {
+        (self.area() * (4.0 / 3f64.sqrt())).sqrt()
+    }
+
+    /// The bound on the area times a factor, which must be positive.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { doubled: self.doubled * factor }
+    }
+
     /// Whether there is no bound.
     #[must_use]
     #[inline]

@@ -86,7 +86,8 @@ impl SizeBounds {
         f: FaceId,
         corners: [Point; 3],
     ) -> bool {
-        !self.bound(&TriangleInRegion::of_face(cdt, f, corners)).admits(doubled_area)
+        let (at, area) = (TriangleInRegion::of_face(cdt, f, corners), 0.5 * doubled_area);
+        !(self.by_region.admits(&at, area) && self.fields.iter().all(|field| field.admits(&at, area)))
     }
 }
 

@@ -36,6 +36,12 @@ pub trait SizeField: Send + Sync {
         self.everywhere()
     }
 
+    /// Whether a triangle with this area keeps the bound: what [`bound`](Self::bound) says, where a field can tell it
+    /// with less work.
+    fn admits(&self, at: &TriangleInRegion, area: f64) -> bool {
+        area <= self.bound(at).area()
+    }
+
     /// The bound that triangles inside this one are expected to get, for the forecast and for the lattice that fills
     /// wide parts. It need not be exact: each triangle is tested for itself later.
     fn expected_within(&self, at: &TriangleInRegion) -> AreaBound {

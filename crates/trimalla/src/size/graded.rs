@@ -64,7 +64,13 @@ pub enum SizeError {
     /// The growth is negative or not finite.
     #[error("the growth must be finite and not negative, not {0}")]
     Growth(f64),
+    /// The factor between neighbouring edges is below 1 or not finite.
+    #[error("the factor between neighbouring sizes must be finite and at least 1, not {0}")]
+    Factor(f64),
 }
+
+/// Lengths that differ by less than this part are compared by areas.
+const NEARLY: f64 = 1e-9;
 
 /// Small near chosen points and segments, growing with the distance from them.
 ///
@@ -127,6 +133,20 @@ impl SizeField for Graded {
     fn bound(&self, at: &TriangleInRegion) -> AreaBound {
         let lengths = at.triangle.corners.map(|corner| self.length_at(corner));
         AreaBound::of_edge(lengths.into_iter().fold(f64::INFINITY, f64::min))
+    }
+
+    /// Most triangles are decided by the length at one corner: at the others it is larger or smaller by the growth along
+    /// the side at most.
+    fn admits(&self, at: &TriangleInRegion, area: f64) -> bool {
+        let needed = AreaBound::of_area(area).edge();
+        let [a, b, c] = at.triangle.corners;
+        let length = self.length_at(a);
+        // Rounded lengths a little off the bound are left to the exact comparison.
+        if length < (1.0 - NEARLY) * needed {
+            return false;
+        }
+        let reach = self.growth * (b - a).length_sq().max((c - a).length_sq()).sqrt();
+        length - reach > (1.0 + NEARLY) * needed || area <= self.bound(at).area()
     }
 
     fn sure_bound(&self) -> AreaBound {

@@ -8,6 +8,7 @@
 //! | [`ByRegion`] | that of the region in which a triangle lies |
 //! | [`ByTriangle`] | that of the triangle of a given mesh in which the middle of a triangle lies |
 //! | [`Graded`] | small near chosen points and segments, growing with the distance from them |
+//! | [`Scaled`] | that of other fields, times a factor |
 //! | [`ByFunction`] | what a function of the caller's says |
 //!
 //! A refinement holds the least of several fields, [`SizeBounds`], and asks them only where two numbers do not decide:
@@ -37,6 +38,7 @@ mod by_region;
 mod by_triangle;
 mod field;
 mod graded;
+mod scaled;
 mod source_tree;
 #[cfg(test)]
 mod tests;
@@ -50,5 +52,6 @@ pub use by_region::ByRegion;
 pub use by_triangle::ByTriangle;
 pub use field::SizeField;
 pub use graded::{Graded, SizeError, SizeSource};
+pub use scaled::Scaled;
 pub use triangle_in_region::TriangleInRegion;
 pub use uniform::Uniform;

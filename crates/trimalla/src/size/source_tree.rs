@@ -9,6 +9,8 @@ use crate::geometry::{BoundingBox, Point};
 
 /// No node with so few sources is divided.
 const LEAF: usize = 8;
+/// More than the depth of a tree: halving 2^64 sources gives no more levels.
+const DEEPEST: usize = 66;
 
 /// Sources, found by the length that they leave at a point.
 #[derive(Clone, Debug)]
@@ -84,10 +86,16 @@ impl SourceTree {
 
     /// The least length that a source leaves at a point.
     pub(super) fn least_length_at(&self, p: Point, growth: f64) -> f64 {
-        let (mut least, mut open) = (f64::INFINITY, Vec::new());
+        let mut least = f64::INFINITY;
         let bounded = |at: usize| (self.nodes[at].least_length_at(p, growth), at);
-        open.extend((!self.nodes.is_empty()).then(|| bounded(0)));
-        while let Some((bound, at)) = open.pop() {
+        // The halves that are still to be looked at: one at each depth, and the tree is no deeper than the logarithm.
+        let (mut open, mut count) = ([(0.0, 0); DEEPEST], 0);
+        if !self.nodes.is_empty() {
+            (open[0], count) = (bounded(0), 1);
+        }
+        while count > 0 {
+            count -= 1;
+            let (bound, at) = open[count];
             let Node { first, end, upper, .. } = self.nodes[at];
             if bound >= least {
                 continue;
@@ -99,7 +107,9 @@ impl SourceTree {
             } else {
                 // The one that promises less is looked at first.
                 let [lower, upper] = [bounded(at + 1), bounded(upper)];
-                open.extend(if lower.0 <= upper.0 { [upper, lower] } else { [lower, upper] });
+                let halves = if lower.0 <= upper.0 { [upper, lower] } else { [lower, upper] };
+                open[count..count + 2].copy_from_slice(&halves);
+                count += 2;
             }
         }
         least

@@ -30,5 +30,6 @@ mod references;
 mod refine_mesh;
 mod regions;
 mod size;
+mod sizing;
 mod steps;
 mod textbook;

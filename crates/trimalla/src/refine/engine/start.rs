@@ -130,6 +130,19 @@ impl Start {
         self
     }
 
+    /// Adds a size field that others hold, too.
+    #[must_use]
+    pub fn with_shared_size(mut self, field: Arc<dyn SizeField>) -> Self {
+        self.fields.push(field);
+        self
+    }
+
+    /// The size fields beside the options and the regions.
+    #[must_use]
+    pub fn sizes(&self) -> &[Arc<dyn SizeField>] {
+        &self.fields
+    }
+
     /// The outlook: the forecast, the angle ceiling and the smallest input angle.
     ///
     /// # Complexity

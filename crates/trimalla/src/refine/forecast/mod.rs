@@ -16,6 +16,7 @@
 //! Segments that meet at a vertex do not count as close to each other: shells end refinement across a small angle.
 
 mod feet;
+pub(super) mod gradation;
 pub(super) mod outlook;
 mod profile;
 mod sizes;

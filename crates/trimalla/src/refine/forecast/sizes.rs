@@ -33,12 +33,23 @@ impl Sizes {
     /// # Complexity
     /// O(n log n).
     pub(super) fn of(footed: &Footed, grading: f64, floor: f64, precision: f64) -> Self {
+        Self::under(footed, grading, floor, precision, |_| f64::INFINITY)
+    }
+
+    /// Like [`of`](Self::of), where no size at a vertex is above `most`.
+    pub(super) fn under(
+        footed: &Footed,
+        grading: f64,
+        floor: f64,
+        precision: f64,
+        most: impl Fn(VertexId) -> f64,
+    ) -> Self {
         let n = footed.cdt.points().len();
         let source = (0..n).map(VertexId::from_index).collect();
         let mut sizes = Self { floor, precision, size: vec![f64::INFINITY; n], source, partner: vec![None; n] };
         sizes.measure(footed);
-        for size in &mut sizes.size {
-            *size = size.max(floor);
+        for (v, size) in sizes.size.iter_mut().enumerate() {
+            *size = size.min(most(VertexId::from_index(v))).max(floor);
         }
         sizes.grade(footed, grading);
         sizes
