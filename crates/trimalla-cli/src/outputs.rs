@@ -65,13 +65,24 @@ impl Outputs {
 
     /// Checks where lines and their table go: a file `.csv` gets the table, all others the drawing, in whose pictures
     /// only vertices on no segment are dots.
-    pub(crate) fn with_lines<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
-        let (tables, output): (Vec<_>, _) = options.output.iter().cloned().partition(|path| is_table(path));
-        self = self.with_results(&OutputOptions { output, format: options.format }, input)?;
+    pub(crate) fn with_lines<T>(self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
+        let planned = self.with_mesh_and_table(options, input)?;
+        Ok(planned.with_pictures(|picture| picture.with_only_lone_vertices(true)))
+    }
+
+    /// Draws pictures with options changed like this.
+    pub(crate) fn with_pictures(mut self, change: impl Fn(PictureOptions) -> PictureOptions) -> Self {
         for target in &mut self.targets {
-            let picture = target.options.picture.clone().with_only_lone_vertices(true);
+            let picture = change(target.options.picture.clone());
             target.options = target.options.clone().with_picture(picture);
         }
+        self
+    }
+
+    /// Checks where a mesh and its table go: a file `.csv` gets the table, all others the mesh.
+    pub(crate) fn with_mesh_and_table<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
+        let (tables, output): (Vec<_>, _) = options.output.iter().cloned().partition(|path| is_table(path));
+        self = self.with_results(&OutputOptions { output, format: options.format }, input)?;
         for path in &tables {
             let target = self.checked(Target::of_text(path))?;
             self.tables.push(target);
@@ -180,11 +191,16 @@ impl Outputs {
 
     /// Writes lines as a drawing and as a table; files appear when what is returned is committed.
     pub(crate) fn prepare_lines(&self, pslg: &Pslg, table: &str) -> Result<Prepared, Failure> {
-        let mut before = io::Outputs::default();
+        let before = self.with_tables(io::Outputs::default(), table)?;
+        self.prepare(before, |out, target| out.add_pslg(&target.path, pslg, &target.options))
+    }
+
+    /// Writes a table to the files that want it, beside what was written before.
+    pub(crate) fn with_tables(&self, mut before: io::Outputs, table: &str) -> Result<io::Outputs, Failure> {
         for target in &self.tables {
             or_reader_left(&target.path, before.add_text(&target.path, table))?;
         }
-        self.prepare(before, |out, target| out.add_pslg(&target.path, pslg, &target.options))
+        Ok(before)
     }
 
     fn prepare(

@@ -108,7 +108,7 @@ pub use error::{Fault, Ignored, IoError, Note, Place};
 pub use files::{Files, Memory};
 pub use format::Format;
 pub use numbers::VertexRange;
-pub use picture::PictureOptions;
+pub use picture::{Overlay, PictureOptions};
 pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,

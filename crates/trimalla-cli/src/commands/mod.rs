@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod contour;
 pub(crate) mod convert;
+pub(crate) mod guards;
 pub(crate) mod interpolate;
 pub(crate) mod list;
 pub(crate) mod mesh;
@@ -13,6 +14,7 @@ pub(crate) mod setup;
 pub(crate) mod stats;
 pub(crate) mod triangle;
 pub(crate) mod triangulate;
+pub(crate) mod visible;
 pub(crate) mod voronoi;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +40,7 @@ Examples:
   trimalla contour terrain.node --step 10 -o lines.svg
                                               lines of equal height
   trimalla triangle -pq30a0.1 key             Triangle's switches and files
+  trimalla guards plan.poly -o guards.svg     guards that see every place of a floor plan
   trimalla run session.tri                    a script of commands: draw, triangulate, edit, refine
   trimalla list                               algorithms, steps, rules and formats
 
@@ -55,6 +58,8 @@ enum Command {
     Voronoi(voronoi::Options),
     Interpolate(interpolate::Options),
     Contour(contour::Options),
+    Visible(visible::Options),
+    Guards(guards::Options),
     Run(run::Options),
     Triangle(triangle::Options),
     List(list::Options),
@@ -75,6 +80,8 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Voronoi(options) => voronoi::run(&options),
         Command::Interpolate(options) => interpolate::run(&options),
         Command::Contour(options) => contour::run(&options),
+        Command::Visible(options) => visible::run(&options),
+        Command::Guards(options) => guards::run(&options),
         Command::Run(options) => run::run(&options),
         Command::Triangle(options) => triangle::run(&options),
         Command::List(options) => list::run(&options),

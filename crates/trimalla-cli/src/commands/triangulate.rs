@@ -7,6 +7,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::optimal::OptimalError;
 use trimalla::trace::Recorder;
 use trimalla::{ByMethod, Error, Method};
+use trimalla_io::Overlay;
 use trimalla_workbench::numbers::FileNumbers;
 use trimalla_workbench::record::Player;
 
@@ -76,7 +77,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let domain = options.drawing.domain_options(AlgorithmKey::default());
     let column = options.attribute as usize - 1;
     let made = trimalla::triangulate_by(&drawing.value, options.algorithm, &domain, column, &mut recorder);
-    let ByMethod { mesh, warnings, attained } = made.map_err(|error| failure(&names, error))?;
+    let ByMethod { mesh, warnings, attained, gallery } = made.map_err(|error| failure(&names, error))?;
     let seconds = start.elapsed().as_secs_f64();
     let title = drawing.title();
     let player = if recorder.count() > 0 {
@@ -92,6 +93,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     if let Some(player) = player {
         options.player.write(player, &mut recorded)?;
     }
+    let overlay = gallery.map(|gallery| Overlay::of_gallery(&mesh.points, &gallery)).unwrap_or_default();
+    let outputs = outputs.with_pictures(|picture| picture.with_overlay(overlay.clone()));
     let prepared = outputs.prepare_mesh(recorded, &mesh, &[])?;
     let angles_deg = || text::extreme_angles_deg(&mesh);
     if options.report.json {
@@ -121,7 +124,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 }
 
 /// Why nothing was triangulated, and what may help.
-fn failure(names: &FileNumbers<'_>, error: Error) -> Failure {
+pub(crate) fn failure(names: &FileNumbers<'_>, error: Error) -> Failure {
     match error {
         Error::Domain(error) => drawing_faults::failure(names, &error),
         Error::NoPolygon => Failure::bad_input(error.to_string())

@@ -5,7 +5,7 @@ use trimalla::refine::registry;
 use crate::common::Scratch;
 
 /// The subcommands that teach by examples: all but 'list'.
-const SUBCOMMANDS: [&str; 14] = [
+const SUBCOMMANDS: [&str; 16] = [
     "mesh",
     "refine",
     "triangulate",
@@ -16,6 +16,8 @@ const SUBCOMMANDS: [&str; 14] = [
     "voronoi",
     "interpolate",
     "contour",
+    "visible",
+    "guards",
     "run",
     "completions",
     "man",

@@ -13,6 +13,7 @@ mod domains;
 mod endless;
 mod faults;
 mod foresight;
+mod gallery;
 mod help;
 mod interrupt;
 mod judge;

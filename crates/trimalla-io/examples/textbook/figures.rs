@@ -1,19 +1,18 @@
 //! The figures: one for each algorithm, on the same points and on the same polygon.
 
 use std::error::Error;
-use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
 use trimalla::delaunay::Delaunay;
-use trimalla::drawing::{IndexedMesh, Pslg};
+use trimalla::drawing::Pslg;
 use trimalla::dual::Voronoi;
 use trimalla::geometry::{BoundingBox, Point, math};
 use trimalla::interpolate::{Levels, Surface};
-use trimalla::polygon::{Gallery, Polygon, TrapezoidMap, Visibility, art_gallery, monotone_pieces};
+use trimalla::polygon::{Polygon, TrapezoidMap, Visibility, monotone_pieces};
 use trimalla::trace::NoTrace;
-use trimalla::{DomainOptions, Method, triangulate_by};
-use trimalla_io::{Format, PictureOptions, WriteOptions, write_mesh_to, write_pslg_to};
+use trimalla::{ByMethod, DomainOptions, Method, triangulate_by};
+use trimalla_io::{Format, Overlay, PictureOptions, WriteOptions, write_mesh_to, write_pslg_to};
 
 type Done = Result<(), Box<dyn Error>>;
 
@@ -72,16 +71,16 @@ pub(crate) fn write_all(folder: &Path) -> Done {
             _ => (&points(), DomainOptions::default()),
         };
         match triangulate_by(drawing, method, &options, 0, &mut NoTrace) {
-            Ok(made) => mesh(folder, method.key(), &made.mesh)?,
+            Ok(made) => mesh(folder, method.key(), &made)?,
             // Some algorithms take domains only.
-            Err(_) => mesh(folder, method.key(), &triangulate_by(&simple, method, &nested, 0, &mut NoTrace)?.mesh)?,
+            Err(_) => mesh(folder, method.key(), &triangulate_by(&simple, method, &nested, 0, &mut NoTrace)?)?,
         }
     }
     of_the_polygon(folder, &whole)?;
     of_the_points(folder, &points())
 }
 
-/// Pieces, trapezoids, guards, and what a point sees.
+/// Pieces, trapezoids, and what a point sees.
 fn of_the_polygon(folder: &Path, whole: &Pslg) -> Done {
     let ends = [16, 20];
     let polygon = Polygon::new(&whole.points, &ends)?;
@@ -94,13 +93,9 @@ fn of_the_polygon(folder: &Path, whole: &Pslg) -> Done {
         add_line(&mut map, [whole.points[chord.from as usize], chord.at]);
     }
     drawing(folder, "trapezoids", &map)?;
-    let mut seen = whole.clone();
     let from = Point::new(40.0, 40.0);
-    seen.points.push(from);
     let corners = Visibility::new(polygon, &mut NoTrace)?.seen_from(from, &mut NoTrace)?;
-    seen.add_ring(corners.iter().map(|corner| corner.at()));
-    drawing(folder, "visibility", &seen)?;
-    gallery(folder, &whole.points, &art_gallery(polygon, &mut NoTrace)?)
+    drawing_with(folder, "visibility", whole, Overlay::default().with_view(from, &corners))
 }
 
 /// The Voronoi diagram and contour lines.
@@ -126,48 +121,20 @@ fn add_line(drawing: &mut Pslg, ends: [Point; 2]) {
     drawing.segments.push([first, first + 1]);
 }
 
-fn options() -> WriteOptions {
+fn mesh(folder: &Path, name: &str, made: &ByMethod) -> Done {
+    let overlay = made.gallery.as_ref().map(|gallery| Overlay::of_gallery(&made.mesh.points, gallery));
     let picture = PictureOptions::default().with_vertices(true).with_legend(false);
-    WriteOptions::default().with_picture(picture)
-}
-
-fn mesh(folder: &Path, name: &str, mesh: &IndexedMesh) -> Done {
+    let picture = picture.with_overlay(overlay.unwrap_or_default());
     let mut file = fs::File::create(folder.join(format!("{name}.svg")))?;
-    Ok(write_mesh_to(&mut file, Format::Svg, mesh, &options())?)
+    Ok(write_mesh_to(&mut file, Format::Svg, &made.mesh, &WriteOptions::default().with_picture(picture))?)
 }
 
 fn drawing(folder: &Path, name: &str, drawing: &Pslg) -> Done {
-    let picture = PictureOptions::default().with_vertices(true).with_only_lone_vertices(true).with_legend(false);
-    let mut file = fs::File::create(folder.join(format!("{name}.svg")))?;
-    Ok(write_pslg_to(&mut file, Format::Svg, drawing, &WriteOptions::default().with_picture(picture))?)
+    drawing_with(folder, name, drawing, Overlay::default())
 }
 
-/// Triangles with corners in three colours; guards are larger, and have a ring.
-fn gallery(folder: &Path, points: &[Point], gallery: &Gallery) -> Done {
-    let mut text = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-6 -106 172 112\" width=\"688\" height=\"448\">\n\
-         <rect x=\"-6\" y=\"-106\" width=\"172\" height=\"112\" fill=\"#fff\"/>\n",
-    );
-    let at = |v: u32| (points[v as usize].x, -points[v as usize].y);
-    for corners in &gallery.triangles {
-        let [a, b, c] = corners.map(at);
-        let _ = writeln!(
-            text,
-            "<path d=\"M{} {}L{} {}L{} {}Z\" fill=\"#eef2f7\" stroke=\"#445\" stroke-width=\".5\"/>",
-            a.0, a.1, b.0, b.1, c.0, c.1
-        );
-    }
-    for (corners, colours) in gallery.triangles.iter().zip(&gallery.colours) {
-        for (&v, &colour) in corners.iter().zip(colours) {
-            let ((x, y), fill) = (at(v), ["#d1495b", "#00798c", "#edae49"][usize::from(colour % 3)]);
-            let is_guard = gallery.guards.binary_search(&v).is_ok();
-            let (radius, ring) = if is_guard { (2.6, 0.9) } else { (1.5, 0.0) };
-            let _ = writeln!(
-                text,
-                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"#111\" stroke-width=\"{ring}\"/>"
-            );
-        }
-    }
-    text += "</svg>\n";
-    Ok(fs::write(folder.join("gallery.svg"), text)?)
+fn drawing_with(folder: &Path, name: &str, drawing: &Pslg, overlay: Overlay) -> Done {
+    let picture = PictureOptions::default().with_only_lone_vertices(true).with_legend(false).with_overlay(overlay);
+    let mut file = fs::File::create(folder.join(format!("{name}.svg")))?;
+    Ok(write_pslg_to(&mut file, Format::Svg, drawing, &WriteOptions::default().with_picture(picture))?)
 }

@@ -34,12 +34,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A section: its title, what the keys do, its figures, and the prose of its file.
+/// A section: its title, what the keys and commands do, its figures, and the prose of its file.
 fn written(root: &std::path::Path, section: &Section) -> Result<String, Box<dyn Error>> {
     let mut text = format!("\n### {}\n\n", section.title);
     for key in section.keys {
         let row = key.parse::<Method>()?.row();
         let _ = writeln!(text, "- `trimalla triangulate --algorithm {key}`: {}.", row.summary);
+    }
+    for (command, what) in section.commands {
+        let _ = writeln!(text, "- `trimalla {command}`: {what}.");
     }
     for (name, caption) in section.figures {
         let _ = writeln!(text, "\n![{caption}]({name}.svg)");

@@ -12,6 +12,8 @@ pub(crate) struct Section {
     pub(crate) title: &'static str,
     /// The keys of the algorithms.
     pub(crate) keys: &'static [&'static str],
+    /// Other commands that answer the question of the section, with what they do.
+    pub(crate) commands: &'static [(&'static str, &'static str)],
     /// The names of its figures, with captions.
     pub(crate) figures: &'static [(&'static str, &'static str)],
     /// Below `crates/trimalla/src`.
@@ -43,20 +45,29 @@ pub(crate) const PARTS: &[Part] = &[
             Section {
                 title: "One point after the other",
                 keys: &["incremental"],
+                commands: &[],
                 figures: &[("incremental", "24 points, triangulated")],
                 file: "delaunay/incremental.rs",
             },
             Section {
                 title: "Halves merged",
                 keys: &["divide-and-conquer"],
+                commands: &[],
                 figures: &[],
                 file: "delaunay/divide_and_conquer/mod.rs",
             },
-            Section { title: "Flips", keys: &["flip"], figures: &[], file: "delaunay/flip.rs" },
-            Section { title: "Lifted to a paraboloid", keys: &["lift"], figures: &[], file: "delaunay/lift.rs" },
+            Section { title: "Flips", keys: &["flip"], commands: &[], figures: &[], file: "delaunay/flip.rs" },
+            Section {
+                title: "Lifted to a paraboloid",
+                keys: &["lift"],
+                commands: &[],
+                figures: &[],
+                file: "delaunay/lift.rs",
+            },
             Section {
                 title: "The Voronoi diagram first",
                 keys: &["voronoi"],
+                commands: &[],
                 figures: &[("diagram", "the Voronoi diagram of the points, clipped to a box")],
                 file: "delaunay/voronoi/mod.rs",
             },
@@ -69,24 +80,28 @@ pub(crate) const PARTS: &[Part] = &[
             Section {
                 title: "Pairs in any order",
                 keys: &["pairs"],
+                commands: &[],
                 figures: &[("pairs", "pairs joined in the order of their indices")],
                 file: "optimal/pairs.rs",
             },
             Section {
                 title: "The shortest edges first",
                 keys: &["greedy", "greedy-naive"],
+                commands: &[],
                 figures: &[("greedy", "the shortest edges first")],
                 file: "optimal/greedy/mod.rs",
             },
             Section {
                 title: "Flips by other criteria",
                 keys: &["flip-max-min-angle", "flip-min-max-angle", "flip-shortest-diagonal"],
+                commands: &[],
                 figures: &[("flip-shortest-diagonal", "no other diagonal is shorter")],
                 file: "optimal/flips.rs",
             },
             Section {
                 title: "Edge insertion",
                 keys: &["min-max-angle", "max-min-height", "min-max-slope"],
+                commands: &[],
                 figures: &[
                     ("min-max-angle", "the largest angle is as small as possible"),
                     ("min-max-slope", "the steepest triangle is as flat as possible"),
@@ -96,18 +111,21 @@ pub(crate) const PARTS: &[Part] = &[
             Section {
                 title: "The longest edge as short as possible",
                 keys: &["min-max-length", "min-max-length-by-tree"],
+                commands: &[],
                 figures: &[("min-max-length", "the longest edge is as short as possible")],
                 file: "optimal/min_max_length/mod.rs",
             },
             Section {
                 title: "Least weight",
                 keys: &["min-weight"],
+                commands: &[],
                 figures: &[("min-weight", "the sum of all lengths is as small as possible")],
                 file: "optimal/min_weight/mod.rs",
             },
             Section {
                 title: "Least weight of a polygon",
                 keys: &["min-weight-polygon"],
+                commands: &[],
                 figures: &[("min-weight-polygon", "the outline, with the least sum of lengths")],
                 file: "optimal/min_weight_polygon/mod.rs",
             },
@@ -120,48 +138,62 @@ pub(crate) const PARTS: &[Part] = &[
             Section {
                 title: "Diagonals",
                 keys: &["diagonals"],
+                commands: &[],
                 figures: &[("diagonals", "the outline, divided by diagonals")],
                 file: "polygon/diagonals.rs",
             },
             Section {
                 title: "Visible pairs",
                 keys: &["visible-pairs"],
+                commands: &[],
                 figures: &[("visible-pairs", "vertices that see each other, joined")],
                 file: "polygon/visible_pairs.rs",
             },
             Section {
                 title: "Ears",
                 keys: &["ears"],
+                commands: &[],
                 figures: &[("ears", "ears cut off one after the other")],
                 file: "polygon/ears.rs",
             },
             Section {
                 title: "Monotone pieces",
                 keys: &["monotone"],
+                commands: &[],
                 figures: &[("pieces", "the monotone pieces"), ("monotone", "the pieces, triangulated")],
                 file: "polygon/monotone.rs",
             },
             Section {
                 title: "Seidel's trapezoids",
                 keys: &["seidel"],
+                commands: &[],
                 figures: &[("trapezoids", "the trapezoids"), ("seidel", "their triangles")],
                 file: "polygon/seidel/mod.rs",
             },
             Section {
                 title: "Constrained Delaunay",
                 keys: &["constrained-delaunay"],
+                commands: &[],
                 figures: &[("constrained-delaunay", "no vertex that a triangle sees lies in its circle")],
                 file: "polygon/constrained_delaunay.rs",
             },
             Section {
                 title: "The art gallery",
                 keys: &["art-gallery"],
-                figures: &[("gallery", "three colours, and a guard at each corner of the rarest one")],
+                commands: &[(
+                    "guards plan.poly -o guards.svg",
+                    "places the guards, proves that they see everything, and lists them",
+                )],
+                figures: &[("art-gallery", "three colours, and a guard at each corner of the rarest one")],
                 file: "polygon/gallery.rs",
             },
             Section {
                 title: "Visibility",
                 keys: &[],
+                commands: &[
+                    ("visible plan.poly --from 40,40 -o seen.svg", "the visibility polygon of a point"),
+                    ("visible plan.poly --from 40,40 --to 100,30", "whether two points see each other"),
+                ],
                 figures: &[("visibility", "what a point sees")],
                 file: "polygon/visibility.rs",
             },
@@ -171,10 +203,20 @@ pub(crate) const PARTS: &[Part] = &[
         title: "What is built on them",
         text: "The dual, and values between vertices.",
         sections: &[
-            Section { title: "The Voronoi diagram", keys: &[], figures: &[], file: "dual/mod.rs" },
+            Section {
+                title: "The Voronoi diagram",
+                keys: &[],
+                commands: &[("voronoi points.node --clip domain -o cells.svg", "the cells, clipped to the domain")],
+                figures: &[("diagram", "the cells, clipped to a box")],
+                file: "dual/mod.rs",
+            },
             Section {
                 title: "Heights between points, and contour lines",
                 keys: &[],
+                commands: &[
+                    ("interpolate terrain.node places.node -o heights.csv", "heights at places"),
+                    ("contour terrain.node --step 10 -o lines.svg", "lines of equal height"),
+                ],
                 figures: &[("contours", "contour lines of the heights of the points")],
                 file: "interpolate/mod.rs",
             },

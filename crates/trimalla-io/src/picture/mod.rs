@@ -5,6 +5,7 @@
 
 mod angle;
 mod frame;
+mod overlay;
 
 use std::fmt;
 use std::io;
@@ -16,6 +17,8 @@ use crate::bars::BarChart;
 use crate::columns::{Points, Segments, check_triangles};
 pub(crate) use angle::{CLASS_DEG, CLASSES, Histogram};
 pub(crate) use frame::{Frame, MARGIN, Place, SIDE, Space};
+pub use overlay::Overlay;
+pub(crate) use overlay::Tone;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +34,8 @@ pub struct PictureOptions {
     pub show_legend: bool,
     /// Bar charts that stand below the picture of a mesh. `.svg` alone.
     pub charts: Vec<BarChart>,
+    /// Areas, lines and marks: guards and colours of a gallery, what a point sees.
+    pub overlay: Overlay,
 }
 
 impl Default for PictureOptions {
@@ -41,6 +46,7 @@ impl Default for PictureOptions {
             only_lone_vertices: false,
             show_legend: true,
             charts: Vec::new(),
+            overlay: Overlay::default(),
         }
     }
 }
@@ -80,6 +86,13 @@ impl PictureOptions {
         self.charts = charts;
         self
     }
+
+    /// Paints areas, lines and marks, in place of those before.
+    #[must_use]
+    pub fn with_overlay(mut self, overlay: Overlay) -> Self {
+        self.overlay = overlay;
+        self
+    }
 }
 
 /// Red, green and blue, a byte each.
@@ -113,6 +126,8 @@ pub(crate) const REGION: Colour = COLOURS[11];
 /// How far a cross or a ring reaches from its seed, and how wide its lines are, in units of the sheet.
 pub(crate) const MARK_REACH: f64 = 5.0;
 pub(crate) const MARK_WIDTH: f64 = 2.0;
+/// How large the marks of an overlay are.
+pub(crate) const MARK_SIZE: f64 = 16.0;
 
 impl Colour {
     /// Red, green, blue.
@@ -152,6 +167,7 @@ pub(crate) struct Picture<'a> {
     dots: Option<Vec<Point>>,
     holes: &'a [Point],
     regions: Vec<Point>,
+    overlay: &'a Overlay,
 }
 
 impl<'a> Picture<'a> {
@@ -159,13 +175,14 @@ impl<'a> Picture<'a> {
     ///
     /// # Errors
     /// Kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
-    pub(crate) fn of_mesh(mesh: &'a IndexedMesh, show_vertices: bool, space: Space) -> io::Result<Self> {
+    pub(crate) fn of_mesh(mesh: &'a IndexedMesh, options: &'a PictureOptions, space: Space) -> io::Result<Self> {
         Points::of_mesh(mesh).check(0)?;
         check_triangles(mesh)?;
         Segments::of_mesh(mesh).check(mesh.points.len())?;
-        let frame = Frame::around(&mesh.points, space);
+        let overlay = &options.overlay;
+        let frame = Frame::around(&mesh.points.iter().copied().chain(overlay.points()).collect::<Vec<_>>(), space);
         let edge_width = width_for(mesh.triangles.len());
-        let has_dots = show_vertices || mesh.triangles.is_empty();
+        let has_dots = options.show_vertices || mesh.triangles.is_empty();
         Ok(Self {
             histogram: Histogram::of(mesh, &frame),
             frame,
@@ -178,6 +195,7 @@ impl<'a> Picture<'a> {
             dots: None,
             holes: &[],
             regions: Vec::new(),
+            overlay,
         })
     }
 
@@ -185,11 +203,13 @@ impl<'a> Picture<'a> {
     ///
     /// # Errors
     /// Kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not finite.
-    pub(crate) fn of_pslg(pslg: &'a Pslg, only_lone_vertices: bool, space: Space) -> io::Result<Self> {
+    pub(crate) fn of_pslg(pslg: &'a Pslg, options: &'a PictureOptions, space: Space) -> io::Result<Self> {
         Points::of_pslg(pslg).check(0)?;
         Segments::of_pslg(pslg).check(pslg.points.len())?;
         let regions: Vec<Point> = pslg.regions.iter().map(|region| region.seed).collect();
-        let frame = Frame::around(&[&pslg.points[..], &pslg.holes, &regions].concat(), space);
+        let overlay = &options.overlay;
+        let shown = [&pslg.points[..], &pslg.holes, &regions, &overlay.points().collect::<Vec<_>>()].concat();
+        let frame = Frame::around(&shown, space);
         let edge_width = width_for(pslg.points.len());
         Ok(Self {
             histogram: Histogram::of(&IndexedMesh::default(), &frame),
@@ -200,15 +220,39 @@ impl<'a> Picture<'a> {
             segments: &pslg.segments,
             segment_width: 1.5 * edge_width,
             dot_size: Some(5.0 * edge_width),
-            dots: only_lone_vertices.then(|| lone_vertices(pslg)),
+            dots: options.only_lone_vertices.then(|| lone_vertices(pslg)),
             holes: &pslg.holes,
             regions,
+            overlay,
         })
     }
 
-    /// The classes that have triangles, in the order in which they are painted.
+    /// The classes that have triangles, in the order in which they are painted; none where areas are painted instead.
     pub(crate) fn classes(&self) -> impl Iterator<Item = usize> {
-        (0..CLASSES).rev().filter(|&class| self.histogram.counts[class] > 0)
+        let is_shown = self.overlay.has_no_areas();
+        (0..CLASSES).rev().filter(move |&class| is_shown && self.histogram.counts[class] > 0)
+    }
+
+    /// The areas of the overlay, by their tones.
+    pub(crate) fn areas(&self) -> impl Iterator<Item = (Tone, impl Iterator<Item = [Place; 3]>)> {
+        let placed = |corners: [Point; 3]| corners.map(|p| self.frame.place(p));
+        let of_tone = move |tone| (tone, self.overlay.areas(tone).map(placed));
+        Tone::ALL.into_iter().filter(|&tone| self.overlay.areas(tone).next().is_some()).map(of_tone)
+    }
+
+    /// Whether areas are painted in place of triangles.
+    pub(crate) fn has_areas(&self) -> bool {
+        !self.overlay.has_no_areas()
+    }
+
+    /// The lines of the overlay.
+    pub(crate) fn lines(&self) -> impl ExactSizeIterator<Item = [Place; 2]> {
+        self.overlay.lines().iter().map(|ends| ends.map(|p| self.frame.place(p)))
+    }
+
+    /// The marks of the overlay.
+    pub(crate) fn marks(&self) -> impl ExactSizeIterator<Item = (Colour, Place)> {
+        self.overlay.marks().iter().map(|&(tone, p)| (tone.strong(), self.frame.place(p)))
     }
 
     /// The triangles of a class.

@@ -19,8 +19,8 @@ use std::io::{self, Write};
 use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::picture::{
-    COLOURS, Colour, EDGE_OPACITY, HOLE, INK, MARGIN, MARK_REACH, MARK_WIDTH, PAPER, Picture, PictureOptions, Place,
-    REGION, SIDE, Space,
+    COLOURS, Colour, EDGE_OPACITY, HOLE, INK, MARGIN, MARK_REACH, MARK_SIZE, MARK_WIDTH, PAPER, Picture,
+    PictureOptions, Place, REGION, SIDE, Space,
 };
 use canvas::{Canvas, Pen, Sides, Spot};
 
@@ -32,23 +32,23 @@ const SCALE: f64 = LONGER_SIDE / (SIDE + 2.0 * MARGIN);
 /// How many times edges may cover the sheet, each one pixel wide. Those of a million good triangles do about once.
 const MOST_LAYERS_OF_EDGES: f64 = 10.0;
 
-/// Draws a mesh. Of the options only `show_vertices` counts.
+/// Draws a mesh. Of the options only `show_vertices` and `overlay` count.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
 pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &PictureOptions) -> io::Result<()> {
-    draw(out, &Picture::of_mesh(mesh, options.show_vertices, Space::default())?)
+    draw(out, &Picture::of_mesh(mesh, options, Space::default())?)
 }
 
 /// Draws a drawing: segments, vertices, crosses at hole seeds, rings at region seeds. Of the options only
-/// `only_lone_vertices` counts.
+/// `only_lone_vertices` and `overlay` count.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
 pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &PictureOptions) -> io::Result<()> {
-    draw(out, &Picture::of_pslg(pslg, options.only_lone_vertices, Space::default())?)
+    draw(out, &Picture::of_pslg(pslg, options, Space::default())?)
 }
 
 fn draw(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
@@ -63,13 +63,23 @@ fn draw(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
             let triangles = picture.triangles(class).map(|corners| corners.map(spot));
             canvas.fill_triangles(COLOURS[class], sides, triangles);
         }
+        for (tone, areas) in picture.areas() {
+            canvas.fill_triangles(tone.pale(), sides, areas.map(|corners| corners.map(spot)));
+        }
     }
     if !is_crowded {
-        canvas.draw_lines(&edge_pen(picture), edges.into_iter());
+        let pen = if picture.has_areas() { pen(INK, picture.edge_width) } else { edge_pen(picture) };
+        canvas.draw_lines(&pen, edges.into_iter());
     }
     canvas.draw_lines(&pen(INK, picture.segment_width), picture.segments().map(|ends| ends.map(spot)));
     if let Some(size) = picture.dot_size {
         canvas.fill_dots(INK, (SCALE * size) as f32, picture.vertices().map(spot));
+    }
+    canvas.draw_lines(&pen(INK, MARK_WIDTH), picture.lines().map(|ends| ends.map(spot)));
+    for (colour, place) in picture.marks() {
+        for (colour, size) in [(INK, MARK_SIZE + MARK_WIDTH), (colour, MARK_SIZE)] {
+            canvas.fill_dots(colour, (SCALE * size) as f32, std::iter::once(spot(place)));
+        }
     }
     canvas.draw_lines(&pen(HOLE, MARK_WIDTH), picture.holes().flat_map(cross));
     canvas.draw_rings(&pen(REGION, MARK_WIDTH), (SCALE * MARK_REACH) as f32, picture.regions().map(spot));

@@ -15,8 +15,8 @@ use std::io::{self, Write};
 use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::picture::{
-    COLOURS, Colour, EDGE_OPACITY, HOLE, Histogram, INK, MARK_REACH, MARK_WIDTH, PAPER, Picture, PictureOptions, Place,
-    REGION, Space,
+    COLOURS, Colour, EDGE_OPACITY, HOLE, Histogram, INK, MARK_REACH, MARK_SIZE, MARK_WIDTH, PAPER, Picture,
+    PictureOptions, Place, REGION, Space,
 };
 use legend::Line;
 use strip::Strip;
@@ -30,16 +30,23 @@ const HEADING: f64 = 40.0;
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
 pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &PictureOptions) -> io::Result<()> {
-    let picture = Picture::of_mesh(mesh, options.show_vertices, space_for(options))?;
+    let picture = Picture::of_mesh(mesh, options, space_for(options))?;
     let strip = Strip::of(&options.charts, picture.frame.size().0);
 
     text::open(out, &picture.frame, &options.title, &strip)?;
     draw_triangles(out, &picture)?;
+    draw_areas(out, &picture)?;
     draw_segments(out, &picture)?;
     draw_dots(out, &picture)?;
+    draw_overlay(out, &picture)?;
     if options.show_legend {
-        legend::draw_scale(out, &picture.frame, &picture.histogram)?;
-        legend::draw_lines(out, &picture.frame, legend::SCALE_ROWS, &mesh_lines(mesh, &picture.histogram))?;
+        let has_scale = options.overlay.has_no_areas();
+        if has_scale {
+            legend::draw_scale(out, &picture.frame, &picture.histogram)?;
+        }
+        let rows_above = if has_scale { legend::SCALE_ROWS } else { 0.0 };
+        let lines = mesh_lines(mesh, &picture.histogram).into_iter().chain(overlay_lines(options));
+        legend::draw_lines(out, &picture.frame, rows_above, &lines.collect::<Vec<_>>())?;
     }
     strip.draw(out, picture.frame.size().1)?;
     writeln!(out, "</svg>")
@@ -51,11 +58,13 @@ pub fn draw_mesh(out: &mut dyn Write, mesh: &IndexedMesh, options: &PictureOptio
 /// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex or a number is not
 /// finite.
 pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &PictureOptions) -> io::Result<()> {
-    let picture = Picture::of_pslg(pslg, options.only_lone_vertices, space_for(options))?;
+    let picture = Picture::of_pslg(pslg, options, space_for(options))?;
 
     text::open(out, &picture.frame, &options.title, &Strip::of(&[], 0.0))?;
+    draw_areas(out, &picture)?;
     draw_segments(out, &picture)?;
     draw_dots(out, &picture)?;
+    draw_overlay(out, &picture)?;
     let (r, d) = (MARK_REACH, 2.0 * MARK_REACH);
     draw_marks(out, picture.holes(), &format!("m-{r}-{r}l{d} {d}m-{d} 0l{d}-{d}"), HOLE)?;
     draw_marks(out, picture.regions(), &format!("m-{r} 0a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0-{d} 0"), REGION)?;
@@ -66,7 +75,8 @@ pub fn draw_pslg(out: &mut dyn Write, pslg: &Pslg, options: &PictureOptions) -> 
             ("holes", pslg.holes.len()),
             ("regions", pslg.regions.len()),
         ];
-        legend::draw_lines(out, &picture.frame, 0.0, &counts.map(|(noun, count)| Line::count(noun, count)))?;
+        let lines = counts.map(|(noun, count)| Line::count(noun, count)).into_iter().chain(overlay_lines(options));
+        legend::draw_lines(out, &picture.frame, 0.0, &lines.collect::<Vec<_>>())?;
     }
     writeln!(out, "</svg>")
 }
@@ -108,16 +118,49 @@ fn draw_triangles(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> 
     writeln!(out, "</g>")
 }
 
-fn draw_segments(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
-    let segments = picture.segments();
-    if segments.len() == 0 {
+/// One path a tone, and the edges of the triangles below on top.
+fn draw_areas(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
+    for (tone, areas) in picture.areas() {
+        write!(out, "<path fill=\"{}\" d=\"", tone.pale())?;
+        for [a, b, c] in areas {
+            write!(out, "M{}{}z", absolute(a), Polyline { from: a, to: &[b, c] })?;
+        }
+        writeln!(out, "\"/>")?;
+    }
+    let edges = picture.has_areas().then(|| picture.edges());
+    draw_lines(out, picture.edge_width, edges.into_iter().flatten())
+}
+
+/// Lines, and marks with a ring around each.
+fn draw_overlay(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
+    draw_lines(out, MARK_WIDTH, picture.lines())?;
+    for (colour, place) in picture.marks() {
+        for (colour, size) in [(INK, MARK_SIZE + MARK_WIDTH), (colour, MARK_SIZE)] {
+            open_strokes(out, colour, size)?;
+            writeln!(out, "M{}h0\"/>", absolute(place))?;
+        }
+    }
+    Ok(())
+}
+
+fn draw_lines(out: &mut dyn Write, width: f64, lines: impl Iterator<Item = [Place; 2]>) -> io::Result<()> {
+    let mut lines = lines.peekable();
+    if lines.peek().is_none() {
         return Ok(());
     }
-    open_strokes(out, INK, picture.segment_width)?;
-    for [a, b] in segments {
+    open_strokes(out, INK, width)?;
+    for [a, b] in lines {
         write!(out, "M{}{}", absolute(a), Polyline { from: a, to: &[b] })?;
     }
     writeln!(out, "\"/>")
+}
+
+fn overlay_lines(options: &PictureOptions) -> impl Iterator<Item = Line> {
+    options.overlay.counts().iter().map(|&(noun, count)| Line::count(noun, count))
+}
+
+fn draw_segments(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
+    draw_lines(out, picture.segment_width, picture.segments())
 }
 
 /// Dots are strokes of no length with round ends: a few bytes each.

@@ -4,9 +4,9 @@
 use crate::common::{POLY, grid, hard_mesh, hard_pslg, read_poly, scaled};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::geometry::Point;
-use trimalla_io::PictureOptions;
 use trimalla_io::bars::{Bar, BarChart};
 use trimalla_io::svg::{draw_mesh, draw_pslg};
+use trimalla_io::{Overlay, PictureOptions};
 
 fn picture(mesh: &IndexedMesh, options: &PictureOptions) -> String {
     let mut bytes = Vec::new();
@@ -94,4 +94,25 @@ fn charts_stand_below_the_picture_and_change_nothing_in_it() {
         view.split(' ').nth(1).unwrap().parse().unwrap()
     };
     assert!(height(&text) > height(&plain) + 100.0);
+}
+
+#[test]
+fn an_overlay_is_painted_in_place_of_triangles() {
+    use trimalla::polygon::{Polygon, SeenCorner, art_gallery};
+    use trimalla::trace::NoTrace;
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]].map(Point::from);
+    let gallery = art_gallery(Polygon::new(&points, &[5]).unwrap(), &mut NoTrace).unwrap();
+    let mesh = IndexedMesh { triangles: gallery.triangles.clone(), points: points.to_vec(), ..IndexedMesh::default() };
+    let view = [0, 1, 3].map(|v| SeenCorner::Vertex { vertex: v, at: points[v as usize] });
+    let overlay = Overlay::of_gallery(&points, &gallery).with_view(Point::new(1.0, 0.5), &view);
+    let text = picture(&mesh, &PictureOptions::default().with_overlay(overlay.clone()));
+    assert!(text.contains(">guards<") && text.contains(">corners seen<") && !text.contains("<g stroke"), "{text}");
+    let mut pixels = Vec::new();
+    trimalla_io::png::draw_mesh(&mut pixels, &mesh, &PictureOptions::default().with_overlay(overlay)).unwrap();
+    let mut plain = Vec::new();
+    trimalla_io::png::draw_mesh(&mut plain, &mesh, &PictureOptions::default()).unwrap();
+    assert_ne!(pixels, plain);
+    // Of a gallery of other points nothing is painted.
+    assert_eq!(Overlay::of_gallery(&points[..0], &gallery), Overlay::of_gallery(&[], &gallery));
+    picture(&IndexedMesh::default(), &PictureOptions::default().with_overlay(Overlay::of_gallery(&[], &gallery)));
 }

@@ -2,8 +2,7 @@
 //!
 //! 1. The domain of the drawing is found: its constrained Delaunay triangulation, and what the rule keeps of it.
 //! 2. An algorithm for polygons gets the outlines of the domain, one after the other; one that is best by a
-//!    criterion
-//!    gets the points, and the domain where there are segments.
+//!    criterion gets the points, and the domain where there are segments.
 //! 3. Its triangles take the place of those of the domain.
 //!
 //! ```text
@@ -12,15 +11,14 @@
 //!      └────────────────────────────────── delaunay ──┘
 //! ```
 
-use super::{DomainOptions, Error, Triangulated, triangulate, triangulate_conforming};
+use super::{DomainOptions, DomainPolygon, Error, Triangulated, triangulate, triangulate_conforming};
 use crate::by_key::{Row, UnknownKey};
 use crate::delaunay::AlgorithmKey;
 use crate::domain::Warning;
 use crate::drawing::{IndexedMesh, Pslg};
-use crate::geometry::Point;
 use crate::optimal::{OptimalInput, OptimalMethod};
-use crate::polygon::{Polygon, PolygonMethod};
-use crate::trace::{Shape, Step, Trace};
+use crate::polygon::{Gallery, PolygonMethod, art_gallery};
+use crate::trace::{Renumbered, Trace};
 
 /// A way to triangulate a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,11 +91,13 @@ pub struct ByMethod {
     pub warnings: Vec<Warning>,
     /// What a triangulation attains that is best by a criterion, rounded; and whether nothing better is possible.
     pub attained: Option<(f64, bool)>,
+    /// The colours and guards of `art-gallery`, its triangles those of the mesh, in the same order.
+    pub gallery: Option<Gallery>,
 }
 
 impl ByMethod {
     const fn unchanged(mesh: IndexedMesh) -> Self {
-        Self { mesh, warnings: Vec::new(), attained: None }
+        Self { mesh, warnings: Vec::new(), attained: None, gallery: None }
     }
 }
 
@@ -176,7 +176,8 @@ fn by_criterion(
         OptimalInput { points: &domain.points, heights: heights.as_deref(), domain: has_segments.then_some(&domain) };
     let made = method.triangulate(&input, trace)?;
     put_in_place(&mut domain, made.triangles);
-    Ok(ByMethod { mesh: domain, warnings: Vec::new(), attained: Some((made.value, made.is_proved)) })
+    let attained = Some((made.value, made.is_proved));
+    Ok(ByMethod { attained, ..ByMethod::unchanged(domain) })
 }
 
 /// A column of attributes.
@@ -191,26 +192,22 @@ fn of_polygons(
     method: PolygonMethod,
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<ByMethod, Error> {
-    let (mut triangles, mut is_corner) = (Vec::new(), vec![false; domain.points.len()]);
-    for outline in domain.outlines() {
-        let corners: Vec<u32> = outline.rings.concat();
-        let points: Vec<Point> = corners.iter().map(|&v| domain.points[v as usize]).collect();
-        let mut end = 0;
-        let ring_ends: Vec<u32> = outline
-            .rings
-            .iter()
-            .map(|ring| {
-                end += ring.len() as u32;
-                end
-            })
-            .collect();
-        let made = method.triangulate(Polygon::new(&points, &ring_ends)?, &mut Renumbered { trace, of: &corners })?;
-        triangles.extend(made.into_iter().map(|t| t.map(|v| corners[v as usize])));
+    let mut whole = Gallery::default();
+    let mut is_corner = vec![false; domain.points.len()];
+    for part in DomainPolygon::all_of(&domain) {
+        let (polygon, corners) = (part.polygon()?, part.corners());
+        let trace = &mut Renumbered::new(trace, corners);
+        let made = match method {
+            PolygonMethod::ArtGallery => art_gallery(polygon, trace)?,
+            _ => Gallery { triangles: method.triangulate(polygon, trace)?, ..Gallery::default() },
+        };
+        whole.append(made, |v| corners[v as usize]);
         corners.iter().for_each(|&v| is_corner[v as usize] = true);
     }
     let warnings = left_out(&mut domain, &is_corner).into_iter().collect();
-    put_in_place(&mut domain, triangles);
-    Ok(ByMethod { mesh: domain, warnings, attained: None })
+    put_in_place(&mut domain, whole.triangles.clone());
+    let gallery = (method == PolygonMethod::ArtGallery).then_some(whole);
+    Ok(ByMethod { mesh: domain, warnings, attained: None, gallery })
 }
 
 /// What lies inside a domain of which only the corners are triangulated; its segments are taken out.
@@ -234,32 +231,4 @@ fn put_in_place(mesh: &mut IndexedMesh, triangles: Vec<[u32; 3]>) {
     mesh.triangles = triangles;
     mesh.triangle_attributes.clear();
     mesh.attributes_per_triangle = 0;
-}
-
-/// Tells steps by the numbers that vertices have in the drawing.
-struct Renumbered<'a, T: ?Sized> {
-    trace: &'a mut T,
-    /// The number of each vertex.
-    of: &'a [u32],
-}
-
-impl<T: Trace + ?Sized> Trace for Renumbered<'_, T> {
-    fn step(&mut self, step: Step) {
-        let number = |v: u32| self.of.get(v as usize).copied().unwrap_or(v);
-        let shape = match step.shape {
-            Shape::Vertex(v) => Shape::Vertex(number(v)),
-            Shape::Edge(ends) => Shape::Edge(ends.map(number)),
-            Shape::Triangle(corners) => Shape::Triangle(corners.map(number)),
-            other => other,
-        };
-        self.trace.step(Step { shape, ..step });
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.trace.is_cancelled()
-    }
-
-    fn is_listening(&self) -> bool {
-        self.trace.is_listening()
-    }
 }

@@ -2,11 +2,13 @@
 
 mod attempts;
 mod by_method;
+mod polygons;
 mod quiet;
 mod sizing;
 
 pub use attempts::Attempted;
 pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
+pub use polygons::DomainPolygon;
 pub use sizing::Sizing;
 
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Crossings};

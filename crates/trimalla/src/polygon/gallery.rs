@@ -153,6 +153,17 @@ impl Gallery {
         self.triangles.iter().position(|t| !has_guard(t))
     }
 
+    /// Takes up another polygon, whose vertices `number` names anew; a guard of both is counted once.
+    pub(crate) fn append(&mut self, other: Self, number: impl Fn(u32) -> u32) {
+        self.triangles.extend(other.triangles.iter().map(|t| t.map(&number)));
+        self.colours.extend(other.colours);
+        self.bridges.extend(other.bridges.iter().map(|edge| edge.map(&number)));
+        self.guards.extend(other.guards.into_iter().map(number));
+        self.guards.sort_unstable();
+        self.guards.dedup();
+        self.limit += other.limit;
+    }
+
     /// Step 4 for triangles that are connected across edges.
     fn guard(&mut self, part: &[usize], triangles: &[[u32; 3]], colours: &[Option<[u8; 3]>]) {
         let mut of_colour: [Vec<u32>; 3] = Default::default();
