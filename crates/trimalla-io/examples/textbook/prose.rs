@@ -34,7 +34,8 @@ figures are drawn by trimalla. Keys in brackets are those of [REFERENCES.md](../
 angle below 180 degrees, and a split vertex one above; their sweep goes along x and their stack along y; the least weight
 is not \"not known to be polynomial\" but NP-hard since 2006. Chazelle's linear-time triangulation is not built: nobody
 has been seen to use it, its constants are large, and Seidel's and the sweep take less time at every size that fits into
-memory.
+memory. Nor is the quasi-greedy triangulation, the \"best approximation\" of the notes: the section on the shortest edges
+first says why.
 ";
 
 pub(crate) const PARTS: &[Part] = &[

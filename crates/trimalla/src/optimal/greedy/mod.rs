@@ -30,6 +30,16 @@
 //! Naive: O(n³) time, O(n²) memory. Fast: O(n log n) expected for points spread evenly, O(n) memory; O(n²) candidates
 //! and O(n³) time at worst. With a domain, the candidates are all pairs that see each other: O(n²) memory.
 //!
+//! # How near the least weight
+//! At worst the sum is O(√n) times the least one `[LevcopoulosKrznaric98]`. Measured: 1.001 times for 1000 and for
+//! 10,000 points spread evenly, 1.0001 times for a star of 300 corners.
+//!
+//! The *quasi-greedy* triangulation of Levcopoulos and Krznaric takes another edge than the shortest in some places, and
+//! stays within a constant factor. It is not built. The constant is "astronomically large" `[YousefiYoung14]`, and a
+//! rule of this kind that we tried (before a pair closes a triangle, a pair at its third corner that is at most a tenth
+//! longer is taken instead) made sums of random points longer. For less than greedy there is `min-weight`, which proves
+//! the least sum of 100,000 points in seconds, and `min-weight-polygon`.
+//!
 //! # Source
 //! `[DickersonEtAl97]` for the plan of the fast way; `[DasJoseph89]` for the diamond test. Their test of crossings
 //! needs the edges around each vertex in order; ours needs the Delaunay triangulation, and takes any set of
