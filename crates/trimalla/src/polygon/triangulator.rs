@@ -64,8 +64,8 @@ impl Triangulator {
     ///
     /// # Shape
     /// Counter-clockwise triangles of indices into [`Polygon::points`], until the next call;
-    /// `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch and no point repeats the one before. A hole
-    /// of one point is a corner of triangles.
+    /// `n - 2 + 2h` of them for `n` corners and `h` holes, if no rings touch and no point repeats the one before. A
+    /// hole of one point is a corner of triangles.
     ///
     /// # Errors
     /// Flat rings, sides that cross or overlap, holes outside the outline.

@@ -34,9 +34,9 @@
 //! At worst the sum is O(√n) times the least one `[LevcopoulosKrznaric98]`. Measured: 1.001 times for 1000 and for
 //! 10,000 points spread evenly, 1.0001 times for a star of 300 corners.
 //!
-//! The *quasi-greedy* triangulation of Levcopoulos and Krznaric takes another edge than the shortest in some places, and
-//! stays within a constant factor. It is not built. The constant is "astronomically large" `[YousefiYoung14]`, and a
-//! rule of this kind that we tried (before a pair closes a triangle, a pair at its third corner that is at most a tenth
+//! The *quasi-greedy* triangulation of Levcopoulos and Krznaric takes another edge than the shortest in some places,
+//! and stays within a constant factor. It is not built. The constant is "astronomically large" `[YousefiYoung14]`, and
+//! a rule of this kind that we tried (before a pair closes a triangle, a pair at its third corner at most a tenth
 //! longer is taken instead) made sums of random points longer. For less than greedy there is `min-weight`, which proves
 //! the least sum of 100,000 points in seconds, and `min-weight-polygon`.
 //!
