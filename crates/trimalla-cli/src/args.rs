@@ -11,11 +11,13 @@ use trimalla::domain::DomainRule;
 use trimalla_io::Format;
 
 use crate::console;
+use crate::import::ImportOptions;
 
 /// The drawing and how it is read.
 #[derive(Debug, Args)]
 pub(crate) struct DrawingOptions {
-    /// The drawing: a .poly or .node file, the stem of one, or '-' for standard input
+    /// The drawing: a .poly or .node file, the stem of one, '-' for standard input, or a drawing of another program:
+    /// .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las
     pub(crate) input: PathBuf,
 
     #[command(flatten)]
@@ -32,6 +34,11 @@ impl DrawingOptions {
     pub(crate) fn domain_options(&self, algorithm: AlgorithmKey) -> DomainOptions {
         self.reading.domain_options(algorithm)
     }
+
+    /// How a drawing of another program is read.
+    pub(crate) fn import(&self) -> &ImportOptions {
+        &self.reading.import
+    }
 }
 
 /// How a drawing is read.
@@ -45,6 +52,9 @@ pub(crate) struct ReadingOptions {
     /// What to do where segments of a drawing cross
     #[arg(long, value_name = "HOW", default_value = "refuse", help_heading = "Drawing", value_parser = one_of(CROSSINGS))]
     crossings: Crossings,
+
+    #[command(flatten)]
+    pub(crate) import: ImportOptions,
 }
 
 impl ReadingOptions {

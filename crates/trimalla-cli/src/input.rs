@@ -4,11 +4,12 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_numbered};
+use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_with};
 use trimalla_workbench::numbers::FileNumbers;
 
 use crate::console::{note, shown};
 use crate::exit::Failure;
+use crate::import::ImportOptions;
 
 /// A drawing or mesh that was read, and its files.
 #[derive(Debug)]
@@ -20,19 +21,34 @@ pub(crate) struct Input<T> {
     pub(crate) files: Vec<PathBuf>,
     /// Messages about ignored parts of the files.
     pub(crate) notes: Vec<String>,
+    /// What was read of a drawing of another program, and how: lines of the report.
+    pub(crate) told: Vec<String>,
+    /// Where its segments come from.
+    origins: Vec<u32>,
+    /// What these numbers count.
+    noun: &'static str,
 }
 
 impl Input<Pslg> {
     /// The numbers and lines of its file, for faults and warnings.
     pub(crate) fn numbers(&self) -> FileNumbers<'_> {
-        FileNumbers::new(&self.value, self.first_index, self.name(), self.files.first().map(PathBuf::as_path))
+        let file = self.files.first().map(PathBuf::as_path);
+        let numbers = FileNumbers::new(&self.value, self.first_index, self.name(), file);
+        if self.told.is_empty() { numbers } else { numbers.with_origins(&self.origins, self.noun) }
     }
 }
 
 impl<T> Input<T> {
     fn of(numbered: Numbered<T>) -> Self {
-        let Numbered { value, first_index, files, notes } = numbered;
-        Self { value, first_index, files, notes: notes.iter().map(ToString::to_string).collect() }
+        let Numbered { value, first_index, files, notes, told, origins, noun } = numbered;
+        let notes = notes.iter().map(ToString::to_string).collect();
+        Self { value, first_index, files, notes, told, origins, noun }
+    }
+
+    /// The same files with another content.
+    pub(crate) fn with_value<U>(self, value: U) -> Input<U> {
+        let Self { value: _, first_index, files, notes, told, origins, noun } = self;
+        Input { value, first_index, files, notes, told, origins, noun }
     }
 
     /// Prints the messages about ignored parts to standard error, for commands whose report has no place for them.
@@ -59,8 +75,8 @@ impl<T> Input<T> {
 }
 
 /// Reads a drawing.
-pub(crate) fn read_drawing(path: &Path) -> Result<Input<Pslg>, Failure> {
-    let read = read_pslg_numbered(path).map_err(Failure::from);
+pub(crate) fn read_drawing(path: &Path, import: &ImportOptions) -> Result<Input<Pslg>, Failure> {
+    let read = read_pslg_with(path, &import.options()).map_err(Failure::from);
     match Format::from_path(path) {
         Some(Format::Ele) => read
             .map(Input::of)

@@ -16,7 +16,8 @@ use crate::input::{Input, is_mesh, read_drawing, read_mesh};
 /// A mesh, or a drawing that is triangulated.
 #[derive(Debug, Args)]
 pub(crate) struct SourceOptions {
-    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, or '-' for standard input), which is triangulated
+    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, '-' for standard input, or one of another program
+    /// such as .geojson, .dxf, .csv or .las), which is triangulated
     pub(crate) input: PathBuf,
 
     #[command(flatten)]
@@ -29,9 +30,9 @@ impl SourceOptions {
         if is_mesh(&self.input) {
             return read_mesh(&self.input);
         }
-        let Input { value, first_index, files, notes } = read_drawing(&self.input)?;
-        let points = IndexedMesh { input_points: value.points.len(), points: value.points, ..IndexedMesh::default() };
-        Ok(Input { value: points, first_index, files, notes })
+        let mut drawing = read_drawing(&self.input, &self.reading.import)?;
+        let points = std::mem::take(&mut drawing.value.points);
+        Ok(drawing.with_value(IndexedMesh { input_points: points.len(), points, ..IndexedMesh::default() }))
     }
 
     /// Reads the mesh, or triangulates the drawing; what is unusual in it is among the notes.
@@ -39,13 +40,15 @@ impl SourceOptions {
         if is_mesh(&self.input) {
             return read_mesh(&self.input);
         }
-        let drawing = read_drawing(&self.input)?;
+        let drawing = read_drawing(&self.input, &self.reading.import)?;
         let options = self.reading.domain_options(AlgorithmKey::default());
         let names = drawing.numbers();
         let made = trimalla::triangulate(&drawing.value, &options);
         let made = made.map_err(|error| drawing_faults::failure(&names, &error))?;
-        let notes = drawing.notes.iter().cloned().chain(made.warnings.iter().map(|w| names.warning(w))).collect();
-        Ok(Input { value: made.mesh, first_index: drawing.first_index, files: drawing.files.clone(), notes })
+        let warnings: Vec<String> = made.warnings.iter().map(|w| names.warning(w)).collect();
+        let mut input = drawing.with_value(made.mesh);
+        input.notes.extend(warnings);
+        Ok(input)
     }
 }
 

@@ -35,9 +35,10 @@ impl Lines {
     }
 }
 
-/// The input in one line.
+/// The input in one line, and in more lines what was read of another program's drawing.
 pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
-    format!("{}: {}", drawing.name(), facts(&drawing.value))
+    let told = drawing.told.iter().map(|line| format!("\n  {line}"));
+    format!("{}: {}{}", drawing.name(), facts(&drawing.value), told.collect::<String>())
 }
 
 /// The size of a mesh, of whose vertices so many are not new.

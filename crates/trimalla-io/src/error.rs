@@ -69,12 +69,37 @@ pub enum Ignored {
         /// The number of the first vertex.
         first_vertex: u32,
     },
+    /// Shapes of a drawing that were passed over.
+    Shapes {
+        /// What they are, in the plural.
+        what: String,
+        /// How many.
+        count: u64,
+        /// What `first` counts: `line`, `feature` or `record`.
+        noun: &'static str,
+        /// Where the first of them is.
+        first: u64,
+    },
+    /// Something unusual in a drawing, as a sentence.
+    Unusual(String),
 }
 
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: ", self.place)?;
+        if matches!(self.what, Ignored::Shapes { .. } | Ignored::Unusual(_)) {
+            // About the file as a whole.
+            write_printable(f, &self.place.file)?;
+            f.write_str(": ")?;
+        } else {
+            write!(f, "{}: ", self.place)?;
+        }
         match &self.what {
+            Ignored::Shapes { what, count, noun, first } => {
+                let first =
+                    if *count == 1 { format!("in {noun} {first}") } else { format!("the first in {noun} {first}") };
+                write!(f, "{count} {what} skipped, {first}")
+            }
+            Ignored::Unusual(text) => f.write_str(text),
             Ignored::Columns { noun, rows: 1 } => {
                 write!(f, "1 {noun} row has more columns than its header declares; they were ignored")
             }
@@ -101,6 +126,18 @@ pub enum IoError {
     /// The text is well formed but its value is not allowed: out of range, not finite, out of sequence.
     #[error("{0}")]
     Value(Box<Fault>),
+    /// The content of a file is at fault where lines say nothing: a record, a feature, the file as a whole.
+    #[error("{}{}: {message}", Printable(Path::new(file)), Numbered(noun, *number))]
+    Content {
+        /// The file as the caller named it.
+        file: String,
+        /// What the number counts: `line`, `feature` or `record`; empty for the file as a whole.
+        noun: &'static str,
+        /// The number, counted from 1.
+        number: u64,
+        /// What is wrong.
+        message: String,
+    },
     /// A file does not exist.
     #[error("{}: no such file{}", Printable(path), NeededBy(needed_by.as_deref()))]
     Missing {
@@ -166,6 +203,19 @@ struct Printable<'a>(&'a Path);
 impl fmt::Display for Printable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_printable(f, &self.0.to_string_lossy())
+    }
+}
+
+/// The place of a fault in the content of a file.
+struct Numbered<'a>(&'a str, u64);
+
+impl fmt::Display for Numbered<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self("", _) => Ok(()),
+            Self("line", number) => write!(f, ":{number}"),
+            Self(noun, number) => write!(f, ": {noun} {number}"),
+        }
     }
 }
 

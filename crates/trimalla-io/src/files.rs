@@ -13,7 +13,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::atomic::recover;
-use crate::bytes;
+use crate::bytes::{self, Content};
+use crate::drawings::DrawingOptions;
 use crate::error::IoError;
 use crate::read;
 use crate::write::Outputs;
@@ -50,7 +51,7 @@ impl Files {
     /// # Errors
     /// Every [`IoError`] that is not about output.
     pub fn read_pslg(&self, path: impl AsRef<Path>) -> Result<Pslg, IoError> {
-        read::pslg(self, path.as_ref()).map(|drawing| drawing.value)
+        read::pslg(self, path.as_ref(), &DrawingOptions::default()).map(|drawing| drawing.value)
     }
 
     /// Reads a mesh, as the function [`read_mesh`](crate::read_mesh) does from the disk.
@@ -71,9 +72,9 @@ impl Files {
     }
 
     /// The bytes behind a path.
-    pub(crate) fn read(&self, path: &Path, longest: u64) -> io::Result<Vec<u8>> {
+    pub(crate) fn read(&self, path: &Path, longest: u64, content: Content) -> io::Result<Vec<u8>> {
         match self {
-            Self::Disk => bytes::of_disk(path, longest),
+            Self::Disk => bytes::of_disk(path, longest, content),
             Self::Memory(memory) => memory.read(path, longest),
         }
     }

@@ -6,6 +6,7 @@
 //! | you have, you want | call |
 //! |---|---|
 //! | a path to a drawing (`.poly`, `.node`, `.mesh`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
+//! | a path to a drawing of another program (GeoJSON, DXF, SVG, …) | [`read_pslg`], or [`read_pslg_with`] with options |
 //! | a path to a mesh (`.ele`, `.mesh`, `.soup`, `.txt`) | [`read_mesh`], or [`read_mesh_numbered`] |
 //! | the area bounds beside a mesh | [`read_areas`] |
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
@@ -36,8 +37,9 @@
 //! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
 //! | `.png` | a picture in pixels | [`png`] |
 //! | `.toml` | a recipe of refinement | [`recipe`] |
+//! | `.geojson`, `.dxf`, `.svg`, `.wkt`, `.shp`, `.csv`, `.xyz`, `.las` | drawings of other programs, which are read | [`drawings`] |
 //!
-//! # What all text formats that are read share
+//! # What all text formats of Triangle and `MeshSuite` that are read share
 //!
 //! * One record a line; blank lines and comments (`#` to the end of the line) anywhere; LF, CR LF or a lone CR; a byte
 //!   order mark is skipped.
@@ -79,6 +81,7 @@ pub mod bars;
 mod bytes;
 pub mod chart;
 mod columns;
+pub mod drawings;
 pub mod edge;
 pub mod ele;
 mod error;
@@ -109,7 +112,7 @@ pub use files::{Files, Memory};
 pub use format::Format;
 pub use numbers::VertexRange;
 pub use picture::{Overlay, PictureOptions};
-pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered};
+pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered, read_pslg_with};
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
 };

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use trimalla::drawing::{IndexedMesh, Pslg};
 
 use crate::area::{self, Areas};
-use crate::bytes::{self, LONGEST_FILE};
+use crate::bytes::{self, Content, LONGEST_FILE};
+use crate::drawings::{self, DrawingFormat, DrawingOptions, Drawn};
 use crate::error::{IoError, Note};
 use crate::files::Files;
 use crate::format::{Format, companion};
@@ -26,12 +27,23 @@ pub struct Numbered<T> {
     pub files: Vec<PathBuf>,
     /// What was ignored in the files.
     pub notes: Vec<Note>,
+    /// What was read and how, where another program's drawing was read: lines of a report.
+    pub told: Vec<String>,
+    /// For each segment of such a drawing the number of the line, feature or record that it comes from; otherwise
+    /// empty.
+    pub origins: Vec<u32>,
+    /// What these numbers count: `line`, `feature` or `record`.
+    pub noun: &'static str,
 }
 
 impl<T> Numbered<T> {
     /// The content of one file, nothing of which was ignored.
     fn whole(value: T, first_index: u32, path: &Path) -> Self {
-        Self { value, first_index, files: vec![path.to_owned()], notes: Vec::new() }
+        Self::of_files(value, first_index, vec![path.to_owned()], Vec::new())
+    }
+
+    fn of_files(value: T, first_index: u32, files: Vec<PathBuf>, notes: Vec<Note>) -> Self {
+        Self { value, first_index, files, notes, told: Vec::new(), origins: Vec::new(), noun: "line" }
     }
 }
 
@@ -39,13 +51,19 @@ impl Numbered<Pslg> {
     fn of_poly(mut poly: Poly, files: Vec<PathBuf>) -> Self {
         let mut notes = std::mem::take(&mut poly.nodes.notes);
         notes.append(&mut poly.sections.notes);
-        Self { first_index: poly.nodes.first_index, value: poly.into_pslg(), files, notes }
+        let first_index = poly.nodes.first_index;
+        Self::of_files(poly.into_pslg(), first_index, files, notes)
+    }
+
+    fn of_drawn(drawn: Drawn, files: Vec<PathBuf>) -> Self {
+        let Drawn { pslg, notes, told, origins, noun } = drawn;
+        Self { told, origins, noun, ..Self::of_files(pslg, 1, files, notes) }
     }
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
-/// `MeshSuite`'s `.mesh` (whose triangles are left out), the stem of a `.poly` or `.node` file, or `-` for standard
-/// input.
+/// `MeshSuite`'s `.mesh` (whose triangles are left out), a drawing of another program in a
+/// [`DrawingFormat`], the stem of a `.poly` or `.node` file, or `-` for standard input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -58,14 +76,30 @@ pub fn read_pslg(path: impl AsRef<Path>) -> Result<Pslg, IoError> {
 /// # Errors
 /// Every [`IoError`] that is not about output.
 pub fn read_pslg_numbered(path: impl AsRef<Path>) -> Result<Numbered<Pslg>, IoError> {
-    pslg(&Files::Disk, path.as_ref())
+    read_pslg_with(path, &DrawingOptions::default())
+}
+
+/// Reads a drawing as [`read_pslg`] does, with options for those of other programs.
+///
+/// The ending of the name says the format, or where it says none the first bytes of the file.
+///
+/// # Errors
+/// Every [`IoError`] that is not about output.
+pub fn read_pslg_with(path: impl AsRef<Path>, options: &DrawingOptions) -> Result<Numbered<Pslg>, IoError> {
+    pslg(&Files::Disk, path.as_ref(), options)
 }
 
 /// Reads a drawing.
-pub(crate) fn pslg(files: &Files, path: &Path) -> Result<Numbered<Pslg>, IoError> {
+pub(crate) fn pslg(files: &Files, path: &Path, options: &DrawingOptions) -> Result<Numbered<Pslg>, IoError> {
     if path == Path::new("-") && matches!(files, Files::Disk) {
         let bytes = bytes::of_stream(io::stdin().lock()).map_err(|source| unreadable(path, source))?;
-        return Ok(Numbered::of_poly(poly::read_unnamed(&bytes, "-")?, Vec::new()));
+        return match DrawingFormat::of_content(&bytes) {
+            Some(format) => Ok(Numbered::of_drawn(drawings::read(&bytes, format, "-", None, options)?, Vec::new())),
+            None => Ok(Numbered::of_poly(poly::read_unnamed(&bytes, "-")?, Vec::new())),
+        };
+    }
+    if let Some(format) = DrawingFormat::from_path(path) {
+        return read_drawn(files, path, Some(format), options);
     }
     match Format::from_path(path) {
         Some(Format::Poly) => read_poly(files, path),
@@ -81,14 +115,15 @@ pub(crate) fn pslg(files: &Files, path: &Path) -> Result<Numbered<Pslg>, IoError
             Ok(Numbered::whole(file.into_pslg(), first_index, path))
         }
         None => match of_stem(files, path, &[Format::Poly, Format::Node]) {
-            Some(file) => pslg(files, &file),
+            Some(file) => pslg(files, &file, options),
+            None if Format::of_mesh(path).is_none() && files.is_there(path) => read_drawn(files, path, None, options),
             None => Err(unknown(path, DRAWING_ENDINGS)),
         },
         Some(_) => Err(unknown(path, DRAWING_ENDINGS)),
     }
 }
 
-const DRAWING_ENDINGS: &str = ".poly, .node or .mesh";
+const DRAWING_ENDINGS: &str = ".poly, .node, .mesh, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las";
 const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
 
 /// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own,
@@ -170,6 +205,30 @@ fn read_poly(files: &Files, path: &Path) -> Result<Numbered<Pslg>, IoError> {
     Ok(Numbered::of_poly(poly, read))
 }
 
+/// Reads a drawing of another program; without a format, the first bytes must say it.
+fn read_drawn(
+    files: &Files,
+    path: &Path,
+    format: Option<DrawingFormat>,
+    options: &DrawingOptions,
+) -> Result<Numbered<Pslg>, IoError> {
+    let bytes = bytes::read_drawing(files, path)?;
+    let format = format.or_else(|| DrawingFormat::of_content(&bytes)).ok_or_else(|| unknown(path, DRAWING_ENDINGS))?;
+    let mut read = vec![path.to_owned()];
+    let mut table = None;
+    if format == DrawingFormat::Shapefile && options.property.is_some() {
+        let is_capital = path.extension().is_some_and(|ending| ending == "SHP");
+        let beside = path.with_extension(if is_capital { "DBF" } else { "dbf" });
+        table = Some(files.read(&beside, LONGEST_FILE, Content::Binary).map_err(|source| match source.kind() {
+            io::ErrorKind::NotFound => IoError::Missing { path: beside.clone(), needed_by: Some(path.to_owned()) },
+            _ => unreadable(&beside, source),
+        })?);
+        read.push(beside);
+    }
+    let drawn = drawings::read(&bytes, format, &name_of(path), table.as_deref(), options)?;
+    Ok(Numbered::of_drawn(drawn, read))
+}
+
 fn read_nodes(files: &Files, path: &Path, needed_by: Option<&Path>) -> Result<Nodes, IoError> {
     node::read(&read_file(files, path, needed_by)?, &name_of(path))
 }
@@ -201,7 +260,7 @@ fn read_group(files: &Files, path: &Path) -> Result<Numbered<IndexedMesh>, IoErr
         holes,
         ..nodes.into_mesh()
     };
-    Ok(Numbered { value: mesh, first_index, files: read, notes })
+    Ok(Numbered::of_files(mesh, first_index, read, notes))
 }
 
 /// The first existing file of the given formats that has `path` as its stem.

@@ -13,6 +13,7 @@ use trimalla_workbench::refining::corners;
 
 use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
+use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing, read_mesh};
 
 /// No more faults than this are named one by one.
@@ -42,9 +43,13 @@ pub(crate) struct Options {
     /// (.soup, .txt)
     mesh: PathBuf,
 
-    /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'
+    /// The drawing that the mesh was made from: .poly, .node, a stem, '-', or one of another program, read with the
+    /// same options as for the mesh
     #[arg(long, value_name = "DRAWING")]
     input: Option<PathBuf>,
+
+    #[command(flatten)]
+    import: ImportOptions,
 
     /// The smallest angle that a triangle may have, in degrees, from 0 to 60
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
@@ -57,7 +62,12 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         return Err(OptionError::MinAngle(degrees).into());
     }
     let mesh = read_mesh(&options.mesh)?.with_notes_shown();
-    let drawing = options.input.as_deref().map(read_drawing).transpose()?.map(Input::with_notes_shown);
+    let drawing = options
+        .input
+        .as_deref()
+        .map(|input| read_drawing(input, &options.import))
+        .transpose()?
+        .map(Input::with_notes_shown);
     let faults = faults(&mesh, drawing.as_ref(), options.min_angle);
     console::print(&text(&mesh, &faults))?;
     Ok(if faults.is_empty() { Status::Done } else { Status::Unmet })

@@ -23,6 +23,7 @@ use crate::args::{CROSSINGS, one_of};
 use crate::console::{self, shown};
 use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
+use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
 use crate::progress;
@@ -334,7 +335,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 
 /// Reads a drawing and adds it; the files that it was read from.
 fn add_drawing(experiment: &mut Experiment, path: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let drawing: Input<Pslg> = read_drawing(path)?.with_notes_shown();
+    let drawing: Input<Pslg> = read_drawing(path, &ImportOptions::default())?.with_notes_shown();
     let names = drawing.numbers();
     trimalla::triangulate(&drawing.value, &experiment.domain)
         .map_err(|error| drawing_faults::failure(&names, &error))?;

@@ -7,6 +7,7 @@ use trimalla_io::Format;
 
 use crate::args::{OutputOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::import::ImportOptions;
 use crate::input::{is_mesh, read_drawing, read_mesh};
 use crate::outputs::{self, Outputs};
 use crate::progress;
@@ -14,6 +15,7 @@ use crate::progress;
 const HELP: &str = "\
 Examples:
   trimalla convert key.poly key.svg           a picture of a drawing
+  trimalla convert plan.dxf plan.poly         a CAD drawing as vertices, segments and seeds
   trimalla convert key.1.ele key.1.svg        a picture of a mesh
   trimalla convert key.1.ele key.1.png        the same in pixels, without letters
   trimalla convert key.1.ele key.1.neigh      which triangles share an edge
@@ -26,7 +28,7 @@ is a .mesh (MeshSuite) and a .soup or .txt file (triangles by coordinates), each
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, or '-')
+    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, '-', or one of another program)
     input: PathBuf,
 
     /// Where to; the ending says the format
@@ -35,6 +37,9 @@ pub(crate) struct Options {
     /// The format, where the output's name does not say it, such as '-'
     #[arg(long, value_name = "FORMAT", value_parser = one_of(Format::ALL.map(|f| (f.extension(), f.summary(), f))))]
     format: Option<Format>,
+
+    #[command(flatten)]
+    import: ImportOptions,
 }
 
 /// Runs the command.
@@ -48,7 +53,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         progress::begin_writing()?;
         outputs.prepare_mesh(trimalla_io::Outputs::default(), &mesh.value, &[])?.commit()?;
     } else {
-        let drawing = read_drawing(&options.input)?.with_notes_shown();
+        let drawing = read_drawing(&options.input, &options.import)?.with_notes_shown();
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
         let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {

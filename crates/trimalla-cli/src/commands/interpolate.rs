@@ -13,6 +13,7 @@ use trimalla::interpolate::{InterpolationMethod, Surface, interpolate};
 use crate::args::{ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
+use crate::import::ImportOptions;
 use crate::input::read_drawing;
 use crate::outputs::{self, Outputs};
 use crate::terrain::{self, SourceOptions};
@@ -36,7 +37,7 @@ pub(crate) struct Options {
     #[command(flatten)]
     source: SourceOptions,
 
-    /// The places: the points of a .node or .poly file, or '-' for standard input
+    /// The places: the points of a .node, .poly, .csv or other drawing, or '-' for standard input
     points: PathBuf,
 
     /// How a height is computed
@@ -64,7 +65,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover(&options.output, options.report.quiet);
     let mesh = options.source.read_triangles()?;
-    let places = read_drawing(&options.points)?;
+    let places = read_drawing(&options.points, &ImportOptions::default())?;
     let read = mesh.files.iter().chain(&places.files).cloned();
     let outputs = Outputs::sparing(read).with_texts(&options.output, None)?;
     let stream = outputs.report_stream(&options.report)?;

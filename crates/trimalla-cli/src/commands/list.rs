@@ -6,6 +6,7 @@ use clap::Args;
 use trimalla::domain::DomainRule;
 use trimalla::refine::{Group, OPTIONS, OptionRow, Row};
 use trimalla_io::Format;
+use trimalla_io::drawings::{DrawingFormat, Rings};
 
 use crate::commands::triangulate;
 use crate::console;
@@ -37,6 +38,12 @@ fn text() -> String {
         "file formats (by the ending of the name, or --format)",
         Format::ALL.iter().map(|f| (f.extension(), f.summary().to_owned())),
     );
+    add(
+        &mut text,
+        "drawings of other programs, which are read (by the ending of the name, or the first bytes)",
+        DrawingFormat::ALL.iter().map(|f| (f.key(), f.summary().to_owned())),
+    );
+    add(&mut text, "rings of such drawings (--rings)", Rings::ALL.iter().map(|r| (r.key(), r.summary().to_owned())));
     text.truncate(text.trim_end().len());
     text.push('\n');
     text

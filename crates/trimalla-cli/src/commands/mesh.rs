@@ -26,6 +26,8 @@ Examples:
   trimalla mesh key.poly -o key.png                       the picture in pixels, without letters
   trimalla mesh key.poly --select first --save-recipe mine.toml
   trimalla mesh key.poly --algorithm lepp-centroid --pick 3,7         two triangles treated, no others
+  trimalla mesh plan.dxf -o plan.1.ele                    a CAD drawing; also .geojson, .svg, .wkt, .shp, .csv, .las
+  trimalla mesh zones.geojson --property use -o zones.vtu regions by a property of the features
   trimalla mesh gear.poly --recipe mine.toml              the same steps, criteria and limits again
 
 Angles are in degrees, lengths in the units of the drawing, areas in their squares. The vertices
@@ -72,13 +74,13 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
     options.refining.recover();
-    let drawing = read_drawing(&options.drawing.input)?;
+    let drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
     let outputs = options.refining.outputs(&drawing)?;
     let domain = options.drawing.domain_options(options.triangulator);
     let job = Job {
         title: drawing.title(),
         heading: text::of_drawing(&drawing),
-        command: CommandLine::new("mesh", &options.drawing.input).with_domain(
+        command: options.drawing.import().repeat(CommandLine::new("mesh", &options.drawing.input)).with_domain(
             domain.rule,
             options.drawing.crossings_key(),
             options.triangulator.key(),

@@ -12,6 +12,7 @@ use trimalla_workbench::refining::TaskInput;
 use crate::console::shown;
 use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
+use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::progress;
 use crate::refining::{Job, RefiningOptions};
@@ -57,9 +58,12 @@ pub(crate) struct Options {
     /// (.soup, .txt)
     mesh: PathBuf,
 
-    /// The drawing that the mesh was made from: .poly, .node, a stem, or '-'
+    /// The drawing that the mesh was made from: .poly, .node, a stem, '-', or one of another program
     #[arg(long, value_name = "DRAWING", help_heading = "Drawing")]
     input: Option<PathBuf>,
+
+    #[command(flatten)]
+    import: ImportOptions,
 
     #[command(flatten)]
     refining: RefiningOptions,
@@ -72,7 +76,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     options.refining.recover();
     let mut mesh = read_mesh(&options.mesh)?;
     let areas = read_areas(&options.mesh, &mut mesh)?;
-    let drawing = options.input.as_deref().map(read_drawing).transpose()?;
+    let drawing = options.input.as_deref().map(|input| read_drawing(input, &options.import)).transpose()?;
     mesh.files.extend(drawing.iter().flat_map(|drawing| drawing.files.clone())); // None of these is overwritten.
     let outputs = options.refining.outputs(&mesh)?;
     let job = Job {
@@ -81,7 +85,9 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         command: options
             .input
             .iter()
-            .fold(CommandLine::new("refine", &options.mesh), |line, input| line.with("input", shown(input))),
+            .fold(options.import.repeat(CommandLine::new("refine", &options.mesh)), |line, input| {
+                line.with("input", shown(input))
+            }),
         first_index: mesh.first_index,
         vertices: mesh.value.points.len(),
         triangles: Some(&mesh.value.triangles),

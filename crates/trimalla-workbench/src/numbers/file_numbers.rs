@@ -26,6 +26,8 @@ pub struct FileNumbers<'a> {
     /// The file with the segments, if it can be read again.
     file: Option<&'a Path>,
     records: OnceCell<Records>,
+    /// For drawings of other programs, the number of the shape that each segment comes from, and what that counts.
+    origins: Option<(&'a [u32], &'static str)>,
 }
 
 impl<'a> FileNumbers<'a> {
@@ -33,7 +35,20 @@ impl<'a> FileNumbers<'a> {
     /// is one.
     #[must_use]
     pub fn new(drawing: &'a Pslg, first_index: u32, name: String, file: Option<&'a Path>) -> Self {
-        Self { drawing, first_index, name, file, records: OnceCell::new() }
+        Self { drawing, first_index, name, file, records: OnceCell::new(), origins: None }
+    }
+
+    /// The numbers of a drawing of another program: its segments have no numbers there, but each comes from a line, a
+    /// feature or a record, which `noun` says.
+    #[must_use]
+    pub fn with_origins(self, origins: &'a [u32], noun: &'static str) -> Self {
+        Self { file: None, origins: Some((origins, noun)), ..self }
+    }
+
+    /// The line, feature or record that a segment comes from.
+    fn origin(&self, segment: usize) -> Option<String> {
+        let (origins, noun) = self.origins?;
+        origins.get(segment).map(|number| format!("{noun} {number}"))
     }
 
     /// The number that the file gives to the vertex, segment or triangle with this index.
@@ -118,8 +133,11 @@ impl<'a> FileNumbers<'a> {
         let [a, b] = pair.segments.map(|s| self.segment_number(s));
         let text = format!("segments {a} and {b} cross near {}", pair.at);
         let [i, j] = pair.segments.map(|s| self.records().segments.get(s));
-        self.of_file(match (i, j) {
-            (Some(i), Some(j)) => format!("{text} (lines {} and {})", i.line, j.line),
+        let [from_a, from_b] = pair.segments.map(|s| self.origin(s));
+        self.of_file(match (i, j, from_a, from_b) {
+            (Some(i), Some(j), ..) => format!("{text} (lines {} and {})", i.line, j.line),
+            (_, _, Some(a), Some(b)) if a == b => format!("{text} (both from {a})"),
+            (_, _, Some(a), Some(b)) => format!("{text} (from {a} and {b})"),
             _ => text,
         })
     }
@@ -210,7 +228,7 @@ impl<'a> FileNumbers<'a> {
         let number = self.segment_number(segment);
         match self.records().segments.get(segment) {
             Some(record) => format!("segment {number} (line {})", record.line),
-            None => format!("segment {number}"),
+            None => self.origin(segment).map_or(format!("segment {number}"), |o| format!("segment {number} ({o})")),
         }
     }
 
@@ -221,7 +239,8 @@ impl<'a> FileNumbers<'a> {
     }
 
     fn of_segment(&self, segment: usize, text: &str) -> String {
-        let text = format!("segment {} {text}", self.segment_number(segment));
+        let origin = self.origin(segment).map_or_else(String::new, |origin| format!(" ({origin})"));
+        let text = format!("segment {}{origin} {text}", self.segment_number(segment));
         self.at(self.records().segments.get(segment), text)
     }
 
