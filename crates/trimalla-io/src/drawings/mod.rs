@@ -97,7 +97,9 @@ pub fn read(
     let mut made = assemble(&mut sketch, name, options.tolerance, mixes_lines || !has_areas)?;
     let rings = options.rings.unwrap_or(if mixes_lines || !has_areas { Rings::EvenOdd } else { Rings::Each });
     // By the layers of what is used: those of points and texts part no regions.
-    let has_layers = property.is_some() || sketch.layers.names().len() > 1;
+    let mut used = sketch.shapes.iter().filter(|shape| shape.kind != Kind::Points).map(|shape| shape.layer);
+    let first = used.next();
+    let has_layers = first.is_some() && (property.is_some() || used.any(|layer| Some(layer) != first));
     let values = has_layers.then(|| attributes(sketch.layers.names()));
     let gets_hull = if made.areas.is_empty() {
         faces::add_hull(&mut made)

@@ -3,6 +3,7 @@
 mod catalogue;
 mod common;
 mod damage;
+mod drawings;
 mod memory;
 mod one_file;
 mod paths;
