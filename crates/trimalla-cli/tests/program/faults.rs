@@ -75,10 +75,11 @@ fn missing_files_are_named() {
     scratch.run("mesh lone.poly").expect(3).says("error: lone.node: no such file, needed by lone.poly");
     scratch.run("mesh .").expect(3);
     scratch.write("key.dxf", "");
-    scratch
-        .run("mesh key.dxf")
-        .expect(3)
-        .says("error: cannot read key.dxf: expected a name that ends in .poly, .node or .mesh");
+    scratch.run("mesh key.dxf").expect(3).says("error: key.dxf:1:1: expected a section of DXF, found none");
+    scratch.write("key.step", "");
+    scratch.run("mesh key.step").expect(3).says(
+        "error: cannot read key.step: expected a name that ends in .poly, .node, .mesh, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las",
+    );
     scratch
         .run("stats lone.poly")
         .expect(3)
