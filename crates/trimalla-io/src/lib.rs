@@ -6,7 +6,7 @@
 //! | you have, you want | call |
 //! |---|---|
 //! | a path to a drawing (`.poly`, `.node`, `.mesh`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
-//! | a path to a drawing of another program (GeoJSON, DXF, SVG, …) | [`read_pslg`], or [`read_pslg_with`] with options |
+//! | a path to a drawing of another program (`GeoJSON`, DXF, SVG, …) | [`read_pslg`], or [`read_pslg_with`] with options |
 //! | a path to a mesh (`.ele`, `.mesh`, `.soup`, `.txt`) | [`read_mesh`], or [`read_mesh_numbered`] |
 //! | the area bounds beside a mesh | [`read_areas`] |
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |

@@ -222,7 +222,7 @@ impl Finder<'_> {
             for h in f.half_edges() {
                 let g = self.cdt.twin(h).face();
                 let is_line = || self.cdt.segments_of(h).iter().any(|s| self.made.is_line[s.index()]);
-                if !is_open[g.index()] && !(self.cdt.is_marked(h) && is_line()) {
+                if !(is_open[g.index()] || self.cdt.is_marked(h) && is_line()) {
                     is_open[g.index()] = true;
                     stack.push(g);
                 }

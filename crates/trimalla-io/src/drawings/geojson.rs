@@ -1,4 +1,4 @@
-//! GeoJSON: features with geometries, as RFC 7946 describes them.
+//! `GeoJSON`: features with geometries, as RFC 7946 describes them.
 
 use std::fmt;
 
@@ -18,11 +18,11 @@ struct Object<'a> {
     #[serde(default)]
     coordinates: Option<Coordinates>,
     #[serde(borrow, default)]
-    geometries: Option<Vec<Object<'a>>>,
+    geometries: Option<Vec<Self>>,
     #[serde(borrow, default)]
-    geometry: Option<Box<Object<'a>>>,
+    geometry: Option<Box<Self>>,
     #[serde(borrow, default)]
-    features: Option<Vec<Object<'a>>>,
+    features: Option<Vec<Self>>,
     #[serde(borrow, default)]
     properties: Option<&'a RawValue>,
 }
@@ -30,7 +30,7 @@ struct Object<'a> {
 /// Nested lists of positions.
 enum Coordinates {
     Position(Vertex),
-    List(Vec<Coordinates>),
+    List(Vec<Self>),
 }
 
 impl<'de> Deserialize<'de> for Coordinates {

@@ -2,7 +2,7 @@
 //!
 //! | format | areas | lines | regions come from |
 //! |---|---|---|---|
-//! | GeoJSON | polygons | line strings | features, or a property |
+//! | `GeoJSON` | polygons | line strings | features, or a property |
 //! | WKT | polygons | line strings | geometries |
 //! | shapefile | polygons | lines | records, or a column of the `.dbf` file beside |
 //! | DXF | closed entities, and lines and arcs that close | all others | layers |

@@ -10,7 +10,7 @@ pub struct DrawingOptions {
     /// What rings bound; by default as the format has it: [`Rings::Each`] where it has polygons with holes, otherwise
     /// [`Rings::EvenOdd`].
     pub rings: Option<Rings>,
-    /// The property of features (GeoJSON), or the column of the table beside (shapefile), whose values are regions.
+    /// The property of features (`GeoJSON`), or the column of the table beside (shapefile), whose values are regions.
     pub property: Option<String>,
     /// The layers that are read; empty for all.
     pub layers: Vec<String>,
