@@ -7,9 +7,9 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_with};
 use trimalla_workbench::numbers::FileNumbers;
 
+use crate::args::ImportOptions;
 use crate::console::{note, shown};
 use crate::exit::Failure;
-use crate::import::ImportOptions;
 
 /// A drawing or mesh that was read, and its files.
 #[derive(Debug)]

@@ -24,7 +24,6 @@ mod commands;
 mod console;
 mod drawing_faults;
 mod exit;
-mod import;
 mod input;
 mod json;
 mod outputs;

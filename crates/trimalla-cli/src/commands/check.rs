@@ -11,9 +11,9 @@ use trimalla::triangulation::{MeshFault, check_mesh, check_mesh_delaunay};
 use trimalla_workbench::numbers::{Renumber as _, count};
 use trimalla_workbench::refining::corners;
 
+use crate::args::ImportOptions;
 use crate::console;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing, read_mesh};
 
 /// No more faults than this are named one by one.

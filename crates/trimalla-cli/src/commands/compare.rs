@@ -19,11 +19,10 @@ use trimalla_compare::{
 };
 use trimalla_io::{Format, recipe};
 
-use crate::args::{CROSSINGS, one_of};
+use crate::args::{CROSSINGS, ImportOptions, one_of};
 use crate::console::{self, shown};
 use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
 use crate::progress;

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use trimalla_io::Format;
 
-use crate::args::{OutputOptions, one_of};
+use crate::args::{ImportOptions, OutputOptions, one_of};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::import::ImportOptions;
 use crate::input::{is_mesh, read_drawing, read_mesh};
 use crate::outputs::{self, Outputs};
 use crate::progress;

@@ -10,10 +10,9 @@ use trimalla::delaunay::Delaunay;
 use trimalla::geometry::Point;
 use trimalla::interpolate::{InterpolationMethod, Surface, interpolate};
 
-use crate::args::{ReportOptions, one_of};
+use crate::args::{ImportOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::import::ImportOptions;
 use crate::input::read_drawing;
 use crate::outputs::{self, Outputs};
 use crate::terrain::{self, SourceOptions};

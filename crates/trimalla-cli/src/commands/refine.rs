@@ -9,10 +9,10 @@ use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_workbench::numbers::{Renumber as _, count};
 use trimalla_workbench::refining::TaskInput;
 
+use crate::args::ImportOptions;
 use crate::console::shown;
 use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
-use crate::import::ImportOptions;
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::progress;
 use crate::refining::{Job, RefiningOptions};
