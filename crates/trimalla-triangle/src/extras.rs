@@ -47,8 +47,8 @@ pub(crate) fn laid_out(bare: Bare, switches: &Switches) -> Result<Made, Triangle
     })
 }
 
-/// Gives each vertex its own marker from the input; else that of a segment on which it lies, also of one that holes have
-/// eaten; else 1 on the boundary and 0 inside.
+/// Gives each vertex its own marker from the input; else that of a segment on which it lies, also of one outside the
+/// domain; else 1 on the boundary and 0 inside.
 fn mark_vertices(mesh: &mut IndexedMesh, given: &Given) {
     const BOUNDARY: i32 = 1;
     let mut markers = vec![0; mesh.points.len()];

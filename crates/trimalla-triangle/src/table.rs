@@ -38,12 +38,17 @@ const fn differs(letter: char, form: &'static str, summary: &'static str, note: 
 pub const ROWS: &[Row] = &[
     same('p', "-p", "read a drawing, FILE.poly: segments, holes, regions"),
     same('r', "-r", "refine a mesh, FILE.node and FILE.ele; with -p its subsegments from FILE.poly"),
-    differs('q', "-q, -q30", "no angle below 20 degrees, or the given bound", "always ends; fewer triangles as a rule"),
+    differs(
+        'q',
+        "-q, -q30",
+        "no angle below 20 degrees, or the given bound",
+        "always ends; new vertices lie elsewhere",
+    ),
     differs(
         'a',
         "-a0.1, -a",
         "no triangle above this area; alone: areas of regions, or with -r of FILE.area",
-        "wide parts are filled with a lattice: fewer triangles",
+        "wide parts are filled with a lattice",
     ),
     Row {
         letter: 'u',

@@ -47,7 +47,10 @@ impl Call {
 }
 
 fn refused(error: SwitchError) -> Failure {
-    Failure::wrong_use(error.to_string()).hint("'trimalla triangle -h' explains the switches")
+    let is_number = matches!(error, SwitchError::Unknown { letter: '-' | '+' | '0'..='9', .. });
+    let failure = Failure::wrong_use(error.to_string());
+    let failure = if is_number { failure.hint("a number has no exponent: -a0.00001, not -a1e-5") } else { failure };
+    failure.hint("'trimalla triangle -h' explains the switches")
 }
 
 /// Every switch in one line each.

@@ -20,10 +20,10 @@ pub(crate) use call::{Call, switches_text};
 use std::time::Instant;
 
 use trimalla::Error;
-use trimalla::domain::DomainError;
+use trimalla::domain::{DomainError, MeshError};
 use trimalla::refine::Observer;
 use trimalla_triangle::{Made, TriangleError, triangulate};
-use trimalla_workbench::numbers::FileNumbers;
+use trimalla_workbench::numbers::{FileNumbers, Renumber as _};
 
 use crate::console;
 use crate::exit::{Failure, Status};
@@ -64,7 +64,7 @@ fn make(read: &Read, switches: &trimalla_triangle::Switches) -> Result<Made, Fai
     match &read.content {
         Content::Mesh(..) => {
             let mut watch = watch;
-            called(&mut watch).map_err(|error| Failure::bad_input(format!("{}: {error}", read.name())))
+            called(&mut watch).map_err(|error| mesh_failure(read, error))
         }
         Content::Drawing(drawing) => {
             let file = read.files.first().map(std::path::PathBuf::as_path);
@@ -75,6 +75,22 @@ fn make(read: &Read, switches: &trimalla_triangle::Switches) -> Result<Made, Fai
             called(&mut foresight).map_err(|error| failure(&numbers, &error))
         }
     }
+}
+
+/// Faults of the mesh that was read, in the numbers of its files.
+fn mesh_failure(read: &Read, error: TriangleError) -> Failure {
+    const SHOWN: usize = 10;
+    let name = read.name();
+    let TriangleError::Mesh(Error::Mesh(MeshError::Faults(faults))) = error else {
+        return Failure::bad_input(format!("{name}: {error}"));
+    };
+    let more = faults.len().saturating_sub(SHOWN);
+    let shown = faults.into_iter().take(SHOWN).map(|fault| fault.renumbered(read.first_index));
+    let mut lines: Vec<String> = shown.map(|fault| format!("{name}: {fault}")).collect();
+    if more > 0 {
+        lines.push(format!("{name}: {more} more"));
+    }
+    Failure::of_many(Status::BadInput, lines)
 }
 
 /// A fault of the drawing, in the numbers and lines of its file.

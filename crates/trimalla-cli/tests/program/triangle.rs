@@ -181,6 +181,10 @@ fn what_is_not_supported_is_refused_by_name() {
     refused(&scratch, 2, "the switch -u is not supported", &["triangle -pqu box", "-pqu0.1 box"]);
     refused(&scratch, 2, "there is no switch -W", &["triangle -pW box"]);
     refused(&scratch, 2, "-q30, not -q 30", &["triangle -pq 30 box"]);
+    refused(&scratch, 2, "a number has no exponent", &["triangle -pqa1e-5 box"]);
+    scratch.write("cw.node", "3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n");
+    scratch.write("cw.ele", "1 3 0\n1 1 3 2\n");
+    refused(&scratch, 3, "cw.ele: triangle 1 with vertices 1 at (0, 0), 3 at", &["triangle -r cw"]);
     refused(&scratch, 2, "exclude each other", &["triangle -rI box.1"]);
     refused(&scratch, 3, "nothing.poly: no such file", &["triangle -p nothing"]);
     refused(&scratch, 3, "close the outline, or keep the convex hull with -c", &["triangle -p box"]);
