@@ -16,7 +16,7 @@ use trimalla::refine::NoObserver;
 use trimalla::{IndexedMesh, Point, Pslg, Region};
 use trimalla_triangle::{Edges, Input, Made, Switches, Voronoi, VoronoiEdge, triangulate as mesh_of};
 
-use crate::border::{BAD_OPTION, Fault, caught, slice};
+use crate::interface::{BAD_OPTION, Fault, caught, slice};
 use crate::memory::{give, release};
 use crate::options::text;
 

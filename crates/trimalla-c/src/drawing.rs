@@ -4,7 +4,7 @@ use std::ffi::c_int;
 
 use trimalla::{Point, Pslg, Region};
 
-use crate::border::{CError, Fault, call, handle, slice};
+use crate::interface::{CError, Fault, call, handle, slice};
 
 /// A drawing under construction.
 #[derive(Debug, Default)]
@@ -86,8 +86,8 @@ pub unsafe extern "C" fn trimalla_set_attributes(
 /// Adds segments, as pairs of indices of points, counted from 0.
 ///
 /// # Safety
-/// `drawing` is a live drawing; `ends` has `2 * count` numbers, `markers` is null or has `count`; `error` is null or has
-/// room for one error.
+/// `drawing` is a live drawing; `ends` has `2 * count` numbers, `markers` is null or has `count`; `error` is null or
+/// has room for one error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn trimalla_add_segments(
     drawing: *mut Drawing,

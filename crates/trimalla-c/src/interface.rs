@@ -1,4 +1,4 @@
-//! The border between C and Rust: errors as values, panics caught, arrays as slices.
+//! The interface between C and Rust: errors as values, panics caught, arrays as slices.
 
 use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};

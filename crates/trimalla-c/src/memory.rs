@@ -3,7 +3,7 @@
 use std::ffi::c_void;
 use std::ptr;
 
-use crate::border::{Fault, INTERNAL};
+use crate::interface::{Fault, INTERNAL};
 
 unsafe extern "C" {
     fn malloc(size: usize) -> *mut c_void;

@@ -7,9 +7,9 @@ use std::sync::OnceLock;
 use trimalla::refine::{Progress, Report};
 use trimalla::{IndexedMesh, Point};
 
-use crate::border::{BAD_ARGUMENT, CANCELLED, CError, Fault, call, handle};
 use crate::cancel::Cancel;
 use crate::drawing::Drawing;
+use crate::interface::{BAD_ARGUMENT, CANCELLED, CError, Fault, call, handle};
 use crate::options::Options;
 
 /// A mesh, with its arrays as C reads them.

@@ -7,7 +7,7 @@ use trimalla::domain::DomainRule;
 use trimalla::refine::{NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
 use trimalla::{DomainOptions, MeshOptions};
 
-use crate::border::{BAD_OPTION, CError, Fault, call, handle};
+use crate::interface::{BAD_OPTION, CError, Fault, call, handle};
 
 /// The options of a mesh.
 #[derive(Debug)]
