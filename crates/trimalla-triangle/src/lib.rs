@@ -8,7 +8,7 @@
 //! | you have, you want | call |
 //! |---|---|
 //! | a word of switches | [`Switches::parse`], [`Switches::add`] |
-//! | a drawing or a mesh, and switches | [`triangulate`] |
+//! | a drawing or a mesh, and switches | [`triangulate()`] |
 //! | what each switch does here | [`ROWS`] |
 //!
 //! What switches mean is taken from Triangle's published instructions, its output was compared with theirs, and its
