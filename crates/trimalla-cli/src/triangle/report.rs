@@ -45,6 +45,12 @@ pub(super) fn warnings(read: &Read, made: &Made, switches: &Switches, wanted: &[
         all.push(format!("{added} in no file: -I writes no .node file beside one that is read; leave out -I"));
     }
     all.extend(shortfall(made));
+    all.extend(
+        made.report
+            .as_ref()
+            .filter(|report| report.leftovers.is_empty())
+            .and_then(|report| lower_bound(switches.min_angle_deg.unwrap_or_default(), report.min_angle_deg)),
+    );
     all.iter().for_each(|text| note("warning", text));
 }
 
@@ -55,6 +61,14 @@ fn shortfall(made: &Made) -> Option<String> {
     let stopped = if report.stop == StopReason::Budget { "; no more vertices were allowed" } else { "" };
     let bad = count(report.leftovers.len(), "triangle");
     Some(format!("{bad} below a bound ({}){stopped}", reasons.join(", ")))
+}
+
+/// What to say of a mesh that meets all of its bounds, but a lower one on angles than was asked: the library returns such
+/// a mesh where the one that was asked is out of reach.
+fn lower_bound(asked_deg: f64, smallest_deg: f64) -> Option<String> {
+    const ROUNDING_DEG: f64 = 1e-9;
+    (smallest_deg < asked_deg - ROUNDING_DEG)
+        .then(|| format!("no mesh with all angles at {asked_deg} degrees was found; the smallest is {smallest_deg:.2}"))
 }
 
 /// The failure of a mesh that `-C` found at fault.
@@ -116,5 +130,18 @@ impl Read {
             Content::Mesh(mesh, _) => (("triangles", mesh.triangles.len()), ("subsegments", mesh.segments.len())),
         };
         [("vertices", self.vertices()), second, third]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lower_bound_is_told() {
+        assert_eq!(lower_bound(30.0, 30.000000000000004), None);
+        assert_eq!(lower_bound(30.0, 29.999999999999996), None);
+        let told = lower_bound(36.5, 36.0).unwrap();
+        assert_eq!(told, "no mesh with all angles at 36.5 degrees was found; the smallest is 36.00");
     }
 }
