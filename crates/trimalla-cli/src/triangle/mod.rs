@@ -21,13 +21,11 @@ use std::time::Instant;
 
 use trimalla::Error;
 use trimalla::domain::{DomainError, MeshError};
-use trimalla::refine::Observer;
-use trimalla_triangle::{Made, TriangleError, triangulate};
+use trimalla_triangle::{Made, Switches, TriangleError, triangulate};
 use trimalla_workbench::numbers::{FileNumbers, Renumber as _};
 
 use crate::console;
 use crate::exit::{Failure, Status};
-use crate::foresight::Foresight;
 use crate::outputs::{self, Outputs};
 use crate::progress::{self, Watch};
 use names::Names;
@@ -58,23 +56,12 @@ pub(crate) fn run(call: Call) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-fn make(read: &Read, switches: &trimalla_triangle::Switches) -> Result<Made, Failure> {
-    let watch = Watch::new(!switches.quiet);
-    let called = |observer: &mut dyn Observer| triangulate(&read.input(), switches, observer);
-    match &read.content {
-        Content::Mesh(..) => {
-            let mut watch = watch;
-            called(&mut watch).map_err(|error| mesh_failure(read, error))
-        }
-        Content::Drawing(drawing) => {
-            let file = read.files.first().map(std::path::PathBuf::as_path);
-            let numbers = FileNumbers::new(drawing, read.first_index, read.name(), file);
-            let options = switches.refine_options(drawing.points.len());
-            let mut foresight =
-                Foresight::new(watch, &numbers, options, switches.quiet || switches.most_added.is_some());
-            called(&mut foresight).map_err(|error| failure(&numbers, &error))
-        }
-    }
+fn make(read: &Read, switches: &Switches) -> Result<Made, Failure> {
+    let made = triangulate(&read.input(), switches, &mut Watch::new(!switches.quiet));
+    made.map_err(|error| match &read.content {
+        Content::Mesh(..) => mesh_failure(read, error),
+        Content::Drawing(drawing) => failure(&read.numbers(drawing), &error),
+    })
 }
 
 /// Faults of the mesh that was read, in the numbers of its files.

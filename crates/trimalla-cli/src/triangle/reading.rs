@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla_io::{IoError, node, poly, read_areas, read_bytes, read_mesh_numbered};
 use trimalla_triangle::{Input, Switches};
+use trimalla_workbench::numbers::FileNumbers;
 
 use super::names::Names;
 use crate::console::shown;
@@ -53,6 +54,11 @@ impl Read {
     /// The name of the first file in messages.
     pub(super) fn name(&self) -> String {
         self.files.first().map(|file| shown(file)).unwrap_or_default()
+    }
+
+    /// The numbers and lines of the file of a drawing, for faults and warnings.
+    pub(super) fn numbers<'a>(&'a self, drawing: &'a Pslg) -> FileNumbers<'a> {
+        FileNumbers::new(drawing, self.first_index, self.name(), self.files.first().map(PathBuf::as_path))
     }
 
     fn of_points(names: &Names) -> Result<Self, Failure> {

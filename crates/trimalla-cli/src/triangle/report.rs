@@ -7,7 +7,7 @@ use trimalla::quality::Statistics;
 use trimalla::refine::StopReason;
 use trimalla_io::bars;
 use trimalla_triangle::{Made, Switches};
-use trimalla_workbench::numbers::{FileNumbers, Renumber, count};
+use trimalla_workbench::numbers::{Renumber, count};
 
 use super::files::File;
 use super::reading::{Content, Read};
@@ -30,8 +30,7 @@ pub(super) fn warnings(read: &Read, made: &Made, switches: &Switches, wanted: &[
     let name = read.name();
     let mut all: Vec<String> = match &read.content {
         Content::Drawing(drawing) => {
-            let numbers =
-                FileNumbers::new(drawing, read.first_index, name.clone(), read.files.first().map(PathBuf::as_path));
+            let numbers = read.numbers(drawing);
             made.warnings.iter().map(|warning| numbers.warning(warning)).collect()
         }
         Content::Mesh(..) => made.warnings.iter().map(|warning| format!("{name}: {warning}")).collect(),
