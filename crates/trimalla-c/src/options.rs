@@ -4,7 +4,7 @@ use std::ffi::{CStr, c_char, c_int};
 
 use trimalla::constrained::Crossings;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
+use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
 use trimalla::{DomainOptions, MeshOptions};
 
 use crate::interface::{BAD_OPTION, CError, Fault, call, handle};
@@ -14,11 +14,13 @@ use crate::interface::{BAD_OPTION, CError, Fault, call, handle};
 pub struct Options {
     named: NamedOptions,
     domain: DomainOptions,
+    /// Whether the caller has named a preset or a step. If not, the library chooses.
+    names_recipe: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { named: NamedOptions::of(Preset::default()), domain: DomainOptions::default() }
+        Self { named: NamedOptions::of(Preset::default()), domain: DomainOptions::default(), names_recipe: false }
     }
 }
 
@@ -27,7 +29,11 @@ impl Options {
     pub(crate) fn mesh_options(options: Option<&Self>) -> MeshOptions {
         let default = Self::default();
         let options = options.unwrap_or(&default);
-        let refine = options.named.clone().with_default_bounds().refine_options();
+        let mut named = options.named.clone().with_default_bounds();
+        if !options.names_recipe {
+            named.preset = None;
+        }
+        let refine = named.refine_options();
         MeshOptions { domain: options.domain, refine }
     }
 
@@ -50,6 +56,7 @@ impl Options {
                 row.set(&mut self.named, &value).map_err(|error| Fault::new(BAD_OPTION, error.to_string()))?;
                 let checked = self.named.refine_options().validate();
                 checked.map_err(|error| Fault::new(BAD_OPTION, error.to_string()))?;
+                self.names_recipe |= matches!(row.group, Group::Preset | Group::Step(_));
             }
         }
         Ok(())
