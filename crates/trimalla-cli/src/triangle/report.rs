@@ -62,8 +62,8 @@ fn shortfall(made: &Made) -> Option<String> {
     Some(format!("{bad} below a bound ({}){stopped}", reasons.join(", ")))
 }
 
-/// What to say of a mesh that meets all of its bounds, but a lower one on angles than was asked: the library returns such
-/// a mesh where the one that was asked is out of reach.
+/// What to say of a mesh that meets all of its bounds, but a lower one on angles than was asked: the library returns
+/// such a mesh where the one that was asked is out of reach.
 fn lower_bound(asked_deg: f64, smallest_deg: f64) -> Option<String> {
     const ROUNDING_DEG: f64 = 1e-9;
     (smallest_deg < asked_deg - ROUNDING_DEG)
