@@ -8,8 +8,8 @@ use trimalla::DomainOptions;
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
-use trimalla_io::Format;
 use trimalla_io::drawings::{self, Rings};
+use trimalla_io::{Format, Precision};
 
 use crate::console;
 use crate::repeat::CommandLine;
@@ -125,7 +125,8 @@ pub(crate) struct OutputOptions {
     /// Write the result to this file; may be given several times
     ///
     /// The ending of the name says the format. '.ele' writes a group of three files, .node, .ele and .poly, with the
-    /// numbering of the input. '-' is standard output and needs --format. Outputs appear whole, all of them or none;
+    /// numbering of the input. '-' is standard output and needs --format; a group goes there file after file, each
+    /// behind a comment with its ending. Outputs appear whole, all of them or none;
     /// what is read, and a file that may not be written, is never replaced.
     #[arg(short, long, value_name = "OUT", help_heading = "Output")]
     pub(crate) output: Vec<PathBuf>,
@@ -133,7 +134,20 @@ pub(crate) struct OutputOptions {
     /// The format of outputs whose name does not say it, such as '-'
     #[arg(long, value_name = "FORMAT", help_heading = "Output", value_parser = one_of(Format::ALL.map(|f| (f.extension(), f.summary(), f))))]
     pub(crate) format: Option<Format>,
+
+    /// How exact the coordinates of a mesh are in its outputs
+    ///
+    /// With f32 every coordinate is a number of 32 bits, and every triangle is proved to have its corners
+    /// counter-clockwise all the same; where rounding would turn one over, a vertex goes to a number beside.
+    #[arg(long, value_name = "BITS", default_value = "f64", help_heading = "Output", value_parser = one_of(PRECISIONS))]
+    pub(crate) precision: Precision,
 }
+
+/// How exact coordinates may be.
+pub(crate) const PRECISIONS: [(&str, &str, Precision); 2] = [
+    ("f64", "as they are computed, 64 bits", Precision::Double),
+    ("f32", "rounded to 32 bits, triangles positive", Precision::Single),
+];
 
 /// How the report looks.
 #[derive(Debug, Args)]

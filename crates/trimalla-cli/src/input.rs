@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla_io::{Format, Numbered, read_mesh_numbered, read_pslg_with};
+use trimalla_io::{Format, GroupNames, Numbered, read_mesh_numbered, read_pslg_with};
 use trimalla_workbench::numbers::FileNumbers;
 
 use crate::args::ImportOptions;
@@ -27,6 +27,8 @@ pub(crate) struct Input<T> {
     origins: Vec<u32>,
     /// What these numbers count.
     noun: &'static str,
+    /// Names of regions and boundaries.
+    pub(crate) names: GroupNames,
 }
 
 impl Input<Pslg> {
@@ -40,15 +42,15 @@ impl Input<Pslg> {
 
 impl<T> Input<T> {
     fn of(numbered: Numbered<T>) -> Self {
-        let Numbered { value, first_index, files, notes, told, origins, noun } = numbered;
+        let Numbered { value, first_index, files, notes, told, origins, noun, names } = numbered;
         let notes = notes.iter().map(ToString::to_string).collect();
-        Self { value, first_index, files, notes, told, origins, noun }
+        Self { value, first_index, files, notes, told, origins, noun, names }
     }
 
     /// The same files with another content.
     pub(crate) fn with_value<U>(self, value: U) -> Input<U> {
-        let Self { value: _, first_index, files, notes, told, origins, noun } = self;
-        Input { value, first_index, files, notes, told, origins, noun }
+        let Self { value: _, first_index, files, notes, told, origins, noun, names } = self;
+        Input { value, first_index, files, notes, told, origins, noun, names }
     }
 
     /// Prints the messages about ignored parts to standard error, for commands whose report has no place for them.
@@ -110,7 +112,7 @@ pub(crate) fn is_mesh(path: &Path) -> bool {
         Path::new(&name).exists()
     };
     match Format::from_path(path) {
-        Some(format) => matches!(format, Format::Ele | Format::MeshSuite | Format::Soup),
+        Some(format) => format.holds_triangles(),
         None if Format::of_mesh(path).is_some() => true,
         None => path != Path::new("-") && beside(),
     }

@@ -54,6 +54,8 @@ impl Outputs {
     pub(crate) fn with_results<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
         let base = WriteOptions::default()
             .with_first_index(input.first_index)
+            .with_names(input.names.clone())
+            .with_precision(options.precision)
             .with_picture(PictureOptions::default().with_title(input.title()));
         for path in &options.output {
             let target = self.checked(Target::of_result(path, options.format, &base)?)?;
@@ -82,7 +84,8 @@ impl Outputs {
     /// Checks where a mesh and its table go: a file `.csv` gets the table, all others the mesh.
     pub(crate) fn with_mesh_and_table<T>(mut self, options: &OutputOptions, input: &Input<T>) -> Result<Self, Failure> {
         let (tables, output): (Vec<_>, _) = options.output.iter().cloned().partition(|path| is_table(path));
-        self = self.with_results(&OutputOptions { output, format: options.format }, input)?;
+        let others = OutputOptions { output, format: options.format, precision: options.precision };
+        self = self.with_results(&others, input)?;
         for path in &tables {
             let target = self.checked(Target::of_text(path))?;
             self.tables.push(target);

@@ -22,10 +22,30 @@ pub enum Format {
     MeshSuite,
     /// Triangles by coordinates.
     Soup,
+    /// A mesh for Gmsh, version 4.1.
+    Msh,
+    /// A mesh for Gmsh, version 2.2.
+    Msh2,
+    /// A mesh for Abaqus.
+    Abaqus,
+    /// A mesh or drawing for Medit.
+    Medit,
+    /// A mesh for SU2.
+    Su2,
     /// A mesh for ParaView.
     Vtu,
+    /// A mesh for ParaView, in the older format.
+    Vtk,
+    /// A surface for programs of computer graphics, Wavefront's format.
+    Obj,
+    /// A surface for programs of computer graphics, Stanford's format.
+    Ply,
+    /// Triangles for printers.
+    Stl,
     /// A mesh for other programs of geometry.
     Off,
+    /// Triangles for maps.
+    GeoJson,
     /// A picture of lines and areas.
     Svg,
     /// A picture of pixels.
@@ -34,7 +54,7 @@ pub enum Format {
 
 impl Format {
     /// All formats, in the order in which lists show them.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 22] = [
         Self::Node,
         Self::Ele,
         Self::Poly,
@@ -43,8 +63,18 @@ impl Format {
         Self::Area,
         Self::MeshSuite,
         Self::Soup,
+        Self::Msh,
+        Self::Msh2,
+        Self::Abaqus,
+        Self::Medit,
+        Self::Su2,
         Self::Vtu,
+        Self::Vtk,
+        Self::Obj,
+        Self::Ply,
+        Self::Stl,
         Self::Off,
+        Self::GeoJson,
         Self::Svg,
         Self::Png,
     ];
@@ -59,10 +89,20 @@ impl Format {
             Self::Edge => "edge",
             Self::Neigh => "neigh",
             Self::Area => "area",
-            Self::MeshSuite => "mesh",
+            Self::MeshSuite => "meshsuite",
             Self::Soup => "soup",
+            Self::Msh => "msh",
+            Self::Msh2 => "msh2",
+            Self::Abaqus => "inp",
+            Self::Medit => "mesh",
+            Self::Su2 => "su2",
             Self::Vtu => "vtu",
+            Self::Vtk => "vtk",
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
             Self::Off => "off",
+            Self::GeoJson => "geojson",
             Self::Svg => "svg",
             Self::Png => "png",
         }
@@ -78,10 +118,22 @@ impl Format {
             Self::Edge => "edges of a mesh (Triangle); written",
             Self::Neigh => "neighbours of triangles (Triangle); written",
             Self::Area => "area bounds of triangles (Triangle); read beside a mesh that is refined",
-            Self::MeshSuite => "a drawing or a mesh in one file (MeshSuite); read and written",
+            Self::MeshSuite => "a drawing or a mesh in one file (MeshSuite; also read from .mesh); read and written",
             Self::Soup => "triangles by coordinates (Sanhueza; also read from .txt); read and written",
-            Self::Vtu => "a mesh for ParaView (VTK, XML as plain text); written",
-            Self::Off => "triangles for other programs of geometry (Object File Format, plain text); written",
+            Self::Msh => "a mesh for Gmsh and solvers, version 4.1, with physical names; read (also 2.2) and written",
+            Self::Msh2 => "the same in version 2.2, for older programs; read and written",
+            Self::Abaqus => "a mesh for Abaqus and CalculiX, with sets and surfaces; read and written",
+            Self::Medit => "a mesh or a drawing for Medit, FreeFem, Mmg and MFEM; read and written",
+            Self::Su2 => "a mesh for SU2, with markers by name; read and written",
+            Self::Vtu => "a mesh for ParaView (VTK, XML as plain text), heights as z; read and written",
+            Self::Vtk => "a mesh for ParaView and others (VTK's legacy format), heights as z; read and written",
+            Self::Obj => "a surface for computer graphics (Wavefront), heights as z; read and written",
+            Self::Ply => "a surface for computer graphics (Stanford), heights as z; read and written",
+            Self::Stl => "triangles for printers, heights as z; read and written",
+            Self::Off => {
+                "triangles for other programs of geometry (Object File Format), heights as z; read and written"
+            }
+            Self::GeoJson => "triangles as features with their region, for maps; written",
             Self::Svg => "a picture; written",
             Self::Png => "a picture in pixels, without letters; written",
         }
@@ -93,9 +145,25 @@ impl Format {
     pub fn of_mesh(path: &Path) -> Option<Self> {
         match Self::from_path(path) {
             None if path.extension()?.eq_ignore_ascii_case("txt") => Some(Self::Soup),
-            Some(format @ (Self::Ele | Self::MeshSuite | Self::Soup)) => Some(format),
-            _ => None,
+            format => format.filter(|format| format.holds_triangles()),
         }
+    }
+
+    /// Whether [`read_mesh`](crate::read_mesh) reads files of this format, which hold triangles.
+    #[must_use]
+    pub fn holds_triangles(self) -> bool {
+        match self {
+            Self::Node | Self::Poly | Self::Edge | Self::Neigh | Self::Area => false,
+            Self::GeoJson | Self::Svg | Self::Png => false,
+            Self::Ele | Self::MeshSuite | Self::Soup | Self::Msh | Self::Msh2 | Self::Abaqus | Self::Medit => true,
+            Self::Su2 | Self::Vtu | Self::Vtk | Self::Obj | Self::Ply | Self::Stl | Self::Off => true,
+        }
+    }
+
+    /// Whether a drawing can be written in this format.
+    #[must_use]
+    pub fn holds_drawings(self) -> bool {
+        matches!(self, Self::Poly | Self::Node | Self::MeshSuite | Self::Medit | Self::Svg | Self::Png)
     }
 
     /// The format that the ending of a path says, in whatever case.

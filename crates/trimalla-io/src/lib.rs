@@ -1,13 +1,13 @@
 //! File formats of trimalla: [Triangle]'s text formats, `MeshSuite`'s and triangle soups in and out,
-//! ParaView files, OFF and pictures out.
+//! the formats of Gmsh, Abaqus, Medit, SU2, ParaView and computer graphics in and out, pictures out.
 //!
 //! # What is where
 //!
 //! | you have, you want | call |
 //! |---|---|
-//! | a path to a drawing (`.poly`, `.node`, `.mesh`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
+//! | a path to a drawing (`.poly`, `.node`, `.mesh`, `.meshsuite`) | [`read_pslg`], or [`read_pslg_numbered`] to keep its numbering |
 //! | a path to a drawing of another program (`GeoJSON`, DXF, SVG, …) | [`read_pslg`], or [`read_pslg_with`] with options |
-//! | a path to a mesh (`.ele`, `.mesh`, `.soup`, `.txt`) | [`read_mesh`], or [`read_mesh_numbered`] |
+//! | a path to a mesh (`.ele`, `.msh`, `.inp`, `.vtu`, …) | [`read_mesh`], or [`read_mesh_numbered`] |
 //! | the area bounds beside a mesh | [`read_areas`] |
 //! | a mesh, and a path | [`write_mesh`]; [`files_of_mesh`] says which files it replaces |
 //! | a drawing, and a path | [`write_pslg`] |
@@ -20,6 +20,7 @@
 //! | measurements, and a chart of them | [`chart::draw`] |
 //! | what came of a refinement, and bar charts of it | [`bars::of_report`] |
 //! | a recipe of refinement | [`recipe::read_file`], [`recipe::read`], [`recipe::write`] |
+//! | the bytes of a mesh in one file | [`read_mesh_bytes`] |
 //! | bytes | [`node::read`], [`ele::read`], [`poly::read`], [`edge::read`], [`neigh::read`], [`meshsuite::read`], [`soup::read`] |
 //!
 //! | format | holds | module |
@@ -30,10 +31,15 @@
 //! | `.edge` | the edges of a mesh | [`edge`] |
 //! | `.neigh` | which triangles share an edge | [`neigh`] |
 //! | `.area` | the largest area that each triangle may have | [`area`] |
-//! | `.mesh` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
+//! | `.meshsuite` | `MeshSuite`: vertices, segments, holes, triangles | [`meshsuite`] |
 //! | `.soup` | triangles by the coordinates of their corners | [`soup`] |
-//! | `.vtu` | ParaView: triangles, subsegments, angles, markers | [`vtu`] |
-//! | `.off` | Object File Format: vertices and triangles | [`off`] |
+//! | `.msh`, `.msh2` | Gmsh, versions 4.1 and 2.2: triangles, subsegments, names of regions and boundaries | [`msh`] |
+//! | `.inp` | Abaqus: triangles by element sets, boundaries as node sets and surfaces | [`abaqus`] |
+//! | `.mesh` | Medit: vertices, triangles and subsegments with references | [`medit`] |
+//! | `.su2` | SU2: triangles, boundaries by name | [`su2`] |
+//! | `.vtu`, `.vtk` | ParaView: triangles, subsegments, angles, markers | [`vtu`], [`vtk`] |
+//! | `.obj`, `.ply`, `.stl`, `.off` | computer graphics: vertices with heights, triangles | [`obj`], [`ply`], [`stl`], [`off`] |
+//! | `.geojson` | maps: triangles as features | [`geojson_mesh`] |
 //! | `.svg` | a picture, a chart | [`svg`], [`chart`] |
 //! | `.png` | a picture in pixels | [`png`] |
 //! | `.toml` | a recipe of refinement | [`recipe`] |
@@ -75,10 +81,12 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
+pub mod abaqus;
 pub mod area;
 mod atomic;
 pub mod bars;
 mod bytes;
+mod cells;
 pub mod chart;
 mod columns;
 pub mod drawings;
@@ -87,21 +95,34 @@ pub mod ele;
 mod error;
 mod files;
 mod format;
+mod gathered;
+pub mod geojson_mesh;
+pub mod medit;
 pub mod meshsuite;
+pub mod msh;
+mod names;
 pub mod neigh;
 pub mod node;
 mod numbers;
+pub mod obj;
 pub mod off;
 mod picture;
+pub mod ply;
 pub mod png;
 pub mod poly;
 mod read;
 pub mod recipe;
 mod rows;
+mod single;
 pub mod soup;
+pub mod stl;
+pub mod su2;
+mod surface;
 pub mod svg;
+mod text;
 mod tokens;
 mod topology;
+pub mod vtk;
 pub mod vtu;
 mod write;
 
@@ -110,9 +131,14 @@ pub use bytes::read_bytes;
 pub use error::{Fault, Ignored, IoError, Note, Place};
 pub use files::{Files, Memory};
 pub use format::Format;
+pub use gathered::NamedMesh;
+pub use names::GroupNames;
 pub use numbers::VertexRange;
 pub use picture::{Overlay, PictureOptions};
-pub use read::{Numbered, read_areas, read_mesh, read_mesh_numbered, read_pslg, read_pslg_numbered, read_pslg_with};
+pub use read::{
+    Numbered, read_areas, read_mesh, read_mesh_bytes, read_mesh_numbered, read_pslg, read_pslg_numbered, read_pslg_with,
+};
+pub use single::Precision;
 pub use write::{
     MESH_ENDINGS, Outputs, WriteOptions, files_of_mesh, write_mesh, write_mesh_to, write_pslg, write_pslg_to,
 };

@@ -11,9 +11,11 @@ use crate::drawings::{self, DrawingFormat, DrawingOptions, Drawn};
 use crate::error::{IoError, Note};
 use crate::files::Files;
 use crate::format::{Format, companion};
+use crate::gathered::NamedMesh;
+use crate::names::GroupNames;
 use crate::node::{self, Nodes};
 use crate::poly::{self, Poly, Sections};
-use crate::{ele, meshsuite, soup};
+use crate::{abaqus, ele, medit, meshsuite, msh, obj, off, ply, soup, stl, su2, vtk, vtu};
 
 /// The content of a file, and the number that it gives to its first vertex.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +36,8 @@ pub struct Numbered<T> {
     pub origins: Vec<u32>,
     /// What these numbers count: `line`, `feature` or `record`.
     pub noun: &'static str,
+    /// Names of regions and boundaries. Hand them to [`WriteOptions`](crate::WriteOptions) to keep them.
+    pub names: GroupNames,
 }
 
 impl<T> Numbered<T> {
@@ -43,7 +47,7 @@ impl<T> Numbered<T> {
     }
 
     fn of_files(value: T, first_index: u32, files: Vec<PathBuf>, notes: Vec<Note>) -> Self {
-        Self { value, first_index, files, notes, told: Vec::new(), origins: Vec::new(), noun: "line" }
+        Self { value, first_index, files, notes, told: Vec::new(), origins: Vec::new(), noun: "line", names: GroupNames::default() }
     }
 }
 
@@ -62,8 +66,8 @@ impl Numbered<Pslg> {
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
-/// `MeshSuite`'s `.mesh` (whose triangles are left out), a drawing of another program in a
-/// [`DrawingFormat`], the stem of a `.poly` or `.node` file, or `-` for standard input.
+/// Medit's `.mesh` or `MeshSuite`'s `.mesh` or `.meshsuite` (whose triangles are left out), a drawing of another program
+/// in a [`DrawingFormat`], the stem of a `.poly` or `.node` file, or `-` for standard input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -109,8 +113,12 @@ pub(crate) fn pslg(files: &Files, path: &Path, options: &DrawingOptions) -> Resu
             let first_index = nodes.first_index;
             Ok(Numbered { notes, ..Numbered::whole(nodes.into_pslg(), first_index, path) })
         }
-        Some(Format::MeshSuite) => {
-            let file = meshsuite::read(&read_file(files, path, None)?, &name_of(path))?;
+        Some(Format::MeshSuite | Format::Medit) => {
+            let (bytes, name) = (read_file(files, path, None)?, name_of(path));
+            if medit::is_medit(&bytes) {
+                return Ok(Numbered::whole(medit::read_pslg(&bytes, &name)?, 1, path));
+            }
+            let file = meshsuite::read(&bytes, &name)?;
             let first_index = file.first_index;
             Ok(Numbered::whole(file.into_pslg(), first_index, path))
         }
@@ -123,12 +131,13 @@ pub(crate) fn pslg(files: &Files, path: &Path, options: &DrawingOptions) -> Resu
     }
 }
 
-const DRAWING_ENDINGS: &str = ".poly, .node, .mesh, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las";
-const MESH_ENDINGS: &str = ".ele, .mesh, .soup or .txt";
+const DRAWING_ENDINGS: &str = ".poly, .node, .mesh, .meshsuite, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las";
+const MESH_ENDINGS: &str =
+    ".ele, .msh, .inp, .mesh, .meshsuite, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup or .txt";
 
 /// Reads a mesh: an `.ele` file with the `.node` file beside it and, where there is one without vertices of its own,
-/// the `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh. Or one file:
-/// `MeshSuite`'s `.mesh`, or a `.soup` (or `.txt`) of triangles.
+/// the `.poly` file, which names subsegments and holes. The `.node` file or the stem names the same mesh. Or one file
+/// in another format that [holds triangles](Format::holds_triangles).
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.
@@ -153,18 +162,50 @@ pub(crate) fn mesh(files: &Files, path: &Path) -> Result<Numbered<IndexedMesh>, 
         }
         _ => {}
     }
-    match Format::of_mesh(path) {
-        Some(Format::Ele) => read_group(files, path),
-        Some(Format::MeshSuite) => {
-            let file = meshsuite::read_mesh(&read_file(files, path, None)?, &name_of(path))?;
-            let first_index = file.first_index;
-            Ok(Numbered::whole(file.into_mesh(), first_index, path))
+    let format = match Format::of_mesh(path) {
+        Some(Format::Ele) => return read_group(files, path),
+        Some(format) => format,
+        None => return Err(unknown(path, MESH_ENDINGS)),
+    };
+    let (bytes, name) = (read_file(files, path, None)?, name_of(path));
+    if format == Format::MeshSuite || (format == Format::Medit && !medit::is_medit(&bytes)) {
+        let file = meshsuite::read_mesh(&bytes, &name)?;
+        let first_index = file.first_index;
+        return Ok(Numbered::whole(file.into_mesh(), first_index, path));
+    }
+    let NamedMesh { mesh, names } = one_file(format, &bytes, &name)?;
+    Ok(Numbered { names, ..Numbered::whole(mesh, 1, path) })
+}
+
+/// Reads a mesh from the bytes of a file in one of the formats of one file; `name` is what errors call it.
+///
+/// # Errors
+/// [`IoError::Syntax`] or [`IoError::Value`] with the place of the first fault; [`IoError::UnknownInput`] for a format
+/// that holds no triangles or needs several files.
+pub fn read_mesh_bytes(format: Format, bytes: &[u8], name: &str) -> Result<NamedMesh, IoError> {
+    match format {
+        Format::MeshSuite => {
+            let mesh = meshsuite::read_mesh(bytes, name)?.into_mesh();
+            Ok(NamedMesh { mesh, names: GroupNames::default() })
         }
-        Some(Format::Soup) => {
-            let value = soup::read(&read_file(files, path, None)?, &name_of(path))?;
-            Ok(Numbered::whole(value, 1, path))
-        }
-        _ => Err(unknown(path, MESH_ENDINGS)),
+        _ => one_file(format, bytes, name),
+    }
+}
+
+fn one_file(format: Format, bytes: &[u8], name: &str) -> Result<NamedMesh, IoError> {
+    match format {
+        Format::Msh | Format::Msh2 => msh::read(bytes, name),
+        Format::Abaqus => abaqus::read(bytes, name),
+        Format::Medit => medit::read(bytes, name),
+        Format::Su2 => su2::read(bytes, name),
+        Format::Vtu => vtu::read(bytes, name),
+        Format::Vtk => vtk::read(bytes, name),
+        Format::Obj => obj::read(bytes, name),
+        Format::Ply => ply::read(bytes, name),
+        Format::Stl => stl::read(bytes, name),
+        Format::Off => off::read(bytes, name),
+        Format::Soup => Ok(NamedMesh { mesh: soup::read(bytes, name)?, names: GroupNames::default() }),
+        _ => Err(unknown(Path::new(name), MESH_ENDINGS)),
     }
 }
 

@@ -28,6 +28,14 @@ impl<'a> Rows<'a> {
         self.field(itoa::Buffer::new().format(value))
     }
 
+    /// Adds indices to the row, counted from 1.
+    pub(crate) fn from_one(&mut self, indices: &[u32]) -> &mut Self {
+        for &index in indices {
+            self.integer(u64::from(index) + 1);
+        }
+        self
+    }
+
     /// Adds a finite number to the row, with the fewest digits that read back to the same bits.
     pub(crate) fn real(&mut self, value: f64) -> &mut Self {
         Real(value).with_text(|text| self.field(text));

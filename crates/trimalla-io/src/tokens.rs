@@ -281,7 +281,7 @@ fn looks_like_a_decimal_comma(word: &[u8]) -> bool {
 }
 
 /// The offset and description of what shows that `bytes` are no text.
-fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
+pub(crate) fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Some((0, "UTF-16"));
     }

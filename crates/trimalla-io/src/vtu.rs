@@ -1,4 +1,4 @@
-//! `.vtu`: a mesh for ParaView, a VTK unstructured grid as XML with numbers in plain text. Written only.
+//! `.vtu`: a mesh for ParaView, a VTK unstructured grid as XML with numbers in plain text. Read and written.
 //!
 //! Cells are the triangles, then the subsegments as lines, so that both can be shown and selected in one file.
 //!
@@ -11,7 +11,12 @@
 //! | `attribute0`, … | points | the attributes | |
 //!
 //! All arrays but the attributes are always there, so that a state saved for one mesh fits the next. The third
-//! coordinate is 0. Hole seeds and further triangle attributes are left out.
+//! coordinate is the first attribute of the vertex, its height; 0 where there is none. Hole seeds and further triangle
+//! attributes are left out.
+//!
+//! Read are files of one piece whose arrays are plain text, with cells that are triangles or lines, also quadratic ones,
+//! of which the corners are kept. Other arrays than those of the table are passed over; arrays of `region` or `marker`
+//! that are all 0 stand for none. Files in which data is compressed or in base64 are refused.
 
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -19,13 +24,14 @@ use std::io::{self, Write};
 use trimalla::drawing::IndexedMesh;
 use trimalla::geometry::Triangle;
 
+use crate::cells::{LINE, TRIANGLE};
 use crate::columns::{Points, Segments, check_triangles};
 use crate::numbers::Real;
+use crate::surface::places;
 
-/// VTK's number for a cell that is a line.
-const LINE: u8 = 3;
-/// VTK's number for a cell that is a triangle.
-const TRIANGLE: u8 = 5;
+mod read;
+
+pub use read::read;
 
 /// Writes a mesh.
 ///
@@ -50,7 +56,7 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
 
 fn write_points(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
     writeln!(out, "<Points>")?;
-    let rows = mesh.points.iter().map(|p| format!("{} {} 0", Real(p.x), Real(p.y)));
+    let rows = places(mesh).map(|[x, y, z]| format!("{} {} {}", Real(x), Real(y), Real(z)));
     write_array(out, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", rows)?;
     writeln!(out, "</Points>")
 }
@@ -82,24 +88,34 @@ fn write_point_data(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
 }
 
 fn write_cell_data(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
-    let region = |t: usize| match mesh.attributes_per_triangle {
-        0 => 0.0,
-        width => mesh.triangle_attributes[t * width],
-    };
-    let min_angle = |t: usize| {
-        let [a, b, c] = mesh.triangles[t].map(|v| mesh.points[v as usize]);
-        Triangle::new(a, b, c).min_angle().degrees()
-    };
     let marker = |s: usize| mesh.segment_markers.get(s).copied().unwrap_or(0);
     writeln!(out, "<CellData>")?;
-    write_array(out, "type=\"Float64\" Name=\"region\"", per_cell(mesh, |t| Real(region(t)), |_| Real(-1.0)))?;
-    write_array(out, "type=\"Float64\" Name=\"min_angle\"", per_cell(mesh, |t| Real(min_angle(t)), |_| Real(-1.0)))?;
+    write_array(out, "type=\"Float64\" Name=\"region\"", per_cell(mesh, |t| Real(region_of(mesh, t)), |_| Real(-1.0)))?;
+    write_array(
+        out,
+        "type=\"Float64\" Name=\"min_angle\"",
+        per_cell(mesh, |t| Real(min_angle_deg(mesh, t)), |_| Real(-1.0)),
+    )?;
     write_array(out, "type=\"Int32\" Name=\"marker\"", per_cell(mesh, |_| 0, marker))?;
     writeln!(out, "</CellData>")
 }
 
+/// The first attribute of a triangle, or 0.
+pub(crate) fn region_of(mesh: &IndexedMesh, t: usize) -> f64 {
+    match mesh.attributes_per_triangle {
+        0 => 0.0,
+        width => mesh.triangle_attributes[t * width],
+    }
+}
+
+/// The smallest angle of a triangle.
+pub(crate) fn min_angle_deg(mesh: &IndexedMesh, t: usize) -> f64 {
+    let [a, b, c] = mesh.triangles[t].map(|v| mesh.points[v as usize]);
+    Triangle::new(a, b, c).min_angle().degrees()
+}
+
 /// The values of all cells, given those of triangles and of subsegments by index.
-fn per_cell<T>(
+pub(crate) fn per_cell<T>(
     mesh: &IndexedMesh,
     of_triangle: impl Fn(usize) -> T,
     of_segment: impl Fn(usize) -> T,

@@ -10,9 +10,14 @@ use crate::columns::Points;
 use crate::error::IoError;
 use crate::files::Memory;
 use crate::format::{Format, companion};
+use crate::names::GroupNames;
 use crate::picture::PictureOptions;
 use crate::recipe;
-use crate::{edge, ele, meshsuite, neigh, node, off, png, poly, soup, svg, vtu};
+use crate::single::{self, Precision};
+use crate::{
+    abaqus, edge, ele, geojson_mesh, medit, meshsuite, msh, neigh, node, obj, off, ply, png, poly, soup, stl, su2, svg,
+};
+use crate::{vtk, vtu};
 use trimalla::refine::NamedOptions;
 
 /// How files are written.
@@ -25,11 +30,21 @@ pub struct WriteOptions {
     pub format: Option<Format>,
     /// What a picture shows.
     pub picture: PictureOptions,
+    /// Names of regions and boundaries.
+    pub names: GroupNames,
+    /// How exact the coordinates of meshes are.
+    pub precision: Precision,
 }
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self { first_index: 1, format: None, picture: PictureOptions::default() }
+        Self {
+            first_index: 1,
+            format: None,
+            picture: PictureOptions::default(),
+            names: GroupNames::default(),
+            precision: Precision::Double,
+        }
     }
 }
 
@@ -52,6 +67,20 @@ impl WriteOptions {
     #[must_use]
     pub fn with_picture(mut self, picture: PictureOptions) -> Self {
         self.picture = picture;
+        self
+    }
+
+    /// Calls regions and boundaries by these names, in formats that have a place for them.
+    #[must_use]
+    pub fn with_names(mut self, names: GroupNames) -> Self {
+        self.names = names;
+        self
+    }
+
+    /// Writes the coordinates of meshes this exactly.
+    #[must_use]
+    pub fn with_precision(mut self, precision: Precision) -> Self {
+        self.precision = precision;
         self
     }
 
@@ -142,7 +171,8 @@ impl Outputs {
     ///
     /// `.ele` stands for the group `.node`, `.ele` and `.poly` of the same stem; `.node` holds the vertices alone,
     /// `.poly` the vertices, subsegments and holes in one file. Pipes, devices and `-` (standard output) are written at
-    /// once, and `.ele` writes only the triangles to them; add them last, as they cannot be taken back.
+    /// once, and `.ele` writes the three files one after the other to them, each behind a comment with its ending; add
+    /// them last, as they cannot be taken back.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
@@ -157,8 +187,16 @@ impl Outputs {
         if format == Format::Area {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: MESH_ENDINGS });
         }
+        let rounded = match options.precision {
+            Precision::Double => None,
+            Precision::Single => {
+                let rounded = single::rounded(mesh);
+                Some(rounded.map_err(|source| IoError::Unwritable { path: path.to_owned(), source })?)
+            }
+        };
+        let mesh = rounded.as_ref().unwrap_or(mesh);
         if !self.target.is_group(path, options) {
-            return self.target.add(path, |out| write_mesh_to(out, format, mesh, options));
+            return self.target.add(path, |out| write_as_is(out, format, mesh, options));
         }
         let first_index = options.first_index;
         self.target.add(&member(path, Format::Node), |out| node::write(out, mesh, first_index))?;
@@ -167,14 +205,14 @@ impl Outputs {
     }
 
     /// Prepares a drawing in the format that the ending of `path` says: `.poly` with the vertices in the same file,
-    /// `.node` (the vertices alone), `.mesh`, `.svg` or `.png`.
+    /// `.node` (the vertices alone), `.mesh`, `.meshsuite`, `.svg` or `.png`.
     ///
     /// # Errors
     /// [`IoError::UnknownOutput`] and [`IoError::Unwritable`].
     pub fn add_pslg(&mut self, path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -> Result<(), IoError> {
         let path = path.as_ref();
         let format = options.format_for(path, PSLG_ENDINGS)?;
-        if !matches!(format, Format::Poly | Format::Node | Format::MeshSuite | Format::Svg | Format::Png) {
+        if !format.holds_drawings() {
             return Err(IoError::UnknownOutput { path: path.to_owned(), expected: PSLG_ENDINGS });
         }
         self.target.add(path, |out| write_pslg_to(out, format, pslg, options))
@@ -261,8 +299,8 @@ impl Outputs {
 }
 
 /// The endings by which [`write_mesh`] knows formats, in words.
-pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .mesh, .soup, .vtu, .off, .svg or .png";
-const PSLG_ENDINGS: &str = ".poly, .node, .mesh, .svg or .png";
+pub const MESH_ENDINGS: &str = ".node, .ele, .poly, .edge, .neigh, .msh, .msh2, .inp, .mesh, .meshsuite, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .geojson, .soup, .svg or .png";
+const PSLG_ENDINGS: &str = ".poly, .node, .mesh, .meshsuite, .svg or .png";
 
 /// Writes a mesh in the format that the ending of `path` says: see [`Outputs::add_mesh`].
 ///
@@ -285,20 +323,47 @@ pub fn write_mesh_to(
     mesh: &IndexedMesh,
     options: &WriteOptions,
 ) -> io::Result<()> {
+    match options.precision {
+        Precision::Double => write_as_is(out, format, mesh, options),
+        Precision::Single => write_as_is(out, format, &single::rounded(mesh)?, options),
+    }
+}
+
+fn write_as_is(out: &mut dyn Write, format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> io::Result<()> {
     match format {
         Format::Node => node::write(out, mesh, options.first_index),
-        Format::Ele => ele::write(out, mesh, options.first_index),
+        Format::Ele => write_group(out, mesh, options.first_index),
         Format::Poly => poly::write(out, mesh, options.first_index),
         Format::Edge => edge::write(out, mesh, options.first_index),
         Format::Neigh => neigh::write(out, mesh, options.first_index),
         Format::MeshSuite => meshsuite::write(out, mesh, options.first_index),
         Format::Soup => soup::write(out, mesh),
+        Format::Msh => msh::write(out, mesh, &options.names),
+        Format::Msh2 => msh::write_version_2(out, mesh, &options.names),
+        Format::Abaqus => abaqus::write(out, mesh, &options.names),
+        Format::Medit => medit::write(out, mesh),
+        Format::Su2 => su2::write(out, mesh, &options.names),
         Format::Vtu => vtu::write(out, mesh),
+        Format::Vtk => vtk::write(out, mesh),
+        Format::Obj => obj::write(out, mesh, &options.names),
+        Format::Ply => ply::write(out, mesh),
+        Format::Stl => stl::write(out, mesh, &options.names),
         Format::Off => off::write(out, mesh),
+        Format::GeoJson => geojson_mesh::write(out, mesh, &options.names, options.first_index),
         Format::Area => Err(io::ErrorKind::Unsupported.into()),
         Format::Svg => svg::draw_mesh(out, mesh, &options.picture),
         Format::Png => png::draw_mesh(out, mesh, &options.picture),
     }
+}
+
+/// The three files of a mesh one after the other, each behind a comment with its ending.
+fn write_group(out: &mut dyn Write, mesh: &IndexedMesh, first_index: u32) -> io::Result<()> {
+    writeln!(out, "# .node")?;
+    node::write(out, mesh, first_index)?;
+    writeln!(out, "# .ele")?;
+    ele::write(out, mesh, first_index)?;
+    writeln!(out, "# .poly")?;
+    poly::write_beside_node(out, mesh, first_index)
 }
 
 /// Writes a drawing in the format that the ending of `path` says: see [`Outputs::add_pslg`].
@@ -311,7 +376,7 @@ pub fn write_pslg(path: impl AsRef<Path>, pslg: &Pslg, options: &WriteOptions) -
     outputs.commit()
 }
 
-/// Writes a drawing to a stream as `.poly`, `.node`, `.mesh`, `.svg` or `.png`.
+/// Writes a drawing to a stream as `.poly`, `.node`, `.mesh`, `.meshsuite`, `.svg` or `.png`.
 ///
 /// # Errors
 /// Those of `out`; kind `InvalidInput` where the drawing cannot be expressed in the format, or the format holds meshes
@@ -323,9 +388,8 @@ pub fn write_pslg_to(out: &mut dyn Write, format: Format, pslg: &Pslg, options: 
         Format::Svg => svg::draw_pslg(out, pslg, &options.picture),
         Format::Png => png::draw_pslg(out, pslg, &options.picture),
         Format::MeshSuite => meshsuite::write_pslg(out, pslg, options.first_index),
-        Format::Ele | Format::Edge | Format::Neigh | Format::Area | Format::Soup | Format::Vtu | Format::Off => {
-            Err(io::ErrorKind::Unsupported.into())
-        }
+        Format::Medit => medit::write_pslg(out, pslg),
+        _ => Err(io::ErrorKind::Unsupported.into()),
     }
 }
 

@@ -38,7 +38,8 @@ def check(path):
     segments, segment_markers = map(int, next(source))
     poly = take(source, segments)
 
-    assert same_bits(mesh.points[:, :2], node[:, :2]) and not mesh.points[:, 2].any()
+    assert same_bits(mesh.points[:, :2], node[:, :2])
+    assert same_bits(mesh.points[:, 2], node[:, 2] if width else np.zeros(count))
     assert [block.type for block in mesh.cells] == ["triangle", "line"]
     assert np.array_equal(mesh.cells[0].data, ele[:, :3]) and np.array_equal(mesh.cells[1].data, poly[:, :2])
     assert np.array_equal(mesh.point_data["marker"], node[:, 2 + width] if has_markers else np.zeros(count))

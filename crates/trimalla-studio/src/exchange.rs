@@ -19,7 +19,7 @@ pub struct Exchange {
 }
 
 /// Which of several files is opened: those before in this list refer to those behind.
-const OPENED: [&str; 7] = ["tri", "ele", "poly", "mesh", "soup", "txt", "node"];
+const OPENED: [&str; 10] = ["tri", "ele", "poly", "msh", "vtu", "mesh", "meshsuite", "soup", "txt", "node"];
 
 impl Exchange {
     /// Files in a memory, which commands read and write.

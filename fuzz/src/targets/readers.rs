@@ -7,7 +7,8 @@ use trimalla::quality::{Statistics, against_input};
 use trimalla::refine::RefineOptions;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_io::{
-    IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, meshsuite, neigh, node, png, poly, soup, svg,
+    Format, IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, medit, meshsuite, neigh, node, png, poly,
+    read_mesh_bytes, soup, svg,
 };
 
 use super::Target;
@@ -21,7 +22,10 @@ pub const TARGET: Target =
     Target { name: "readers", summary: "every format, damaged and without sense", share: 8, make, judge };
 
 /// What a file may be taken for.
-pub const FORMATS: [&str; 9] = ["node", "poly", "ele", "edge", "neigh", "area", "mesh", "soup", "any"];
+pub const FORMATS: [&str; 20] = [
+    "node", "poly", "ele", "edge", "neigh", "area", "meshsuite", "soup", "msh", "msh2", "inp", "mesh", "su2", "vtu", "vtk",
+    "obj", "ply", "stl", "off", "any",
+];
 
 fn make(d: &mut Draws<'_>) -> Input {
     let format = d.pick(&FORMATS);
@@ -70,13 +74,21 @@ fn read(format: &str, bytes: &[u8]) -> Found {
         "edge" => nothing(edge::read(bytes, "f", range).err()),
         "neigh" => nothing(neigh::read(bytes, "f").err()),
         "area" => nothing(area::read(bytes, "f").err()),
-        "mesh" => match meshsuite::read_mesh(bytes, "f").map(meshsuite::MeshSuite::into_mesh) {
+        "meshsuite" => match meshsuite::read_mesh(bytes, "f").map(meshsuite::MeshSuite::into_mesh) {
             Ok(read) => mesh(Ok(read)),
             Err(_) => drawing(meshsuite::read(bytes, "f").map(meshsuite::MeshSuite::into_pslg)),
         },
         "soup" => mesh(soup::read(bytes, "f")),
+        "mesh" => match read_mesh_bytes(Format::Medit, bytes, "f") {
+            Ok(read) => mesh(Ok(read.mesh)),
+            Err(_) => drawing(medit::read_pslg(bytes, "f")),
+        },
+        _ if format != "any" => {
+            let of_other = Format::ALL.into_iter().find(|other| other.extension() == format).unwrap_or(Format::Msh);
+            mesh(read_mesh_bytes(of_other, bytes, "f").map(|read| read.mesh))
+        }
         _ => {
-            let all = FORMATS[..8].iter().map(|f| read(f, bytes));
+            let all = FORMATS[..FORMATS.len() - 1].iter().map(|f| read(f, bytes));
             let unnamed = poly::read_unnamed(bytes, "f").map(poly::Poly::into_pslg);
             all.fold(drawing(unnamed), |(a, b, c), (x, y, z)| (a.or(x), b.or(y), c.or(z)))
         }
@@ -132,7 +144,9 @@ fn of_mesh(mesh: IndexedMesh, tally: &mut Tally) -> Verdict {
     drop(against_input(&mesh, &drawing));
     let _ = svg::draw_mesh(&mut Vec::new(), &mesh, &PictureOptions::default());
     let _ = png::draw_mesh(&mut Vec::new(), &mesh, &PictureOptions::default());
-    let _ = trimalla_io::write_mesh_to(&mut Vec::new(), trimalla_io::Format::Vtu, &mesh, &WriteOptions::default());
+    for format in Format::ALL {
+        let _ = trimalla_io::write_mesh_to(&mut Vec::new(), format, &mesh, &WriteOptions::default());
+    }
     let options = RefineOptions::default().with_max_vertices(mesh.points.len() + 20);
     match trimalla::refine_mesh(&mesh, None, &options) {
         Ok(made) => {

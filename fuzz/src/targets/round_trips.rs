@@ -122,6 +122,35 @@ fn group(mesh: &IndexedMesh, first_index: u32) -> Result<IndexedMesh, crate::jud
     Ok(again)
 }
 
+/// A mesh through a format of other programs: its triangles come back, in their order where the format has one.
+fn of_others(mesh: &IndexedMesh, d: &mut Draws<'_>) -> Verdict {
+    let format = d.pick(&[
+        Format::Msh,
+        Format::Msh2,
+        Format::Abaqus,
+        Format::Medit,
+        Format::Su2,
+        Format::Vtu,
+        Format::Vtk,
+        Format::Obj,
+        Format::Ply,
+        Format::Stl,
+        Format::Off,
+    ]);
+    let bytes =
+        written("format", |out| trimalla_io::write_mesh_to(out, format, mesh, &WriteOptions::default()))?;
+    if mesh.triangles.is_empty() {
+        return Ok(());
+    }
+    let again = read(format.extension(), trimalla_io::read_mesh_bytes(format, &bytes, "m"))?.mesh;
+    must(again.triangles.len() == mesh.triangles.len(), "another mesh", || format!("{format:?}"))?;
+    if matches!(format, Format::Stl | Format::Obj) {
+        return Ok(());
+    }
+    same_bits(format.extension(), &mesh.points, &again.points)?;
+    must(again.triangles == mesh.triangles, "other triangles", || format!("{format:?}"))
+}
+
 fn others(mesh: &IndexedMesh, first_index: u32, d: &mut Draws<'_>) -> Verdict {
     let options = WriteOptions::default().with_first_index(first_index);
     let range = trimalla_io::VertexRange { first_index, count: mesh.points.len() as u32 };
@@ -155,8 +184,7 @@ fn others(mesh: &IndexedMesh, first_index: u32, d: &mut Draws<'_>) -> Verdict {
             must(read("area", area::read(&bytes, "a"))? == areas, "area: other bounds", String::new)
         }
         _ => {
-            to_format(Format::Vtu)?;
-            to_format(Format::Off)?;
+            of_others(mesh, d)?;
             to_format(Format::Svg)?;
             to_format(Format::Png).map(drop)
         }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use trimalla_io::Format;
+use trimalla_io::{Format, Precision};
 
-use crate::args::{ImportOptions, OutputOptions, one_of};
+use crate::args::{ImportOptions, OutputOptions, PRECISIONS, one_of};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{is_mesh, read_drawing, read_mesh};
 use crate::outputs::{self, Outputs};
@@ -19,15 +19,19 @@ Examples:
   trimalla convert key.1.ele key.1.png        the same in pixels, without letters
   trimalla convert key.1.ele key.1.neigh      which triangles share an edge
   trimalla convert key.1.ele - --format edge  its edges, on standard output
+  trimalla convert key.1.ele key.msh          for Gmsh and solvers, regions and boundaries by name
+  trimalla convert part.inp part.su2          from Abaqus to SU2
 
-An .ele file, or a stem that has one, is a mesh and is read with its .node and .poly files; so
-is a .mesh (MeshSuite) and a .soup or .txt file (triangles by coordinates), each alone. All else is a drawing. Numbers keep their bits, and records their numbering.";
+An .ele file, or a stem that has one, is a mesh and is read with its .node and .poly files. Meshes
+in one file are .msh, .inp, .mesh, .meshsuite, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup and
+.txt. All else is a drawing. Numbers keep their bits, and records their numbering. Names of regions
+and boundaries are kept where the output has a place for them: 'trimalla list' names the formats.";
 
 /// Convert a drawing or a mesh to another format, or to a picture
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// A mesh (.ele, or its stem) or a drawing (.poly, .node, a stem, '-', or one of another program)
+    /// A mesh (.ele or its stem, .msh, .inp, .vtu, …) or a drawing (.poly, .node, a stem, '-', or one of another program)
     input: PathBuf,
 
     /// Where to; the ending says the format
@@ -37,6 +41,10 @@ pub(crate) struct Options {
     #[arg(long, value_name = "FORMAT", value_parser = one_of(Format::ALL.map(|f| (f.extension(), f.summary(), f))))]
     format: Option<Format>,
 
+    /// How exact the coordinates of a mesh are in the output
+    #[arg(long, value_name = "BITS", default_value = "f64", value_parser = one_of(PRECISIONS))]
+    precision: Precision,
+
     #[command(flatten)]
     import: ImportOptions,
 }
@@ -45,7 +53,8 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover([&options.output], false);
-    let output = OutputOptions { output: vec![options.output.clone()], format: options.format };
+    let output =
+        OutputOptions { output: vec![options.output.clone()], format: options.format, precision: options.precision };
     if is_mesh(&options.input) {
         let mesh = read_mesh(&options.input)?.with_notes_shown();
         let outputs = Outputs::plan(&output, &mesh)?;
@@ -56,7 +65,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         let outputs = Outputs::plan(&output, &drawing)?;
         progress::begin_writing()?;
         let prepared = outputs.prepare_drawing(&drawing.value).map_err(|failure| match output_format(options) {
-            Some(Format::Ele | Format::Edge | Format::Neigh | Format::Soup | Format::Vtu | Format::Off) => {
+            Some(format) if !format.holds_drawings() && format != Format::Area => {
                 failure.hint("a drawing has no triangles; 'trimalla triangulate' makes them")
             }
             _ => failure,

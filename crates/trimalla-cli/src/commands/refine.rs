@@ -33,8 +33,8 @@ Examples:
                                                   two triangles treated, no others
 
 A soup (.soup or .txt) has the six coordinates of a triangle in each line: neighbours are found, and what
-only one triangle has is the boundary. A .mesh is MeshSuite's single file. Otherwise the mesh is an .ele file
-with its .node file beside it, and what lies beside them counts too:
+only one triangle has is the boundary. Files of solvers (.msh, .inp, .mesh, .su2, .vtu, …) bring their regions and
+boundaries by name. Otherwise the mesh is an .ele file with its .node file beside it, and what lies beside them counts too:
   .poly  subsegments with their markers, and holes
   .area  for each triangle the largest area that triangles in it may have (none if not positive)
 Triangles are taken as they are, attributes are handed down. The vertices of the mesh come first
@@ -54,8 +54,8 @@ place) is named with triangles, vertices and coordinates, in the numbers of the 
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The mesh: an .ele file with its .node file beside it, the stem of both, a .mesh file, or a soup of triangles
-    /// (.soup, .txt)
+    /// The mesh: an .ele file with its .node file beside it, the stem of both, or one file of any format that
+    /// 'trimalla list' calls a mesh that is read (.msh, .inp, .mesh, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup, …)
     mesh: PathBuf,
 
     /// The drawing that the mesh was made from: .poly, .node, a stem, '-', or one of another program

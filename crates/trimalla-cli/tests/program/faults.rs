@@ -78,7 +78,7 @@ fn missing_files_are_named() {
     scratch.run("mesh key.dxf").expect(3).says("error: key.dxf:1:1: expected a section of DXF, found none");
     scratch.write("key.step", "");
     scratch.run("mesh key.step").expect(3).says(
-        "error: cannot read key.step: expected a name that ends in .poly, .node, .mesh, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las",
+        "error: cannot read key.step: expected a name that ends in .poly, .node, .mesh, .meshsuite, .geojson, .dxf, .svg, .wkt, .shp, .csv, .xyz or .las",
     );
     scratch
         .run("stats lone.poly")

@@ -28,6 +28,7 @@ mod reports;
 mod run;
 mod sizes;
 mod small_angles;
+mod solvers;
 mod spared;
 mod terrain;
 mod triangle;

@@ -4,7 +4,7 @@
 
 use crate::common::{AREA, EDGE, ELE, MESHSUITE, NEIGH, NODE, POLY, SOUP, read_poly, sample_nodes};
 use proptest::prelude::*;
-use trimalla_io::{IoError, area, edge, ele, meshsuite, neigh, node, poly, soup};
+use trimalla_io::{Format, IoError, area, edge, ele, meshsuite, neigh, node, poly, read_mesh_bytes, soup};
 
 /// Reads `bytes` as every format; each result as an error or nothing.
 fn read_all(bytes: &[u8]) -> [Result<(), IoError>; 11] {
@@ -26,13 +26,22 @@ fn read_all(bytes: &[u8]) -> [Result<(), IoError>; 11] {
 
 /// Checks that a fault points into the file or to its end.
 fn check(bytes: &[u8]) {
-    let lines: Vec<&[u8]> = split_lines(bytes);
-    for error in read_all(bytes).into_iter().filter_map(Result::err) {
-        let fault = error.fault().expect("reading bytes fails at a place only");
-        let line = lines.get(fault.place.line as usize - 1).expect("the line exists");
-        assert!((1..=line.len() as u64 + 1).contains(&fault.place.column), "{error} in {bytes:?}");
-        assert!(error.to_string().len() < 300, "{error}");
+    read_all(bytes).into_iter().filter_map(Result::err).for_each(|error| check_fault(bytes, &error));
+}
+
+/// Checks that a fault of a mesh in one format points into the file or to its end.
+pub(crate) fn check_mesh_file(format: Format, bytes: &[u8]) {
+    if let Err(error) = read_mesh_bytes(format, bytes, "f") {
+        check_fault(bytes, &error);
     }
+}
+
+fn check_fault(bytes: &[u8], error: &IoError) {
+    let lines: Vec<&[u8]> = split_lines(bytes);
+    let fault = error.fault().expect("reading bytes fails at a place only");
+    let line = lines.get(fault.place.line as usize - 1).expect("the line exists");
+    assert!((1..=line.len() as u64 + 1).contains(&fault.place.column), "{error} in {bytes:?}");
+    assert!(error.to_string().len() < 300, "{error}");
 }
 
 fn split_lines(bytes: &[u8]) -> Vec<&[u8]> {

@@ -11,4 +11,5 @@ mod pictures;
 mod pixels;
 mod round_trip;
 mod shared_data;
+mod solvers;
 mod traps;

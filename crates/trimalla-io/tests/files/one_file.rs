@@ -52,8 +52,8 @@ fn meshsuite_files_come_back() {
     for first_index in [0, 1] {
         let options = WriteOptions::default().with_first_index(first_index);
         let mesh = hard_mesh();
-        write_mesh(dir.join("m.mesh"), &mesh, &options).unwrap();
-        let again = read_mesh_numbered(dir.join("m.mesh")).unwrap();
+        write_mesh(dir.join("m.meshsuite"), &mesh, &options).unwrap();
+        let again = read_mesh_numbered(dir.join("m.meshsuite")).unwrap();
         assert_eq!(again.first_index, first_index);
         assert_eq!(bits(&again.value.points, &[]), bits(&mesh.points, &[]));
         assert_eq!(bits(&again.value.holes, &[]), bits(&mesh.holes, &[]));
@@ -61,11 +61,11 @@ fn meshsuite_files_come_back() {
         assert_eq!(again.value.segment_markers, mesh.segment_markers);
 
         let pslg = hard_pslg();
-        write_pslg(dir.join("d.mesh"), &pslg, &options).unwrap();
-        let again = read_pslg(dir.join("d.mesh")).unwrap();
+        write_pslg(dir.join("d.meshsuite"), &pslg, &options).unwrap();
+        let again = read_pslg(dir.join("d.meshsuite")).unwrap();
         assert_eq!(bits(&again.points, &[]), bits(&pslg.points, &[]));
         assert_eq!((again.segments, again.segment_markers), (pslg.segments, pslg.segment_markers));
-        let error = message(read_mesh(dir.join("d.mesh")));
+        let error = message(read_mesh(dir.join("d.meshsuite")));
         assert!(error.ends_with("expected the number of triangles, found the end of the file"), "{error}");
     }
     let mut bytes = Vec::new();
@@ -166,7 +166,7 @@ fn vtu_text() {
     let text = String::from_utf8(bytes).unwrap();
     for part in [
         "<Piece NumberOfPoints=\"3\" NumberOfCells=\"2\">",
-        "NumberOfComponents=\"3\" format=\"ascii\">\n0 0 0\n1 0 0\n0 0.1 0\n</DataArray>",
+        "NumberOfComponents=\"3\" format=\"ascii\">\n0 0 5e-324\n1 0 -0\n0 0.1 7\n</DataArray>",
         "Name=\"connectivity\" format=\"ascii\">\n0 1 2\n0 1\n</DataArray>",
         "Name=\"offsets\" format=\"ascii\">\n3\n5\n</DataArray>",
         "Name=\"types\" format=\"ascii\">\n5\n3\n</DataArray>",

@@ -71,7 +71,7 @@ fn what_is_no_file_is_named() {
         ("loop.node", "symbolic links"),
         ("zero.node", "zero.node:1:1: expected text, found a NUL byte"),
         ("none.node", "none.node: no such file"),
-        ("none", "expected a name that ends in .poly, .node, .mesh, .geojson, .dxf"),
+        ("none", "expected a name that ends in .poly, .node, .mesh, .meshsuite, .geojson, .dxf"),
         ("none.svg", "none.svg: no such file"),
     ] {
         let error = read_pslg(dir.join(name)).unwrap_err();

@@ -16,7 +16,7 @@ const WRITTEN: [(&str, &str, &str, &str); 8] = [
     ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
     ("Mesh", "Export", ".ele", "with .node and .poly, as Triangle writes them"),
     ("Mesh", "Export", ".vtu", "for ParaView"),
-    ("Mesh", "Export", ".mesh", "as MeshSuite writes it"),
+    ("Mesh", "Export", ".msh", "for Gmsh and solvers"),
     ("Script", "Save", ".tri", "the commands that led here"),
     ("Recipe", "SaveRecipe", ".toml", "the options on the right"),
 ];
@@ -107,7 +107,7 @@ impl Studio {
         let stem = path.with_extension("");
         let stem = stem.to_string_lossy();
         // What is read is not replaced.
-        let is_input = ["poly", "node", "ele", "mesh", "soup", "txt"].contains(&&*ending);
+        let is_input = ["poly", "node", "ele", "msh", "mesh", "meshsuite", "soup", "txt"].contains(&&*ending);
         match (stem.is_empty(), is_input) {
             (true, _) => ("mesh".to_owned(), false),
             (false, true) => (format!("{stem}.1"), false),

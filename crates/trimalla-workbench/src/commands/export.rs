@@ -14,8 +14,9 @@ pub(super) const ROW: CommandRow = CommandRow {
     name: "Export",
     arguments: "FILE",
     summary: "writes the mesh, or before 'Triangulate' the drawing, in the format of the ending",
-    help: "A mesh as .ele (with .node and .poly), .poly, .node, .edge, .neigh, .mesh, .soup, .vtu, .off, .svg or .png; \
-           a drawing as .poly, .node, .mesh, .svg or .png. Files are written whole or not at all.",
+    help: "A mesh as .ele (with .node and .poly), .poly, .node, .edge, .neigh, .msh, .msh2, .inp, .mesh, .meshsuite, .su2, \
+           .vtu, .vtk, .obj, .ply, .stl, .off, .geojson, .soup, .svg or .png; a drawing as .poly, .node, .mesh, .meshsuite, \
+           .svg or .png. Files are written whole or not at all.",
     parse: |arguments| Deed::ask(Export { path: arguments.path()? }),
 };
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use trimalla::domain::from_mesh;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla_io::{Files, IoError};
+use trimalla_io::{Files, Format, IoError};
 
 use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
@@ -13,13 +13,10 @@ use crate::mesh::Mesh;
 use crate::names::Names;
 use crate::state::{Input, State};
 
-/// Endings of files that hold triangles.
-const MESHES: [&str; 3] = ["ele", "soup", "txt"];
-
 pub(super) const ROW: CommandRow = CommandRow {
     name: "Load",
     arguments: "FILE",
-    summary: "reads a drawing (.poly, .node, .mesh) or a mesh (.ele, .soup, .txt, .mesh with triangles)",
+    summary: "reads a drawing (.poly, .node, .mesh, .meshsuite) or a mesh (.ele, .msh, .inp, .vtu, .soup, …)",
     help: "It takes the place of everything but the options. A mesh stays as it was given, whatever the circle test says. \
            Vertices are numbered from 0.",
     parse: |arguments| Deed::slices(Load { path: arguments.path()?, stage: Stage::Asked }),
@@ -61,21 +58,18 @@ impl Job for Load {
 }
 
 impl Load {
-    fn ending(&self) -> String {
-        self.path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase()
+    /// Whether the file may hold a drawing or a mesh.
+    fn may_be_either(&self) -> bool {
+        matches!(Format::of_mesh(&self.path), Some(Format::MeshSuite | Format::Medit))
     }
 
     fn read(&self, files: &Files) -> Result<Stage, CommandError> {
-        let ending = self.ending();
         let mesh = || files.read_mesh(&self.path).map(|mesh| Stage::Triangles(Box::new(mesh)));
         let fault = |error: IoError| CommandError::new(error.to_string());
-        if MESHES.contains(&&*ending) {
-            mesh().map_err(fault)
-        } else if ending == "mesh" {
-            // MeshSuite's files may have triangles.
-            mesh().or_else(|_| self.read_drawing(files))
-        } else {
-            self.read_drawing(files)
+        match Format::of_mesh(&self.path) {
+            Some(_) if self.may_be_either() => mesh().or_else(|_| self.read_drawing(files)),
+            Some(_) => mesh().map_err(fault),
+            None => self.read_drawing(files),
         }
     }
 
@@ -86,7 +80,7 @@ impl Load {
 
     /// Reads the drawing alone of a file whose triangles are no triangulation, where it may have one.
     fn without_triangles(&self, files: &Files, error: CommandError) -> Result<Stage, CommandError> {
-        if self.ending() == "mesh" { self.read_drawing(files) } else { Err(error) }
+        if self.may_be_either() { self.read_drawing(files) } else { Err(error) }
     }
 
     fn put_in_place(&self, work: &mut Work<'_>, mut state: State) -> Result<(), CommandError> {
