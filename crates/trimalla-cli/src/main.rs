@@ -7,7 +7,7 @@
 //! | [`input`] | drawings and meshes with the numbering of their files |
 //! | [`terrain`] | a triangulation from a mesh or a drawing, its points and their heights |
 //! | [`refining`] | the common part of `mesh` and `refine`: options, and the report of the workbench's outcome |
-//! | [`drawing_faults`] | what may help where a drawing is at fault |
+//! | [`drawing_faults`], [`snapping`] | what may help where a drawing is at fault; drawings mended in passing |
 //! | [`outputs`], [`targets`] | the output files, checked before any work; leftovers of killed runs |
 //! | [`trace`], [`player`] | every step recorded: as a line, as a picture, and on a page that plays them |
 //! | [`recipe_options`], [`recipe_file`], [`picks`] | the options of a refinement, and as files; triangles picked by number |
@@ -37,6 +37,7 @@ mod refining;
 mod repeat;
 mod script_text;
 mod sizes;
+mod snapping;
 mod targets;
 mod terrain;
 mod text;

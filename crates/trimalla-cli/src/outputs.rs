@@ -93,6 +93,15 @@ impl Outputs {
         Ok(self)
     }
 
+    /// Checks where a text goes that is written beside drawings, by [`prepare_lines`](Self::prepare_lines).
+    pub(crate) fn with_text(mut self, path: Option<&Path>) -> Result<Self, Failure> {
+        if let Some(path) = path {
+            let target = self.checked(Target::of_text(path))?;
+            self.tables.push(target);
+        }
+        Ok(self)
+    }
+
     /// Checks where files of text go; the folder, if any, is made later.
     pub(crate) fn with_texts(mut self, paths: &[PathBuf], folder: Option<&Path>) -> Result<Self, Failure> {
         self.folder = folder.map(Path::to_owned);

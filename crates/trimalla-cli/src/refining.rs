@@ -64,6 +64,8 @@ pub(crate) struct Job<'a> {
     pub(crate) triangles: Option<&'a [[u32; 3]]>,
     /// Messages about ignored parts of the files.
     pub(crate) notes: Vec<String>,
+    /// What may help where the mesh suffers from its input.
+    pub(crate) advice: &'a dyn Fn(&Meshed) -> Option<String>,
 }
 
 impl RefiningOptions {
@@ -111,6 +113,7 @@ impl RefiningOptions {
         })?;
         drop(watch); // Clears its line.
         outcome.warnings.splice(0..0, job.notes);
+        outcome.warnings.extend((job.advice)(&outcome.meshed));
         outcome.warnings.extend(self.asked.pick.warning(asked.recipe.select));
         outcome.warnings.extend(self.sizes.warning(outcome.meshed.report.triangles));
         outcome.warnings.extend(trace.as_ref().and_then(Trace::warning));

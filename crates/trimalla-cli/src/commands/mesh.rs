@@ -1,8 +1,10 @@
 //! `trimalla mesh`: a drawing in, a good mesh out.
 
 use clap::Args;
-use trimalla::Error;
 use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::Warning;
+use trimalla::refine::Reason;
+use trimalla::{Error, Meshed};
 use trimalla_workbench::refining::TaskInput;
 
 use crate::args::{DrawingOptions, one_of};
@@ -10,7 +12,7 @@ use crate::exit::{Failure, STATUSES, Status};
 use crate::input::read_drawing;
 use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
-use crate::{drawing_faults, progress, text};
+use crate::{drawing_faults, progress, snapping, text};
 
 const HELP: &str = "\
 Examples:
@@ -20,6 +22,7 @@ Examples:
   trimalla mesh dirty.poly --crossings split --json       mend crossings, report as JSON
   trimalla mesh key.poly --triangles 5000                 about so many
   trimalla mesh key.poly --size 0.5 --grow 1.2            edges of 0.5, smaller ones near small features
+  trimalla mesh dirty.poly --snap 1e-6 -o dirty.msh       mend gaps, too, and write for Gmsh and solvers
   trimalla mesh - -o - --format poly <key.poly            in a pipe
   trimalla mesh key.poly -o key.svg --details             histograms and time by step, below the mesh too
   trimalla mesh key.poly --player run.html                every step, to play in a browser
@@ -65,6 +68,14 @@ pub(crate) struct Options {
           value_parser = one_of(AlgorithmKey::ALL.map(|a| (a.key(), a.row().summary, a))))]
     triangulator: AlgorithmKey,
 
+    /// Mend the drawing first: vertices nearer than this become one, segments are split at vertices nearer than this
+    /// and where they cross
+    ///
+    /// The length is in the unit of the drawing. Each change is a warning; no vertex is moved but those that become
+    /// others. 'trimalla clean' shows the faults without a mesh.
+    #[arg(long, value_name = "TOLERANCE", help_heading = "Drawing", allow_negative_numbers = true)]
+    snap: Option<f64>,
+
     #[command(flatten)]
     refining: RefiningOptions,
 }
@@ -74,26 +85,47 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let asked = options.refining.asked()?;
     progress::handle_ctrl_c();
     options.refining.recover();
-    let drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
+    let mut drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
     let outputs = options.refining.outputs(&drawing)?;
+    if let Some(tolerance) = options.snap {
+        snapping::snap(&mut drawing, tolerance)?;
+    }
     let domain = options.drawing.domain_options(options.triangulator);
     let job = Job {
         title: drawing.title(),
         heading: text::of_drawing(&drawing),
-        command: options.drawing.import().repeat(CommandLine::new("mesh", &options.drawing.input)).with_domain(
-            domain.rule,
-            options.drawing.crossings_key(),
-            options.triangulator.key(),
+        command: options.snap.iter().fold(
+            options.drawing.import().repeat(CommandLine::new("mesh", &options.drawing.input)).with_domain(
+                domain.rule,
+                options.drawing.crossings_key(),
+                options.triangulator.key(),
+            ),
+            |line, tolerance| line.with("snap", tolerance),
         ),
         first_index: drawing.first_index,
         vertices: drawing.value.points.len(),
         triangles: None,
         notes: drawing.notes.clone(),
+        advice: &|meshed| needs_snapping(meshed).then(|| snapping::advice(&drawing)).flatten(),
     };
     let input = TaskInput::Drawing { drawing: &drawing.value, domain, numbers: drawing.numbers() };
     options.refining.run(&asked, job, input, &outputs, |error| match error {
-        Error::Domain(error) => drawing_faults::failure(&drawing.numbers(), &error),
+        Error::Domain(error) => {
+            let failure = drawing_faults::failure(&drawing.numbers(), &error);
+            match snapping::advice(&drawing) {
+                Some(advice) => failure.hint(advice),
+                None => failure,
+            }
+        }
         Error::Option(error) => error.into(),
         other => Failure::bad_input(other.to_string()),
     })
+}
+
+/// Whether features of the drawing are so near that they may have been meant to be one.
+fn needs_snapping(meshed: &Meshed) -> bool {
+    let touches = |warning: &Warning| matches!(warning, Warning::NearlyTouching { .. });
+    meshed.warnings.iter().any(touches)
+        || meshed.outlook.as_ref().is_some_and(|outlook| outlook.within_rounding.is_some())
+        || meshed.report.leftovers.iter().any(|leftover| leftover.reason == Reason::InputGap)
 }

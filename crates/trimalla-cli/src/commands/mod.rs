@@ -1,6 +1,7 @@
 //! The program and its subcommands.
 
 pub(crate) mod check;
+pub(crate) mod clean;
 pub(crate) mod compare;
 pub(crate) mod contour;
 pub(crate) mod convert;
@@ -34,6 +35,7 @@ Examples:
   trimalla mesh key.poly -o key.1.ele         mesh a drawing, no angle below 30 degrees
   trimalla mesh key.poly -o key.svg           the same, as a picture
   trimalla check key.1.ele --input key.poly   prove the mesh right
+  trimalla clean plan.poly                    what is wrong with a drawing, and where
   trimalla refine key.1.ele --input key.poly --max-area 0.1 -o key.2.ele
                                               refine it further
   trimalla compare key.poly --markdown        all algorithms at all angles, in a table
@@ -52,6 +54,7 @@ enum Command {
     Refine(refine::Options),
     Triangulate(triangulate::Options),
     Check(check::Options),
+    Clean(clean::Options),
     Stats(stats::Options),
     Compare(compare::Options),
     Convert(convert::Options),
@@ -74,6 +77,7 @@ pub(crate) fn run(program: Program) -> Result<Status, Failure> {
         Command::Refine(options) => refine::run(&options),
         Command::Triangulate(options) => triangulate::run(&options),
         Command::Check(options) => check::run(&options),
+        Command::Clean(options) => clean::run(&options),
         Command::Stats(options) => stats::run(&options),
         Command::Compare(options) => compare::run(&options),
         Command::Convert(options) => convert::run(&options),

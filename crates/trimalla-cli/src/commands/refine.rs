@@ -92,6 +92,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         vertices: mesh.value.points.len(),
         triangles: Some(&mesh.value.triangles),
         notes: mesh.notes.iter().chain(drawing.iter().flat_map(|drawing| &drawing.notes)).cloned().collect(),
+        advice: &|_| None,
     };
     let input = TaskInput::Mesh {
         mesh: &mesh.value,

@@ -5,11 +5,12 @@ use trimalla::refine::registry;
 use crate::common::Scratch;
 
 /// The subcommands that teach by examples: all but 'list'.
-const SUBCOMMANDS: [&str; 16] = [
+const SUBCOMMANDS: [&str; 17] = [
     "mesh",
     "refine",
     "triangulate",
     "check",
+    "clean",
     "stats",
     "compare",
     "convert",

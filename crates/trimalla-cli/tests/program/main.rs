@@ -6,6 +6,7 @@
 )]
 
 mod checks;
+mod cleaning;
 mod common;
 mod compare;
 mod documents;

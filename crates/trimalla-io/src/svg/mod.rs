@@ -6,6 +6,7 @@
 //! that the file is as small as a picture of so many triangles can be, and the same on every platform.
 //! Classes are painted from good to bad, so that thin triangles are never hidden.
 
+mod faults;
 mod legend;
 mod strip;
 mod text;
@@ -18,6 +19,7 @@ use crate::picture::{
     COLOURS, Colour, EDGE_OPACITY, HOLE, Histogram, INK, MARK_REACH, MARK_SIZE, MARK_WIDTH, PAPER, Picture,
     PictureOptions, Place, REGION, Space,
 };
+pub use faults::draw_faults;
 use legend::Line;
 use strip::Strip;
 use text::{Hundredths, Polyline, absolute};
