@@ -8,13 +8,13 @@
 //! | `*SURFACE, TYPE=ELEMENT, NAME=…` | the sides of triangles along a boundary: `<triangle>, S1` is the side from its first to its second corner |
 //!
 //! Names are those of [`GroupNames`], with `_` for characters other than letters, digits, `_`, `-` and `.`. Who needs
-//! plane strain or shells replaces CPS3 by CPE3 or S3. Vertex attributes, vertex markers and hole seeds have no place in
-//! the format.
+//! plane strain or shells replaces CPS3 by CPE3 or S3. Vertex attributes, vertex markers and hole seeds have no place
+//! in the format.
 //!
-//! Read are triangles of any type with three or six nodes, of which the corners are kept, and truss and beam elements as
-//! lines. A triangle is in the region of the last element set that names it, sets of surfaces excepted. Lines come from
-//! surfaces, or from line elements where there is no surface. What is not about the mesh is passed over; other elements
-//! and included files are refused.
+//! Read are triangles of any type with three or six nodes, of which the corners are kept, and truss and beam elements
+//! as lines. A triangle is in the region of the last element set that names it, sets of surfaces excepted. Lines come
+//! from surfaces, or from line elements where there is no surface. What is not about the mesh is passed over; other
+//! elements and included files are refused.
 //!
 //! # Source
 //! The CalculiX CrunchiX manual, chapter 7.

@@ -1,8 +1,8 @@
 //! `.geojson`: the triangles of a mesh as features for maps and databases. Written only.
 //!
 //! Each triangle is a feature with a polygon whose ring runs counter-clockwise and ends where it begins. Its properties
-//! are `triangle`, its number as in the other outputs of the run, and `region`, its first attribute, `null` where it has
-//! none, and `name` where the region has a name. Where vertices have attributes, the first is the third coordinate.
+//! are `triangle`, its number as in the other outputs of the run, and `region`, its first attribute, `null` where it
+//! has none, and `name` where the region has a name. Where vertices have attributes, the first is the third coordinate.
 //! Coordinates are written as they are; readers take them for degrees of longitude and latitude unless told otherwise.
 //!
 //! # Source

@@ -2,8 +2,8 @@
 //!
 //! Sections are vertices, triangles and edges, each with the number of rows and, at the end of each row, a *reference*:
 //! the marker of a vertex or a subsegment, the first attribute of a triangle if it is a whole number of 32 bits. Where
-//! attributes are others, regions are numbered by the rule of [`GroupNames`](crate::GroupNames). References are 0 where a
-//! mesh has no markers or attributes, those of edges 1. Names, vertex attributes and hole seeds have no place in the
+//! attributes are others, regions are numbered by the rule of [`GroupNames`](crate::GroupNames). References are 0 where
+//! a mesh has no markers or attributes, those of edges 1. Names, vertex attributes and hole seeds have no place in the
 //! format.
 //!
 //! Read are files of two or three dimensions; sections that are not about triangles, edges or vertices are passed over,
@@ -52,8 +52,8 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
 /// Writes a drawing.
 ///
 /// # Errors
-/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex, a number is not finite,
-/// or the drawing has seeds of holes or regions, for which there is no place.
+/// Those of `out`; kind `InvalidInput` where columns have wrong lengths, an index has no vertex, a number is not
+/// finite, or the drawing has seeds of holes or regions, for which there is no place.
 pub fn write_pslg(out: &mut dyn Write, pslg: &Pslg) -> io::Result<()> {
     if !pslg.holes.is_empty() || !pslg.regions.is_empty() {
         let what = "Medit's format has no place for the seeds of holes and regions: write .poly or .meshsuite";

@@ -1,9 +1,9 @@
 //! `.msh`: a mesh for Gmsh and the solvers that read its format, versions 4.1 and 2.2, as plain text. Read and written.
 //!
-//! Regions are physical groups of dimension 2, boundaries physical groups of dimension 1 with line elements, by the rule
-//! of [`GroupNames`](crate::GroupNames). The third coordinate is 0, as solvers of plane problems expect; vertex attributes, vertex markers
-//! and hole seeds have no place in the format. Vertices are numbered from 1 in their order, lines after them and then
-//! triangles in theirs, so that a mesh comes back in its order.
+//! Regions are physical groups of dimension 2, boundaries physical groups of dimension 1 with line elements, by the
+//! rule of [`GroupNames`](crate::GroupNames). The third coordinate is 0, as solvers of plane problems expect; vertex
+//! attributes, vertex markers and hole seeds have no place in the format. Vertices are numbered from 1 in their order,
+//! lines after them and then triangles in theirs, so that a mesh comes back in its order.
 //!
 //! Read are points (passed over), lines and triangles, also quadratic ones, of which the corners are kept. Other
 //! elements are refused, and so are binary files. An entity in several physical groups counts for the first.

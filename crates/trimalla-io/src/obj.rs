@@ -1,11 +1,11 @@
 //! `.obj`: a surface for programs of computer graphics, Wavefront's format as plain text. Read and written.
 //!
-//! Vertices have their height as third coordinate: the first attribute, or 0. Each region is a group (`g`) of faces, each
-//! boundary a group of lines (`l`), with names by the rule of [`GroupNames`], blanks as `_`. Further attributes, markers
-//! of vertices and hole seeds have no place in the format.
+//! Vertices have their height as third coordinate: the first attribute, or 0. Each region is a group (`g`) of faces,
+//! each boundary a group of lines (`l`), with names by the rule of [`GroupNames`], blanks as `_`. Further attributes,
+//! markers of vertices and hole seeds have no place in the format.
 //!
-//! Read are vertices, faces with three corners, lines and groups; normals, textures and materials are passed over, faces
-//! with more corners refused. Heights that are not all 0 become an attribute.
+//! Read are vertices, faces with three corners, lines and groups; normals, textures and materials are passed over,
+//! faces with more corners refused. Heights that are not all 0 become an attribute.
 //!
 //! # Source
 //! *Object Files*, appendix B of the Advanced Visualizer manual, Wavefront Technologies.

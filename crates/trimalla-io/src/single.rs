@@ -1,8 +1,8 @@
 //! Meshes whose coordinates are numbers of 32 bits, with every triangle still counter-clockwise.
 //!
-//! Rounding moves a vertex by up to half of the distance between two such numbers, and may turn a thin triangle over. The
-//! exact test of the rounded corners says which. There a corner goes to one of the eight places beside it at which no
-//! triangle around it is turned over that was not before; if that does not help everywhere, the mesh is refused.
+//! Rounding moves a vertex by up to half of the distance between two such numbers, and may turn a thin triangle over.
+//! The exact test of the rounded corners says which. There a corner goes to one of the eight places beside it at which
+//! no triangle around it is turned over that was not before; if that does not help everywhere, the mesh is refused.
 
 use std::io;
 
@@ -100,8 +100,8 @@ impl Around {
         around.iter().filter(|&&t| !is_positive(points, &triangles[t])).count()
     }
 
-    /// Moves a corner of a triangle to a place beside it if that leaves fewer triangles turned over; whether this one no
-    /// longer is.
+    /// Moves a corner of a triangle to a place beside it if that leaves fewer triangles turned over; whether this one
+    /// no longer is.
     fn mend(&self, points: &mut [Point], triangles: &[[u32; 3]], t: usize) -> bool {
         for v in triangles[t] {
             let (old, before) = (points[v as usize], self.turned(points, triangles, v));

@@ -4,8 +4,9 @@
 //! the third of which is the height: the first attribute of the vertex, or 0. Normals are unit vectors that point up.
 //! Everything else about a mesh has no place in the format.
 //!
-//! Read is plain text: corners of equal coordinates become one vertex, vertices are in the order of their first corners,
-//! and the edges that one triangle only has become the subsegments. Normals are passed over. Binary files are refused.
+//! Read is plain text: corners of equal coordinates become one vertex, vertices are in the order of their first
+//! corners, and the edges that one triangle only has become the subsegments. Normals are passed over. Binary files are
+//! refused.
 //!
 //! # Source
 //! *StereoLithography Interface Specification*, 3D Systems, 1989.

@@ -1,8 +1,8 @@
 //! `.su2`: a mesh for SU2. Read and written.
 //!
-//! The file has two dimensions, the triangles, the vertices, and a marker for each boundary, with its name by the rule of
-//! [`GroupNames`] (blanks become `_`) and the edges along it. Markers are the boundary of the domain, as SU2 wants them:
-//! each edge of it is in one, and runs with the domain on its left; subsegments inside are left out. Vertices and
+//! The file has two dimensions, the triangles, the vertices, and a marker for each boundary, with its name by the rule
+//! of [`GroupNames`] (blanks become `_`) and the edges along it. Markers are the boundary of the domain, as SU2 wants
+//! them: each edge of it is in one, and runs with the domain on its left; subsegments inside are left out. Vertices and
 //! triangles are numbered from 0. Regions, attributes, vertex markers and hole seeds have no place in the format.
 //!
 //! Read are files of two dimensions with triangles; other elements are refused. `%` starts a comment.

@@ -14,9 +14,9 @@
 //! coordinate is the first attribute of the vertex, its height; 0 where there is none. Hole seeds and further triangle
 //! attributes are left out.
 //!
-//! Read are files of one piece whose arrays are plain text, with cells that are triangles or lines, also quadratic ones,
-//! of which the corners are kept. Other arrays than those of the table are passed over; arrays of `region` or `marker`
-//! that are all 0 stand for none. Files in which data is compressed or in base64 are refused.
+//! Read are files of one piece whose arrays are plain text, with cells that are triangles or lines, also quadratic
+//! ones, of which the corners are kept. Other arrays than those of the table are passed over; arrays of `region` or
+//! `marker` that are all 0 stand for none. Files in which data is compressed or in base64 are refused.
 
 use std::fmt::Display;
 use std::io::{self, Write};

@@ -40,7 +40,8 @@ Each fault is a line on standard output, in the numbers of the file; after 50, t
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
     /// The mesh: an .ele file with its .node file beside it, the stem of both, or one file of any format that
-    /// 'trimalla list' calls a mesh that is read (.msh, .inp, .mesh, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup, …)
+    /// 'trimalla list' calls a mesh that is read (.msh, .inp, .mesh, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup,
+    /// …)
     mesh: PathBuf,
 
     /// The drawing that the mesh was made from: .poly, .node, a stem, '-', or one of another program, read with the

@@ -23,7 +23,8 @@ is the circumradius over twice the inradius: 1 for an equilateral triangle.";
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
     /// The mesh: an .ele file with its .node file beside it, the stem of both, or one file of any format that
-    /// 'trimalla list' calls a mesh that is read (.msh, .inp, .mesh, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup, …)
+    /// 'trimalla list' calls a mesh that is read (.msh, .inp, .mesh, .su2, .vtu, .vtk, .obj, .ply, .stl, .off, .soup,
+    /// …)
     mesh: PathBuf,
 
     /// Print one JSON object

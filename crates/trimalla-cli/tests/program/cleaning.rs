@@ -4,7 +4,8 @@ use serde_json::Value;
 
 use crate::common::{SQUARE, Scratch};
 
-/// An outline of four corners whose last is a hair away from its first, a segment that ends nowhere, and two that cross.
+/// An outline of four corners whose last is a hair away from its first, a segment that ends nowhere, and two that
+/// cross.
 const OPEN: &str = "9 2 0 0\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 1e-9\n6 1 1\n7 2 2\n8 2 1\n9 1 2\n\
     6 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 5 1\n5 6 7 2\n6 8 9 2\n0\n";
 

@@ -1,8 +1,8 @@
 //! The faces of a drawing: what its segments enclose.
 //!
-//! Each segment has two sides, `2 s` from its first end to its second and `2 s + 1` back. A face lies to the left of its
-//! sides, which follow each other around it; exact signs order the segments at each vertex. Where segments cross, faces
-//! are those of the graph, not of the plane.
+//! Each segment has two sides, `2 s` from its first end to its second and `2 s + 1` back. A face lies to the left of
+//! its sides, which follow each other around it; exact signs order the segments at each vertex. Where segments cross,
+//! faces are those of the graph, not of the plane.
 
 use super::graph::Graph;
 use super::near::distance;

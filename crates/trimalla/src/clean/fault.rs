@@ -96,7 +96,8 @@ pub struct Fault {
     pub at: Point,
     /// How large it is: a length, or for tiny angles degrees; 0 where the kind has no size.
     pub size: f64,
-    /// The vertices concerned: both of a pair; the vertex of a T-junction, an angle or a free end; those around a sliver.
+    /// The vertices concerned: both of a pair; the vertex of a T-junction, an angle or a free end; those around a
+    /// sliver.
     pub vertices: Vec<u32>,
     /// The segments concerned.
     pub segments: Vec<u32>,
@@ -120,7 +121,7 @@ impl Fault {
     }
 }
 
-/// What [`find`](super::find) found.
+/// What [`find`](super::find()) found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
     /// The tolerance that was used, in the unit of the drawing.

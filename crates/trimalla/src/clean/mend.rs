@@ -70,10 +70,10 @@ pub struct Mended {
 /// they cross, and leaves out copies.
 ///
 /// # Guarantees
-/// No vertex is moved; one that is merged was within the tolerance of the one that stays, which is the first of all that
-/// become one. Groups of near vertices that reach further than the tolerance are left alone, but for vertices at one
-/// place. Nothing else is touched, and a drawing without faults comes back as it is. Markers and attributes stay with
-/// their vertices and segments; new vertices get attributes between those at the ends of a segment.
+/// No vertex is moved; one that is merged was within the tolerance of the one that stays, which is the first of all
+/// that become one. Groups of near vertices that reach further than the tolerance are left alone, but for vertices at
+/// one place. Nothing else is touched, and a drawing without faults comes back as it is. Markers and attributes stay
+/// with their vertices and segments; new vertices get attributes between those at the ends of a segment.
 ///
 /// # Errors
 /// [`CleanError`], where the drawing is none or an option is out of range.

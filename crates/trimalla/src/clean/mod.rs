@@ -1,8 +1,8 @@
 //! Faults of drawings: found, named with their place and size, and mended where there is one sensible repair.
 //!
-//! [`find`] names them. Exact tests decide what crosses, overlaps or touches; a *tolerance*, a length, says how near is
-//! too near. [`mend`] merges vertices, splits segments and leaves out copies, moves nothing further than the tolerance,
-//! and lists each change.
+//! [`find()`] names them. Exact tests decide what crosses, overlaps or touches; a *tolerance*, a length, says how near
+//! is too near. [`mend()`] merges vertices, splits segments and leaves out copies, moves nothing further than the
+//! tolerance, and lists each change.
 //!
 //! | kind | what | mended |
 //! |---|---|---|
@@ -18,8 +18,8 @@
 //! | [`WrongNesting`](FaultKind::WrongNesting) | a hole seed in a face that lies in another hole | never |
 //! | [`TinyAngle`](FaultKind::TinyAngle) | two segments meet at a small angle | never |
 //!
-//! One cause is named once: an end that passes a segment by a hair is a T-junction and not also a crossing, and what two
-//! sides of a sliver do to each other is the sliver.
+//! One cause is named once: an end that passes a segment by a hair is a T-junction and not also a crossing, and what
+//! two sides of a sliver do to each other is the sliver.
 //!
 //! # Examples
 //! ```

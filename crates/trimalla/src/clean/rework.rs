@@ -82,8 +82,8 @@ impl Rework {
         }
     }
 
-    /// Leaves out segments that are copies of others, or whose ends are one vertex. A copy hands its marker to the first
-    /// if that has none.
+    /// Leaves out segments that are copies of others, or whose ends are one vertex. A copy hands its marker to the
+    /// first if that has none.
     fn leave_out_copies(&mut self) {
         let copies = Graph::of(&self.drawing).copies;
         let mut stays = vec![true; self.drawing.segments.len()];
