@@ -91,7 +91,7 @@ impl Maker {
         match d.below(6) {
             0 => drop(self.square(at, 3.0 + d.part())),
             1 => {
-                // Two parcels with a common border.
+                // Two parcels with a common side.
                 let v = self.square(at, 4.0);
                 let top = self.chain(&[[x + 6.0, y], [x + 6.0, y + 4.0]]);
                 self.segment(v[1], top[0]);
@@ -166,7 +166,7 @@ impl Maker {
                 if d.below(2) == 0 {
                     self.ring(&[at, [x + 5.0, y], [x + 5.0, y + width], [x, y + width]]);
                 } else {
-                    // Two borders between the same corners, each with a vertex of its own.
+                    // Two chains between the same corners, each with a vertex of its own.
                     let v = self.square(at, 4.0);
                     let low = self.vertex(x + 1.5, y + 1.5);
                     let high = self.vertex(x + 2.5, y + 2.5 + width);
