@@ -1,4 +1,4 @@
-//! `.inp`: a mesh for Abaqus, CalculiX and the programs that read their input. Read and written.
+//! `.inp`: a mesh for Abaqus, `CalculiX` and the programs that read their input. Read and written.
 //!
 //! | in the file | is |
 //! |---|---|
@@ -17,7 +17,7 @@
 //! elements and included files are refused.
 //!
 //! # Source
-//! The CalculiX CrunchiX manual, chapter 7.
+//! The `CalculiX` `CrunchiX` manual, chapter 7.
 
 mod read;
 

@@ -227,10 +227,8 @@ impl Gathered {
         let mut new_index = vec![u32::MAX; self.points.len()];
         let ends = self.lines.iter().flat_map(|(ends, _)| ends);
         self.triangles.iter().flat_map(|(corners, _)| corners).chain(ends).for_each(|&v| new_index[v as usize] = 0);
-        let mut next = 0;
-        for index in new_index.iter_mut().filter(|index| **index == 0) {
+        for (next, index) in (0..).zip(new_index.iter_mut().filter(|index| **index == 0)) {
             *index = next;
-            next += 1;
         }
         let is_used = |i: usize| new_index[i] != u32::MAX;
         self.points = (0..self.points.len()).filter(|&i| is_used(i)).map(|i| self.points[i]).collect();

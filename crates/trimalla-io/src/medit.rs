@@ -1,4 +1,4 @@
-//! `.mesh`: a mesh or a drawing for Medit, FreeFem, Mmg and MFEM, as plain text. Read and written.
+//! `.mesh`: a mesh or a drawing for Medit, `FreeFem`, Mmg and MFEM, as plain text. Read and written.
 //!
 //! Sections are vertices, triangles and edges, each with the number of rows and, at the end of each row, a *reference*:
 //! the marker of a vertex or a subsegment, the first attribute of a triangle if it is a whole number of 32 bits. Where
@@ -43,7 +43,7 @@ pub fn write(out: &mut dyn Write, mesh: &IndexedMesh) -> io::Result<()> {
     writeln!(out, "Triangles\n{}", mesh.triangles.len())?;
     let mut rows = Rows::to(out);
     for (corners, reference) in mesh.triangles.iter().zip(references(mesh)) {
-        rows.from_one(corners).integer(reference).end()?;
+        rows.one_based(corners).integer(reference).end()?;
     }
     rows.finish()?;
     write_edges(out, &Segments::of_mesh(mesh))
@@ -78,7 +78,7 @@ fn write_edges(out: &mut dyn Write, segments: &Segments<'_>) -> io::Result<()> {
     writeln!(out, "Edges\n{}", segments.segments.len())?;
     let mut rows = Rows::to(out);
     for (i, ends) in segments.segments.iter().enumerate() {
-        rows.from_one(ends).integer(segments.markers.get(i).copied().unwrap_or(1)).end()?;
+        rows.one_based(ends).integer(segments.markers.get(i).copied().unwrap_or(1)).end()?;
     }
     rows.finish()?;
     writeln!(out, "End")

@@ -143,10 +143,7 @@ fn put_into_groups(
 }
 
 /// Numbers for different names in the order in which they are first met, and the place of each name among them.
-fn distinct<'a>(
-    names: Vec<&'a str>,
-    own: fn(&str) -> Option<i32>,
-) -> (Vec<i32>, std::collections::BTreeMap<&'a str, usize>) {
+fn distinct(names: Vec<&str>, own: fn(&str) -> Option<i32>) -> (Vec<i32>, std::collections::BTreeMap<&str, usize>) {
     let mut place = std::collections::BTreeMap::new();
     let mut order = Vec::new();
     for name in names {

@@ -29,7 +29,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Adds indices to the row, counted from 1.
-    pub(crate) fn from_one(&mut self, indices: &[u32]) -> &mut Self {
+    pub(crate) fn one_based(&mut self, indices: &[u32]) -> &mut Self {
         for &index in indices {
             self.integer(u64::from(index) + 1);
         }

@@ -9,7 +9,7 @@
 //! refused.
 //!
 //! # Source
-//! *StereoLithography Interface Specification*, 3D Systems, 1989.
+//! *Stereolithography Interface Specification*, 3D Systems, 1989.
 
 use std::collections::HashMap;
 use std::io::{self, Write};

@@ -47,10 +47,10 @@ pub fn write_version_2(out: &mut dyn Write, mesh: &IndexedMesh, names: &GroupNam
     let mut rows = Rows::to(out);
     // Each group is an elementary entity of the same number.
     for (i, (ends, tag)) in (1_u64..).zip(groups.lines.iter().zip(groups.boundary_tags())) {
-        rows.integer(i).integer(kind::LINE).integer(2).integer(tag).integer(tag).from_one(ends).end()?;
+        rows.integer(i).integer(kind::LINE).integer(2).integer(tag).integer(tag).one_based(ends).end()?;
     }
     for (i, (corners, tag)) in (lines + 1..).zip(mesh.triangles.iter().zip(groups.region_tags(mesh.triangles.len()))) {
-        rows.integer(i).integer(kind::TRIANGLE).integer(2).integer(tag).integer(tag).from_one(corners).end()?;
+        rows.integer(i).integer(kind::TRIANGLE).integer(2).integer(tag).integer(tag).one_based(corners).end()?;
     }
     rows.finish()?;
     writeln!(out, "$EndElements")
@@ -128,14 +128,14 @@ fn write_elements(out: &mut dyn Write, mesh: &IndexedMesh, groups: &Groups<'_>) 
     for Group { tag, members, .. } in &groups.boundaries {
         rows.integer(1).integer(*tag).integer(kind::LINE).integer(members.len() as u64).end()?;
         for &i in members {
-            rows.integer(u64::from(i) + 1).from_one(&groups.lines[i as usize]).end()?;
+            rows.integer(u64::from(i) + 1).one_based(&groups.lines[i as usize]).end()?;
         }
     }
     let before = groups.lines.len() as u64 + 1;
     for Group { tag, members, .. } in &groups.regions {
         rows.integer(2).integer(*tag).integer(kind::TRIANGLE).integer(members.len() as u64).end()?;
         for &i in members {
-            rows.integer(u64::from(i) + before).from_one(&mesh.triangles[i as usize]).end()?;
+            rows.integer(u64::from(i) + before).one_based(&mesh.triangles[i as usize]).end()?;
         }
     }
     rows.finish()?;
