@@ -11,6 +11,7 @@ mod common;
 mod compare;
 mod documents;
 mod domains;
+mod drawings;
 mod endless;
 mod faults;
 mod foresight;
