@@ -29,7 +29,7 @@ fn settle(harness: &mut Harness<'_, Studio>) -> usize {
 
 #[test]
 fn a_script_leads_to_the_same_document_over_many_frames() {
-    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.000001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
+    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.00001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
     let mut harness = harness(&Memory::default());
     harness.state_mut().run_script(text.to_owned());
     assert!(harness.state().document().is_none(), "it takes longer than a frame");
@@ -59,6 +59,29 @@ fn a_refinement_is_cancelled_between_two_frames() {
 }
 
 #[test]
+fn other_long_commands_go_on_between_frames_and_are_cancelled() {
+    for (before, line) in [
+        ("Clear", "Generate random 300000 1"),
+        ("Generate random 100000 1", "Triangulate"),
+        ("Generate random 5000 1\nTriangulate", "LEPP 33"),
+    ] {
+        let mut harness = harness(&Memory::default());
+        harness.state_mut().run_script(before.to_owned());
+        settle(&mut harness);
+        let figures = harness.state().document().expect("at rest").figures();
+        harness.state_mut().enter(line);
+        harness.run_steps(2);
+        assert!(harness.state().document().is_none(), "{line} takes longer than two frames");
+        harness.get_by_role_and_label(Role::Button, "Cancel").click();
+        assert!(settle(&mut harness) <= 4, "{line} stops at once");
+        assert_eq!(harness.state().document().expect("at rest").figures(), figures, "{line}");
+        harness.state_mut().enter(line);
+        assert!(settle(&mut harness) > 2, "{line}");
+        assert_ne!(harness.state().document().expect("at rest").figures(), figures, "{line}");
+    }
+}
+
+#[test]
 fn files_are_opened_from_memory_and_exported_to_it() {
     let memory = Memory::default();
     memory.put("three.poly", "3 2 0 0\n0 0 0\n1 4 0\n2 0 3\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n");
@@ -83,7 +106,7 @@ fn the_menu_writes_what_led_here() {
     harness.state_mut().run_script("Example star\nTriangulate\nRefine\n".to_owned());
     settle(&mut harness);
     for (entry, file) in
-        [("Script: mesh.tri", "mesh.tri"), ("Picture: mesh.png", "mesh.png"), ("Player: mesh.html", "mesh.html")]
+        [("Script: star.tri", "star.tri"), ("Picture: star.png", "star.png"), ("Player: star.html", "star.html")]
     {
         harness.get_by_role_and_label(Role::Button, "Write …").click();
         harness.run_steps(3);
@@ -92,6 +115,6 @@ fn the_menu_writes_what_led_here() {
         settle(&mut harness);
         assert!(memory.get(file).is_some_and(|content| !content.is_empty()), "{file}");
     }
-    let script = memory.get("mesh.tri").expect("the script");
+    let script = memory.get("star.tri").expect("the script");
     assert_eq!(&*script, b"Example star\nTriangulate\nRefine\n");
 }

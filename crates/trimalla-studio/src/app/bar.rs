@@ -115,10 +115,23 @@ impl Studio {
 
 /// How many commands lead back to before 'Triangulate', where nothing but looking has come after it.
 fn since_triangulated(document: &Document) -> Option<usize> {
+    let looks = last_of(document, &["Watch", "Select"]);
     let script = document.script();
-    let names: Vec<&str> = script.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    let is = |name: &str, other: &str| name.eq_ignore_ascii_case(other);
-    let looks = names.iter().rev().take_while(|name| is(name, "Watch") || is(name, "Select")).count();
-    let last = names.len().checked_sub(looks + 1).map(|last| names[last])?;
-    (is(last, "Triangulate") && document.undoable().0 > looks).then_some(looks + 1)
+    let last = script.lines().rev().nth(looks).and_then(|line| line.split_whitespace().next())?;
+    (last.eq_ignore_ascii_case("Triangulate") && document.undoable().0 > looks).then_some(looks + 1)
+}
+
+/// The command that goes one step back. To pick a triangle is no step: nothing is drawn otherwise then.
+pub(super) fn back(document: Option<&Document>) -> String {
+    let picks = document.map_or(0, |document| last_of(document, &["Select"]));
+    let is_more = document.is_some_and(|document| document.undoable().0 > picks);
+    if picks > 0 && is_more { format!("Undo {}", picks + 1) } else { "Undo".to_owned() }
+}
+
+/// How many of the last commands are of these.
+fn last_of(document: &Document, names: &[&str]) -> usize {
+    let script = document.script();
+    let first = |line: &str| line.split_whitespace().next().unwrap_or_default().to_owned();
+    let is = |line: &&str| names.iter().any(|name| first(line).eq_ignore_ascii_case(name));
+    script.lines().rev().take_while(is).count()
 }

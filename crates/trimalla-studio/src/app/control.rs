@@ -72,8 +72,9 @@ impl Control {
         ui.horizontal_wrapped(|ui| {
             let (done, _) = document.map_or((1, 0), Document::undoable);
             let back = ui.add_enabled(done > 0, Button::new("Back"));
-            if back.on_hover_text("takes the last command back (left arrow)").clicked() {
-                ask("Undo".to_owned());
+            let help = "takes the last command back, and with it what was picked since (left arrow)";
+            if back.on_hover_text(help).clicked() {
+                ask(super::bar::back(document));
             }
             if ui
                 .button("Step")

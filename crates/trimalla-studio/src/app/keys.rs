@@ -45,7 +45,7 @@ impl Studio {
             commands.push(if has_future { "Redo" } else { "Step" }.to_owned());
         }
         if pressed(Key::ArrowLeft) {
-            commands.push("Undo".to_owned());
+            commands.push(super::bar::back(self.worker.document()));
         }
         for (number, (tool, ..)) in NUMBERS.into_iter().zip(Tool::ALL) {
             if pressed(number) {

@@ -53,6 +53,8 @@ pub struct Studio {
     switches: Switches,
     /// How far the last refinement has missed its bounds.
     missed: Option<String>,
+    /// From where the drawing came.
+    source: Option<String>,
     tools: Tools,
     control: Control,
     watch: Watch,
@@ -121,6 +123,7 @@ impl Studio {
             was_empty: true,
             switches: Switches::default(),
             missed: None,
+            source: None,
             tools: Tools::default(),
             control: Control::default(),
             watch: Watch::default(),
@@ -296,6 +299,7 @@ impl Studio {
         self.course.note(document, &self.worker.scene().figures);
         self.switches.follow(document.options());
         self.missed = missed::of(document);
+        self.source = information::source_of(document);
         let then = std::mem::take(&mut self.then);
         let vertices = self.worker.scene().vertices.len();
         // One who draws keeps the view in which the first corners were clicked.
@@ -340,10 +344,12 @@ impl Studio {
         if let Some(missed) = &self.missed {
             shown.painter.note(missed, ui.visuals().warn_fg_color);
         }
-        if scene.vertices.is_empty() && !self.worker.is_busy() && self.lesson.is_none() {
-            let text =
-                "Nothing is drawn yet. Take 'Outline' and click corners, the first one again to close; or open a file.";
-            shown.painter.hint(text);
+        if scene.vertices.is_empty() && !self.worker.is_busy() {
+            shown.painter.hint(if self.lesson.is_some() {
+                "'Next scene' goes on, 'Play lesson' goes through all of them."
+            } else {
+                "Nothing is drawn yet. Take 'Outline' and click corners, the first one again to close; or open a file."
+            });
         }
         self.view = view;
         asked

@@ -28,7 +28,7 @@ impl Studio {
             ui.separator();
         }
         let drawn = (&**self.worker.scene(), self.worker.growth());
-        information::show(ui, document, drawn, &self.course, self.switches.threshold_deg);
+        information::show(ui, (document, self.source.as_deref()), drawn, &self.course, self.switches.threshold_deg);
         configured.or(inspected).or(planned)
     }
 

@@ -10,13 +10,18 @@ use super::{Studio, Then};
 use crate::dialog::Wish;
 
 /// What can be written: its name, the command, the ending, the help.
-const WRITTEN: [(&str, &str, &str, &str); 8] = [
+const WRITTEN: [(&str, &str, &str, &str); 12] = [
     ("Picture", "Export", ".svg", "lines that scale"),
     ("Picture", "Export", ".png", "pixels"),
     ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
     ("Mesh", "Export", ".ele", "with .node and .poly, as Triangle writes them"),
     ("Mesh", "Export", ".vtu", "for ParaView"),
     ("Mesh", "Export", ".msh", "for Gmsh and solvers"),
+    ("Mesh", "Export", ".meshsuite", "as MeshSuite writes it"),
+    ("Mesh", "Export", ".soup", "the corners of each triangle in a line"),
+    ("Mesh", "Export", ".off", "for geometry viewers"),
+    ("Edges", "Export", ".edge", "as Triangle writes them"),
+    ("Neighbours", "Export", ".neigh", "as Triangle writes them"),
     ("Script", "Save", ".tri", "the commands that led here"),
     ("Recipe", "SaveRecipe", ".toml", "the options on the right"),
 ];
@@ -27,7 +32,8 @@ impl Studio {
         let mut chosen = None;
         for (name, word, ending, help) in WRITTEN {
             let file = self.name_for(ending);
-            if ui.button(format!("{name}: {file}")).on_hover_text(help).clicked() {
+            let asks = if self.dialogs.are_there { " …" } else { "" };
+            if ui.button(format!("{name}: {file}{asks}")).on_hover_text(help).clicked() {
                 chosen = Some((name, word, file, ending));
                 ui.close();
             }
@@ -109,7 +115,11 @@ impl Studio {
         // What is read is not replaced.
         let is_input = ["poly", "node", "ele", "msh", "mesh", "meshsuite", "soup", "txt"].contains(&&*ending);
         match (stem.is_empty(), is_input) {
-            (true, _) => ("mesh".to_owned(), false),
+            (true, _) => {
+                // What came with the program, or by a command.
+                let source = self.source.as_deref().map(Path::new).and_then(Path::file_stem);
+                (source.map_or_else(|| "mesh".to_owned(), |stem| stem.to_string_lossy().into_owned()), false)
+            }
             (false, true) => (format!("{stem}.1"), false),
             (false, false) => (stem.into_owned(), ending.is_empty() || wanted[1..] == ending),
         }

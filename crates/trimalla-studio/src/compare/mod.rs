@@ -85,7 +85,11 @@ impl Compare {
             self.state = (Some(document.version()), state_of(document));
         }
         let state = self.state.1;
-        self.slots.iter_mut().for_each(|slot| slot.note(worker.scene(), state));
+        let asked = worker.document().map(Document::options);
+        for slot in &mut self.slots {
+            slot.note(worker.scene(), state);
+            asked.into_iter().for_each(|options| slot.follow(options));
+        }
     }
 
     fn is_busy(&self) -> bool {

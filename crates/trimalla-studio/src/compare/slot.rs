@@ -25,6 +25,8 @@ pub(super) struct Slot {
     viewer: Viewer,
     /// An empty document, whose options are the recipe; `None` for the document as it is.
     recipe: Option<Document>,
+    /// Whether its angle was changed here: until then it is that of the document.
+    has_own_angle: bool,
     worker: Worker,
     /// The name of the recipe with which it ran, and the number of what the document held then.
     ran: Option<(String, u64)>,
@@ -48,6 +50,7 @@ impl Slot {
         Self {
             viewer: Viewer { number, format },
             recipe,
+            has_own_angle: false,
             worker: Worker::new(),
             ran: None,
             is_stale: false,
@@ -75,6 +78,16 @@ impl Slot {
         let scene = if is_present { document } else { self.worker.scene() };
         if !Arc::ptr_eq(&self.scene, scene) {
             self.scene = scene.clone();
+        }
+    }
+
+    /// Takes the angle that the document is asked for, unless it has its own.
+    pub(super) fn follow(&mut self, asked: &NamedOptions) {
+        let Some(recipe) = self.recipe.as_mut().filter(|_| !self.has_own_angle) else { return };
+        let angle = angle_deg(asked);
+        if angle_deg(recipe.options()) != angle {
+            // The document has it: it is in range.
+            let _ = recipe.run(&format!("Set min-angle {angle}"), &mut Quiet);
         }
     }
 
@@ -156,6 +169,7 @@ impl Slot {
             ui.group(|ui| command = show_fields(ui, number, &options, &mut self.is_open));
         });
         if let Some(command) = command {
+            self.has_own_angle |= command.starts_with("Set min-angle");
             // What is out of range is refused, and the option stays.
             let _ = recipe.run(&command, &mut Quiet);
         }

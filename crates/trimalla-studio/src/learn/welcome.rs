@@ -47,7 +47,7 @@ pub(crate) fn show(ui: &mut Ui) -> Option<Welcomed> {
             if ui.button("Draw my own").on_hover_text("an empty page, with the tool that draws an outline").clicked() {
                 chosen = Some(Welcomed::Draw);
             }
-            ui.label("or drop a file into the window, or write its name above and click 'Open'.");
+            ui.label("or drop a file into the window, or open one by the row on top.");
         });
         ui.add_space(12.0);
         ui.heading("See an algorithm work");

@@ -1,6 +1,7 @@
 //! The console: what was said, and a line for commands.
 
-use eframe::egui::{Align, Color32, Key, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{Align, Color32, Id, Key, RichText, ScrollArea, TextEdit, Ui};
 use trimalla_workbench::MessageKind;
 use trimalla_workbench::script::completions;
 
@@ -55,12 +56,13 @@ impl Console {
         let mut entered = None;
         ui.horizontal(|ui| {
             let label = ui.label("Command");
-            let edit =
-                TextEdit::singleline(&mut self.input).hint_text("Help").desired_width(ui.available_width() - 60.0);
-            let response = ui.add(edit).labelled_by(label.id);
+            // Tab completes a name that was begun, and leaves the field otherwise.
+            let is_begun = !self.input.is_empty() && !self.input.contains(' ');
+            let edit = TextEdit::singleline(&mut self.input).hint_text("Help").lock_focus(is_begun);
+            let response = ui.add(edit.desired_width(ui.available_width() - 60.0)).labelled_by(label.id);
             let is_entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
-            if response.has_focus() {
-                self.take_keys(ui);
+            if response.has_focus() && self.take_keys(ui) {
+                put_cursor_behind(ui, response.id, &self.input);
             }
             if ui.button("Run").clicked() || is_entered {
                 let line = std::mem::take(&mut self.input);
@@ -75,8 +77,9 @@ impl Console {
         entered
     }
 
-    /// Arrows walk through what was typed, Tab completes.
-    fn take_keys(&mut self, ui: &Ui) {
+    /// Arrows walk through what was typed, Tab completes; whether either has changed the line.
+    fn take_keys(&mut self, ui: &Ui) -> bool {
+        let before = self.input.clone();
         let (up, down, tab) =
             ui.input(|i| (i.key_pressed(Key::ArrowUp), i.key_pressed(Key::ArrowDown), i.key_pressed(Key::Tab)));
         if up || down {
@@ -90,6 +93,15 @@ impl Console {
                 self.input = format!("{only} ");
             }
         }
+        self.input != before
+    }
+}
+
+/// Puts the cursor of a field behind its text.
+fn put_cursor_behind(ui: &Ui, field: Id, text: &str) {
+    if let Some(mut state) = TextEdit::load_state(ui.ctx(), field) {
+        state.cursor.set_char_range(Some(CCursorRange::one(CCursor::end_of_str(text))));
+        state.store(ui.ctx(), field);
     }
 }
 

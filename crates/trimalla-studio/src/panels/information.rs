@@ -3,13 +3,22 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{CollapsingHeader, Ui};
+use eframe::egui::{CollapsingHeader, Label, Ui};
 use egui_plot::{Bar, BarChart, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
 use trimalla::quality::Histogram;
 use trimalla_workbench::{Document, Figures, RunInformation};
 
 use crate::scene::Scene;
 use crate::worker::Grown;
+
+/// From where the drawing came: the file or the example that was loaded last, if nothing began anew since.
+pub(crate) fn source_of(document: &Document) -> Option<String> {
+    let script = document.script();
+    let is = |name: &str, others: &[&str]| others.iter().any(|other| name.eq_ignore_ascii_case(other));
+    let mut commands = script.lines().rev().map(|line| line.split_once(char::is_whitespace).unwrap_or((line, "")));
+    let (name, rest) = commands.find(|(name, _)| is(name, &["Load", "Example", "Clear"]))?;
+    (!is(name, &["Clear"])).then(|| rest.trim().trim_matches('"').to_owned())
+}
 
 /// How high a plot is.
 const HEIGHT: f32 = 130.0;
@@ -37,13 +46,16 @@ impl Course {
 /// Shows the panel.
 pub(crate) fn show(
     ui: &mut Ui,
-    document: &Document,
+    (document, source): (&Document, Option<&str>),
     (scene, growth): (&Scene, &[Grown]),
     course: &Course,
     threshold_deg: f64,
 ) {
     let figures = &scene.figures;
     ui.heading("Document");
+    if let Some(source) = source {
+        ui.add(Label::new(format!("of {source}")).truncate()).on_hover_text(source);
+    }
     ui.label(format!("{} vertices, {} added", figures.vertices, figures.steiner));
     ui.label(format!("{} triangles, {} edges", figures.triangles, figures.edges));
     if figures.triangles == 0 {

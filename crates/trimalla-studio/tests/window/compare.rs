@@ -66,7 +66,9 @@ fn recipes_begin_before_the_steps_of_a_refinement() {
     }
     let mut begun = trimalla_workbench::Document::new();
     let mut counts = Vec::new();
-    for recipe in ["", "Set preset off-center\nRefine", "Set preset lepp-centroid\nRefine"] {
+    for recipe in
+        ["", "Set preset off-center\nSet min-angle 20\nRefine", "Set preset lepp-centroid\nSet min-angle 20\nRefine"]
+    {
         let text = format!("Clear\nGenerate random 60 8\nTriangulate\n{recipe}");
         assert_eq!(trimalla_workbench::script::run(&mut begun, &text, false, &mut trimalla_workbench::Quiet), []);
         counts.push(begun.figures().triangles.to_string());

@@ -7,6 +7,7 @@ mod panels;
 mod steps;
 mod tools;
 mod trial;
+mod viewer;
 mod watch;
 
 use eframe::egui::accesskit::Role;

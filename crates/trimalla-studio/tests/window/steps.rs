@@ -26,7 +26,7 @@ fn arrows_step_and_go_back() {
     let mut harness = harness();
     polygon(&mut harness);
     // The console has the focus after typing; a click into the drawing takes it.
-    let at = middle(&harness) + Vec2::new(0.0, 250.0);
+    let at = middle(&harness) + Vec2::new(0.0, 200.0);
     click_at(&mut harness, at);
     let before = document(&harness).undoable().0;
     for _ in 0..3 {
