@@ -55,7 +55,7 @@ pub const ROWS: &[Row] = &[
         form: "-u",
         summary: "a test of the caller's own",
         verdict: Verdict::Refused,
-        note: "it is compiled into Triangle; use Refinement::with_test of the Rust library, or an .area file with -ra",
+        note: "it is compiled into Triangle; use Start::with_test of the Rust library, or an .area file with -ra",
     },
     same('A', "-A", "give triangles the attributes of the drawing's regions, 0 elsewhere"),
     same('c', "-c", "keep the convex hull, with its edges as segments"),

@@ -202,7 +202,7 @@ impl Search<'_> {
         if self.watch.is_cancelled || !(self.watch.observer.wants_events() || clock.is_some()) {
             return Ok(found);
         }
-        let mut refinement = Refinement::timed(self.start.clone(), found.options, clock)?;
+        let mut refinement = Refinement::new(self.start.clone().with_clock(clock), found.options)?;
         if refinement.prepare(self.watch.observer) {
             if self.watch.observer.wants_events() {
                 self.watch.observer.begins(&mut refinement);
