@@ -47,7 +47,16 @@ impl<T> Numbered<T> {
     }
 
     fn of_files(value: T, first_index: u32, files: Vec<PathBuf>, notes: Vec<Note>) -> Self {
-        Self { value, first_index, files, notes, told: Vec::new(), origins: Vec::new(), noun: "line", names: GroupNames::default() }
+        Self {
+            value,
+            first_index,
+            files,
+            notes,
+            told: Vec::new(),
+            origins: Vec::new(),
+            noun: "line",
+            names: GroupNames::default(),
+        }
     }
 }
 

@@ -275,7 +275,7 @@ mod tests {
     #[test]
     fn words_and_lines_know_their_places() {
         let mut text = Text::new(b"\xef\xbb\xbf a  bc\r\n\n  d e \rf", "t").unwrap();
-        let mut shown = |word: Option<Word<'_>>| {
+        let shown = |word: Option<Word<'_>>| {
             word.map(|word| (word.line, word.column, String::from_utf8_lossy(word.text).into_owned()))
         };
         assert_eq!(shown(text.word()), Some((1, 2, "a".to_owned())));

@@ -82,15 +82,9 @@ pub const LEARN: &[Lesson] = &[
     Lesson { title: "Delaunay by flips", text: include_str!("../data/learn/01-flips.tri") },
     Lesson { title: "Incremental insertion", text: include_str!("../data/learn/02-incremental.tri") },
     Lesson { title: "Divide and conquer", text: include_str!("../data/learn/03-divide-and-conquer.tri") },
-    Lesson {
-        title: "A segment in two phases",
-        text: include_str!("../data/learn/04-segment-in-two-phases.tri"),
-    },
+    Lesson { title: "A segment in two phases", text: include_str!("../data/learn/04-segment-in-two-phases.tri") },
     Lesson { title: "A longest-edge path", text: include_str!("../data/learn/05-longest-edge-path.tri") },
-    Lesson {
-        title: "Five places for a point",
-        text: include_str!("../data/learn/06-five-places-for-a-point.tri"),
-    },
+    Lesson { title: "Five places for a point", text: include_str!("../data/learn/06-five-places-for-a-point.tri") },
     Lesson { title: "Why 36 degrees is hard", text: include_str!("../data/learn/07-why-36-is-hard.tri") },
     Lesson { title: "Joining pairs", text: include_str!("../data/learn/08-pairs.tri") },
     Lesson { title: "Greedy", text: include_str!("../data/learn/09-greedy.tri") },

@@ -5,6 +5,7 @@ use std::cell::Cell;
 use trimalla::constrained::{ConstrainedDelaunay, Crossings};
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::{DomainRule, build_exactly};
+use trimalla::geometry::math;
 use trimalla_io::{Files, Memory};
 use trimalla_workbench::{Advanced, CommandError, Document, Interface, MessageKind, Quiet, script};
 
@@ -95,7 +96,7 @@ fn steps_in_slices_are_the_steps() {
 fn star(corners: usize) -> Files {
     let at = |i: usize| {
         let (turn, radius) = (i as f64 / corners as f64 * std::f64::consts::TAU, if i % 2 == 0 { 1.0 } else { 0.9 });
-        format!("{i} {} {}\n", radius * turn.cos(), radius * turn.sin())
+        format!("{i} {} {}\n", radius * math::cos(turn), radius * math::sin(turn))
     };
     let side = |i: usize| format!("{i} {i} {}\n", (i + 1) % corners);
     let mut text = format!("{corners} 2 0 0\n") + &(0..corners).map(at).collect::<String>();

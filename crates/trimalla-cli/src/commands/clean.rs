@@ -9,7 +9,7 @@ use trimalla::drawing::Pslg;
 use trimalla_io::svg;
 use trimalla_workbench::numbers::count;
 
-use crate::args::{OutputOptions, ReportOptions};
+use crate::args::{ImportOptions, OutputOptions, ReportOptions};
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing};
 use crate::outputs::{self, Outputs};
@@ -48,7 +48,7 @@ Status 1 says that there are faults, with --mend that some are left.";
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// The drawing: a .poly or .node file, the stem of one, or '-' for standard input
+    /// The drawing: a .poly or .node file, the stem of one, '-' for standard input, or one of another program
     input: PathBuf,
 
     /// Features nearer than this are too near, in the unit of the drawing [default: a millionth of its extent]
@@ -82,7 +82,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     }
     progress::handle_ctrl_c();
     outputs::recover(options.output.output.iter().chain(&options.picture), options.report.quiet);
-    let drawing = read_drawing(&options.input)?;
+    let drawing = read_drawing(&options.input, &ImportOptions::default())?;
     let outputs = Outputs::plan(&options.output, &drawing)?.with_text(options.picture.as_deref())?;
     let stream = outputs.report_stream(&options.report)?;
     let mut asked = CleanOptions::default().with_tiny_angle_deg(options.tiny_angle);

@@ -58,7 +58,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover(options.output.output.iter().chain(&options.player.player), options.report.quiet);
-    let drawing = read_drawing(&options.drawing.input)?;
+    let drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
     let outputs = Outputs::sparing(drawing.files.clone()).with_mesh_and_table(&options.output, &drawing)?;
     let outputs = outputs.with_player(&options.player)?;
     let stream = outputs.report_stream(&options.report)?;

@@ -78,7 +78,7 @@ struct View {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover(&options.output.output, options.report.quiet);
-    let drawing = read_drawing(&options.drawing.input)?;
+    let drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
     let outputs = Outputs::sparing(drawing.files.clone()).with_lines(&options.output, &drawing)?;
     let stream = outputs.report_stream(&options.report)?;
     let names = drawing.numbers();

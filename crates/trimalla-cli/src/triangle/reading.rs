@@ -8,6 +8,7 @@ use trimalla_triangle::{Input, Switches};
 use trimalla_workbench::numbers::FileNumbers;
 
 use super::names::Names;
+use crate::args::ImportOptions;
 use crate::console::shown;
 use crate::exit::Failure;
 use crate::input;
@@ -62,7 +63,7 @@ impl Read {
     }
 
     fn of_points(names: &Names) -> Result<Self, Failure> {
-        let read = input::read_drawing(&names.input("node"))?;
+        let read = input::read_drawing(&names.input("node"), &ImportOptions::default())?;
         Ok(Self {
             content: Content::Drawing(read.value),
             first_index: read.first_index,

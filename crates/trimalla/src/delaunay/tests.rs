@@ -143,7 +143,7 @@ fn infinite_and_missing_points_are_named() {
 #[test]
 fn an_algorithm_says_whether_it_tells_steps() {
     let points: Vec<Point> = (0..12).map(|i| Point::new(f64::from(i * i % 13), f64::from(i * 5 % 12))).collect();
-    for &key in AlgorithmKey::ALL {
+    for key in AlgorithmKey::ALL {
         let mut steps: Vec<crate::trace::Step> = Vec::new();
         key.triangulate_traced(&points, None, &mut steps).expect("finite");
         assert_eq!(!steps.is_empty(), key.tells_steps(), "{}", key.key());

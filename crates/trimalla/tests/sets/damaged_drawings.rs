@@ -121,6 +121,23 @@ impl Maker {
         }
     }
 
+    /// Two sides that are nearly one, or two chains between two corners.
+    fn sliver(&mut self, at @ [x, y]: [f64; 2], d: &mut Draws) {
+        let width = d.small();
+        if d.below(2) == 0 {
+            self.ring(&[at, [x + 5.0, y], [x + 5.0, y + width], [x, y + width]]);
+            return;
+        }
+        // Each chain has a vertex of its own.
+        let v = self.square(at, 4.0);
+        let low = self.vertex(x + 1.5, y + 1.5);
+        let high = self.vertex(x + 2.5, y + 2.5 + width);
+        for middle in [low, high] {
+            self.segment(v[0], middle);
+            self.segment(middle, v[2]);
+        }
+    }
+
     /// A fault, in a cell.
     fn fault(&mut self, kind: FaultKind, at @ [x, y]: [f64; 2], d: &mut Draws) {
         let mut size = None;
@@ -161,21 +178,7 @@ impl Maker {
                 }
                 size = Some(distance);
             }
-            FaultKind::Sliver => {
-                let width = d.small();
-                if d.below(2) == 0 {
-                    self.ring(&[at, [x + 5.0, y], [x + 5.0, y + width], [x, y + width]]);
-                } else {
-                    // Two chains between the same corners, each with a vertex of its own.
-                    let v = self.square(at, 4.0);
-                    let low = self.vertex(x + 1.5, y + 1.5);
-                    let high = self.vertex(x + 2.5, y + 2.5 + width);
-                    for middle in [low, high] {
-                        self.segment(v[0], middle);
-                        self.segment(middle, v[2]);
-                    }
-                }
-            }
+            FaultKind::Sliver => self.sliver(at, d),
             FaultKind::Dangling => {
                 let v = self.square(at, 4.0);
                 let end = self.vertex(x + 1.0 + d.part(), y + 2.0);
