@@ -75,8 +75,8 @@ impl Numbered<Pslg> {
 }
 
 /// Reads a drawing: a `.poly` file (with its `.node` file where it has no vertices of its own), a `.node` file,
-/// Medit's `.mesh` or `MeshSuite`'s `.mesh` or `.meshsuite` (whose triangles are left out), a drawing of another program
-/// in a [`DrawingFormat`], the stem of a `.poly` or `.node` file, or `-` for standard input.
+/// Medit's `.mesh` or `MeshSuite`'s `.mesh` or `.meshsuite` (whose triangles are left out), a drawing of another
+/// program in a [`DrawingFormat`], the stem of a `.poly` or `.node` file, or `-` for standard input.
 ///
 /// # Errors
 /// Every [`IoError`] that is not about output.

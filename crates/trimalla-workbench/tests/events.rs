@@ -64,7 +64,7 @@ fn what_is_cancelled_changes_nothing() {
     }
     let mut document = Document::new();
     for line in ["Generate polygon 40", "Triangulate"] {
-        document.run(line, &mut Impatient).expect("nothing is asked");
+        document.run(line, &mut Counts::default()).expect("sound");
     }
     let before = document.indexed();
     let refused = script::run(&mut document, "Clear\nClear\n", true, &mut Impatient);

@@ -31,7 +31,8 @@ and boundaries are kept where the output has a place for them: 'trimalla list' n
 #[derive(Debug, Args)]
 #[command(after_help = format!("{HELP}\n\n{STATUSES}"))]
 pub(crate) struct Options {
-    /// A mesh (.ele or its stem, .msh, .inp, .vtu, …) or a drawing (.poly, .node, a stem, '-', or one of another program)
+    /// A mesh (.ele or its stem, .msh, .inp, .vtu, …), or a drawing (.poly, .node, a stem, '-', or one of another
+    /// program)
     input: PathBuf,
 
     /// Where to; the ending says the format

@@ -14,9 +14,11 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 13] = [
+const EXTRA: [&str; 15] = [
     "angle_ceiling",
+    "attempts",
     "before",
+    "bound_met",
     "bounds",
     "command",
     "forecast_triangles",

@@ -106,6 +106,9 @@ fn mesh_lines(mesh: &IndexedMesh, histogram: &Histogram) -> Vec<Line> {
 /// One path a class, the worst class last.
 fn draw_triangles(out: &mut dyn Write, picture: &Picture<'_>) -> io::Result<()> {
     let (width, opacity) = (picture.edge_width, Hundredths(EDGE_OPACITY));
+    if picture.has_areas() {
+        return Ok(());
+    }
     writeln!(
         out,
         "<g stroke=\"{PAPER}\" stroke-width=\"{width:.2}\" stroke-linejoin=\"round\" stroke-opacity=\"{opacity}\">"
