@@ -2,7 +2,7 @@
 //!
 //! Sections are vertices, triangles and edges, each with the number of rows and, at the end of each row, a *reference*:
 //! the marker of a vertex or a subsegment, the first attribute of a triangle if it is a whole number of 32 bits. Where
-//! attributes are others, regions are numbered by the rule of [`GroupNames`](crate::GroupNames). References are 0 where
+//! attributes are others, regions are numbered by the rule of [`GroupNames`]. References are 0 where
 //! a mesh has no markers or attributes, those of edges 1. Names, vertex attributes and hole seeds have no place in the
 //! format.
 //!
