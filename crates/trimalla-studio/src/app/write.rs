@@ -10,7 +10,7 @@ use super::{Studio, Then};
 use crate::dialog::Wish;
 
 /// What can be written: its name, the command, the ending, the help.
-const WRITTEN: [(&str, &str, &str, &str); 12] = [
+const WRITTEN: [(&str, &str, &str, &str); 13] = [
     ("Picture", "Export", ".svg", "lines that scale"),
     ("Picture", "Export", ".png", "pixels"),
     ("Player", "Player", ".html", "one page that plays the refinement in any browser, step by step"),
