@@ -29,7 +29,7 @@ fn settle(harness: &mut Harness<'_, Studio>) -> usize {
 
 #[test]
 fn a_script_leads_to_the_same_document_over_many_frames() {
-    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.00001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
+    let text = "Generate polygon 40 3\nTriangulate\nSet max-area 0.000001\nRefine\nSelect 0 1 2\nV 0 0 0\nClear\n";
     let mut harness = harness(&Memory::default());
     harness.state_mut().run_script(text.to_owned());
     assert!(harness.state().document().is_none(), "it takes longer than a frame");
@@ -61,9 +61,9 @@ fn a_refinement_is_cancelled_between_two_frames() {
 #[test]
 fn other_long_commands_go_on_between_frames_and_are_cancelled() {
     for (before, line) in [
-        ("Clear", "Generate random 300000 1"),
-        ("Generate random 100000 1", "Triangulate"),
-        ("Generate random 5000 1\nTriangulate", "LEPP 33"),
+        ("Clear", "Generate random 1000000 1"),
+        ("Generate random 500000 1", "Triangulate"),
+        ("Generate random 20000 1\nTriangulate", "LEPP 33"),
     ] {
         let mut harness = harness(&Memory::default());
         harness.state_mut().run_script(before.to_owned());
