@@ -8,8 +8,8 @@ use trimalla::refine::RefineOptions;
 use trimalla::triangulation::{check_mesh, check_mesh_delaunay};
 use trimalla_io::drawings::{self, DrawingFormat, DrawingOptions, Rings};
 use trimalla_io::{
-    Format, IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, medit, meshsuite, neigh, node, png, poly,
-    read_mesh_bytes, soup, svg,
+    Format, IoError, PictureOptions, VertexRange, WriteOptions, area, edge, ele, medit, meshsuite, neigh, node, png,
+    poly, read_mesh_bytes, soup, svg,
 };
 
 use super::Target;
@@ -24,8 +24,34 @@ pub const TARGET: Target =
 
 /// What a file may be taken for.
 pub const FORMATS: [&str; 28] = [
-    "node", "poly", "ele", "edge", "neigh", "area", "meshsuite", "soup", "msh", "msh2", "inp", "mesh", "su2", "vtu", "vtk",
-    "obj", "ply", "stl", "off", "geojson", "dxf", "svg", "wkt", "shp", "csv", "xyz", "las", "any",
+    "node",
+    "poly",
+    "ele",
+    "edge",
+    "neigh",
+    "area",
+    "meshsuite",
+    "soup",
+    "msh",
+    "msh2",
+    "inp",
+    "mesh",
+    "su2",
+    "vtu",
+    "vtk",
+    "obj",
+    "ply",
+    "stl",
+    "off",
+    "geojson",
+    "dxf",
+    "svg",
+    "wkt",
+    "shp",
+    "csv",
+    "xyz",
+    "las",
+    "any",
 ];
 
 /// The format of another program's drawings with a key.
@@ -118,9 +144,12 @@ fn read(format: &str, bytes: &[u8]) -> Found {
 /// A fault points into the file or to its end, in few words.
 fn place_in_file(bytes: &[u8], error: &IoError) -> Verdict {
     let Some(at) = error.fault() else { return fault("an error without a place", error.to_string()) };
-    let lines = lines(bytes);
-    let line = (at.place.line as usize).checked_sub(1).and_then(|i| lines.get(i));
-    let is_there = line.is_some_and(|l| (1..=l.len() as u64 + 1).contains(&at.place.column));
+    let (line, column) = (at.place.line as usize, at.place.column);
+    let has_place = |length: Option<usize>| length.is_some_and(|n| (1..=n as u64 + 1).contains(&column));
+    let nth = line.checked_sub(1);
+    // The readers of other programs' drawings know no lines that a carriage return ends alone.
+    let is_there = has_place(nth.and_then(|i| lines(bytes).get(i).map(|l| l.len())))
+        || has_place(nth.and_then(|i| bytes.split(|b| *b == b'\n').nth(i).map(<[u8]>::len)));
     must(is_there, "an error beyond the file", || error.to_string())?;
     must(error.to_string().len() < 300, "an error of many words", || error.to_string())
 }

@@ -137,8 +137,7 @@ fn of_others(mesh: &IndexedMesh, d: &mut Draws<'_>) -> Verdict {
         Format::Stl,
         Format::Off,
     ]);
-    let bytes =
-        written("format", |out| trimalla_io::write_mesh_to(out, format, mesh, &WriteOptions::default()))?;
+    let bytes = written("format", |out| trimalla_io::write_mesh_to(out, format, mesh, &WriteOptions::default()))?;
     if mesh.triangles.is_empty() {
         return Ok(());
     }
