@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use trimalla::refine::OptionError;
+
 /// Why a command is refused: nothing has changed then.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommandError {
@@ -53,3 +55,9 @@ impl fmt::Display for CommandError {
 }
 
 impl std::error::Error for CommandError {}
+
+impl From<OptionError> for CommandError {
+    fn from(error: OptionError) -> Self {
+        Self::new(error.to_string())
+    }
+}

@@ -55,7 +55,13 @@ impl Job for Refine {
         }
         *self = match std::mem::take(self) {
             Self::Asked => Self::begin(work.state())?,
-            Self::Copied(copied) => Self::AtWork(Box::new(AtWork::new(work.state(), copied)?)),
+            Self::Copied(mut copied) => {
+                if copied.advance() {
+                    Self::Copied(copied)
+                } else {
+                    Self::AtWork(Box::new(AtWork::new(work.state(), copied)?))
+                }
+            }
             Self::AtWork(at_work) => at_work.advance(work)?,
             Self::Ended(ended) => {
                 ended.put_in_place(work);
@@ -81,7 +87,8 @@ impl Refine {
 impl AtWork {
     fn new(state: &State, copied: Copied) -> Result<Self, CommandError> {
         let options = state.options.clone();
-        let refinement = step::with_picks(state, copied.refinement(options.refine_options())?)?;
+        let refinement = Refinement::unprepared(copied.start(), options.refine_options())?;
+        let refinement = step::with_picks(state, refinement)?;
         Ok(Self { refinement, options, before: None })
     }
 

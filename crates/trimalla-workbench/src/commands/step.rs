@@ -1,7 +1,7 @@
 //! `Step`.
 
-use trimalla::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
-use trimalla::refine::{Event, RefineOptions, Refinement, StepOutcome};
+use trimalla::constrained::{ConstrainedTriangulation, Legalising};
+use trimalla::refine::{Event, RefineOptions, Refinement, Start, StepOutcome};
 
 use super::{CommandRow, Deed, Job, Slice};
 use crate::changes::Work;
@@ -88,33 +88,44 @@ pub(super) fn with_picks(state: &State, mut refinement: Refinement) -> Result<Re
 
 /// A refinement of a copy of the triangulation.
 pub(super) fn refinement(state: &State, options: RefineOptions) -> Result<Refinement, CommandError> {
-    Copied::of(state)?.refinement(options)
+    Ok(Refinement::new(Copied::of(state)?.start(), options)?)
 }
 
-/// A copy of the triangulation. To copy it, and to begin a refinement of it, take a tenth of a second each for a
-/// million triangles: between the two somebody may cancel.
+/// So many edges are tested in a slice: about ten milliseconds.
+const EDGES: usize = 1 << 18;
+
+/// A copy of the triangulation, for a refinement of it. To copy a million triangles, to test their edges and to test
+/// them takes a tenth of a second each: between the slices of that somebody may cancel.
 pub(super) enum Copied {
-    Delaunay(Box<ConstrainedDelaunay>),
+    /// Of a triangulation that is constrained Delaunay: its edges are being tested.
+    Delaunay(Box<Legalising>),
     Given(Box<ConstrainedTriangulation>),
 }
 
 impl Copied {
     pub(super) fn of(state: &State) -> Result<Self, CommandError> {
-        match &state.mesh {
-            None => Err(CommandError::nothing_triangulated()),
-            Some(Mesh::AtRest(at_rest)) if at_rest.is_delaunay => {
-                Ok(Self::Delaunay(Box::new(at_rest.t.clone().into())))
-            }
-            Some(mesh) => Ok(Self::Given(Box::new(mesh.triangulation().clone()))),
+        let Some(mesh) = &state.mesh else { return Err(CommandError::nothing_triangulated()) };
+        let copy = mesh.triangulation().clone();
+        Ok(match mesh {
+            Mesh::AtRest(at_rest) if at_rest.is_delaunay => Self::Delaunay(Box::new(Legalising::new(copy))),
+            _ => Self::Given(Box::new(copy)),
+        })
+    }
+
+    /// Does the next slice; whether something is left before a refinement can begin.
+    pub(super) fn advance(&mut self) -> bool {
+        match self {
+            Self::Delaunay(legalising) => legalising.advance(EDGES),
+            Self::Given(_) => false,
         }
     }
 
-    pub(super) fn refinement(self, options: RefineOptions) -> Result<Refinement, CommandError> {
-        let refinement = match self {
-            Self::Delaunay(cdt) => Refinement::new(*cdt, options),
-            Self::Given(t) => Refinement::new(*t, options),
-        };
-        refinement.map_err(|error| CommandError::new(error.to_string()))
+    /// What a refinement starts from.
+    pub(super) fn start(self) -> Start {
+        match self {
+            Self::Delaunay(legalising) => legalising.finish().into(),
+            Self::Given(t) => (*t).into(),
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use super::constrained_triangulation::ConstrainedTriangulation;
 use super::edit::Edit;
 use super::error::ConstraintError;
 use super::insert_segment::Crossings;
+use super::legalising::Legalising;
 use super::move_vertex::MoveError;
 use super::pseudo_polygon::Filling;
 use super::workspace::Workspace;
@@ -58,12 +59,10 @@ impl PartialEq for ConstrainedDelaunay {
     }
 }
 
-/// A triangulation is flipped until it is constrained Delaunay.
+/// A triangulation is flipped until it is constrained Delaunay; [`Legalising`] does so in slices.
 impl From<ConstrainedTriangulation> for ConstrainedDelaunay {
     fn from(data: ConstrainedTriangulation) -> Self {
-        let mut cdt = Self::new_unchecked(data);
-        cdt.edit(&mut NoJournal).legalise_everywhere();
-        cdt
+        Legalising::new(data).finish()
     }
 }
 

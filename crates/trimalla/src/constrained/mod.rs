@@ -10,6 +10,7 @@
 //! | [`Workspace`] | scratch lists, lent to operations; they keep nothing from one operation to the next |
 //! | [`Edit`] | the two together with a journal: every operation |
 //! | [`ConstrainedDelaunay`] | data and workspace that stay constrained Delaunay: the operations that keep that promise |
+//! | [`Legalising`] | a triangulation that becomes constrained Delaunay, in slices |
 
 mod apply;
 mod by_cavity;
@@ -25,6 +26,7 @@ mod error;
 mod flat_hull;
 mod input_sides;
 mod insert_segment;
+mod legalising;
 mod lines;
 mod merge;
 mod move_vertex;
@@ -53,6 +55,7 @@ pub use error::{ConstraintError, CrossingPair};
 pub(crate) use flat_hull::leave_out;
 pub(crate) use input_sides::Beside;
 pub use insert_segment::Crossings;
+pub use legalising::Legalising;
 pub use move_vertex::MoveError;
 pub use plan::SegmentPlan;
 pub use provenance::Provenance;

@@ -117,15 +117,6 @@ impl<J: Journal> Edit<'_, J> {
         (released, waiting)
     }
 
-    /// Flips edges that fail the circle test until none does; how many flips it took.
-    ///
-    /// # Complexity
-    /// Linear, and the flips.
-    pub(crate) fn legalise_everywhere(&mut self) -> u64 {
-        let mut waiting = self.illegal_edges();
-        waiting.legalise_all(self.data.triangulation_mut(), self.j)
-    }
-
     /// Legalises up to `most` of the waiting edges, and those beside flipped ones; returns how many flips it took.
     pub(crate) fn legalise_some(&mut self, waiting: &mut Lawson, most: usize) -> u64 {
         waiting.legalise_some(self.data.triangulation_mut(), most, self.j)

@@ -4,7 +4,7 @@ use super::*;
 use crate::delaunay::{BuildError, Delaunay, Inserted, limit_of_test};
 use crate::drawing::SegmentId;
 use crate::geometry::Point;
-use crate::half_edge::{UndoLog, VertexId};
+use crate::half_edge::{HalfEdgeId, NoJournal, UndoLog, VertexId};
 
 struct Random(u64);
 
@@ -147,6 +147,31 @@ fn edits_roll_back_exactly() {
             assert_eq!(cdt.check(), [], "round {round}");
             states.push((log.checkpoint(), cdt.clone()));
         }
+    }
+}
+
+#[test]
+fn triangulations_become_delaunay_in_slices_of_any_size() {
+    for round in 0..100u64 {
+        let mut r = Random(round);
+        let (points, segments) = soup(round, 30, 4);
+        let cdt = ConstrainedDelaunay::new(&points, &segments, Crossings::Split).unwrap();
+        let mut t = ConstrainedTriangulation::from(cdt.clone());
+        let mut work = Workspace::default();
+        let mut flips = 0;
+        for _ in 0..60 {
+            let h = HalfEdgeId(r.below(3 * t.face_slots() as u64) as u32);
+            flips += usize::from(t.edit(&mut work, &mut NoJournal).try_flip(h).is_some());
+        }
+        assert!(flips > 0 || t.dimension() < 2, "round {round}: something is not Delaunay");
+        let mut legalising = Legalising::new(t.clone());
+        let slice = 1 + round as usize % 40;
+        let slices = (0..10_000).take_while(|_| legalising.advance(slice)).count();
+        assert!(slices < 10_000, "round {round}: it ends");
+        let legal = legalising.finish();
+        assert_eq!(legal.check(), [], "round {round}");
+        assert_eq!(legal.canonical(), cdt.canonical(), "round {round}");
+        assert_eq!(ConstrainedDelaunay::from(t).canonical(), cdt.canonical(), "round {round}");
     }
 }
 

@@ -1,5 +1,7 @@
 //! Every edge once, and every half-edge.
 
+use std::ops::Range;
+
 use super::half_edges::{HalfEdge, HalfEdgeMesh};
 use super::ids::{EdgeId, FaceId, HalfEdgeId, VertexId};
 
@@ -36,7 +38,12 @@ impl HalfEdgeMesh {
 
     /// One half-edge of every finite edge: the one in a real face; where both are, the lower one.
     pub fn edges(&self) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
-        (0..self.half_edges.len()).map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
+        self.edges_among(0..self.half_edges.len())
+    }
+
+    /// Those [`edges`](Self::edges) whose half-edges have indices in a range.
+    pub(crate) fn edges_among(&self, indices: Range<usize>) -> impl DoubleEndedIterator<Item = HalfEdgeId> + '_ {
+        indices.map(HalfEdgeId::from_index).filter(|&h| self.stands_for_edge(h))
     }
 
     /// Those [`edges`](Self::edges) that carry a constraint mark.

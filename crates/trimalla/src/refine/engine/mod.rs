@@ -90,7 +90,18 @@ impl Refinement {
     ///
     /// # Errors
     /// [`OptionError`].
-    pub fn new(start: impl Into<Start>, mut options: RefineOptions) -> Result<Self, OptionError> {
+    pub fn new(start: impl Into<Start>, options: RefineOptions) -> Result<Self, OptionError> {
+        let mut refinement = Self::unprepared(start, options)?;
+        refinement.begin_opening();
+        Ok(refinement)
+    }
+
+    /// [`new`](Self::new) for callers that must answer soon: all triangles are tested when the refinement is
+    /// [prepared](Self::prepare), run or stepped, in a slice of their own. The mesh is the same.
+    ///
+    /// # Errors
+    /// [`OptionError`].
+    pub fn unprepared(start: impl Into<Start>, mut options: RefineOptions) -> Result<Self, OptionError> {
         let Start { mut cdt, mut work, is_delaunay, fields, setup } = start.into();
         options.validate()?;
         if !cdt.edit(&mut work, &mut NoJournal).carve_hull() {
@@ -116,7 +127,7 @@ impl Refinement {
             history: None,
             cdt,
         };
-        refinement.begin_opening();
+        refinement.skip_stages();
         Ok(refinement)
     }
 

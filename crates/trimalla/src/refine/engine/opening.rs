@@ -6,8 +6,8 @@
 //!                                    locked)                                                 locked)
 //! ```
 //!
-//! Where a recipe needs none of these stages, as the default does not, all triangles are tested when the refinement is
-//! constructed. Otherwise each slice is a step.
+//! Where a recipe needs none of these stages, as the default does not, [`Refinement::new`] tests all triangles at once,
+//! and [`Refinement::unprepared`] leaves that to a slice. Every slice is a step.
 
 use super::Refinement;
 use super::parts::Opening;
@@ -27,10 +27,9 @@ impl Refinement {
         self.segments.opening == Opening::Done
     }
 
-    /// Skips the stages that the recipe does not need; tests all triangles if that is the only stage left.
+    /// Tests all triangles if that is the only stage left.
     pub(super) fn begin_opening(&mut self) {
         self.ledger.stopwatch.enter(Part::Rest);
-        self.skip_stages();
         if self.segments.opening == Opening::Test {
             self.opening_step();
         }
@@ -38,7 +37,7 @@ impl Refinement {
     }
 
     /// Skips the stages that the recipe does not need.
-    fn skip_stages(&mut self) {
+    pub(super) fn skip_stages(&mut self) {
         let recipe = self.problem.options.recipe;
         let is_conforming = recipe.initial == Initial::Conforming;
         if self.segments.opening == Opening::Given
