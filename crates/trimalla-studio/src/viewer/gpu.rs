@@ -136,7 +136,7 @@ impl CallbackTrait for Drawn {
         if !is_present {
             // The old buffers are freed before there are new ones.
             card.viewers.remove(&self.viewer);
-            let uploaded = card.upload(device, &self.scene);
+            let uploaded = card.upload(device, queue, &self.scene);
             card.viewers.insert(self.viewer, uploaded);
         }
         if let Some(shown) = card.viewers.get(&self.viewer) {
@@ -208,13 +208,16 @@ impl Card {
         Self { pipeline, layout, is_linear: format.is_srgb(), viewers: BTreeMap::new() }
     }
 
-    fn upload(&self, device: &wgpu::Device, scene: &Arc<Scene>) -> Uploaded {
+    fn upload(&self, device: &wgpu::Device, queue: &wgpu::Queue, scene: &Arc<Scene>) -> Uploaded {
         let chunk = |faces: &[Face]| {
             let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: Some("corners"),
                 contents: &corners(scene, faces),
                 usage: wgpu::BufferUsages::VERTEX,
             });
+            // Each is copied at once, so that what was lent for the copy is freed before the next one.
+            queue.submit([]);
+            let _ = device.poll(wgpu::PollType::Poll);
             (buffer, 3 * faces.len() as u32)
         };
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
