@@ -89,6 +89,7 @@ mod bytes;
 mod cells;
 pub mod chart;
 mod columns;
+mod cursor;
 pub mod drawings;
 pub mod edge;
 pub mod ele;

@@ -6,10 +6,8 @@
 
 use std::str::FromStr;
 
-use crate::error::{Fault, IoError, Place, quote};
-use crate::tokens::not_text;
-
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+use crate::cursor::{Cursor, ends_line, is_blank};
+use crate::error::{IoError, quote};
 
 /// A piece of the text: a word, or a line without the blanks around it.
 #[derive(Clone, Copy, Debug)]
@@ -75,42 +73,28 @@ impl<'a> Word<'a> {
 
 /// A cursor over one file.
 #[derive(Clone, Debug)]
-pub(crate) struct Text<'a> {
-    name: &'a str,
-    bytes: &'a [u8],
-    pos: usize,
-    line: u64,
-    line_start: usize,
-}
+pub(crate) struct Text<'a>(Cursor<'a>);
 
 impl<'a> Text<'a> {
     /// A cursor at the start of `bytes`; `name` is what errors call the file.
     pub(crate) fn new(bytes: &'a [u8], name: &'a str) -> Result<Self, IoError> {
-        let start = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
-        let mut text = Self { name, bytes, pos: start, line: 1, line_start: start };
-        match not_text(bytes) {
-            None => Ok(text),
-            Some((offset, found)) => {
-                text.seek(offset);
-                Err(IoError::Syntax(text.fault_here("text", found)))
-            }
-        }
+        Cursor::new(bytes, name).map(Self)
     }
 
     /// A cursor of the same text at a byte.
     pub(crate) fn at(&self, offset: usize) -> Self {
         let mut at = self.clone();
-        at.seek(offset.min(self.bytes.len()));
+        at.0.seek(offset.min(self.0.bytes.len()));
         at
     }
 
     /// A cursor of the same text at the start of a line, counted from 1, or at the end.
     pub(crate) fn at_line(&self, line: u32) -> Self {
         let mut at = self.clone();
-        while at.line < u64::from(line) && at.pos < at.bytes.len() {
+        while at.0.line < u64::from(line) && at.remaining() > 0 {
             at.skip_line();
-            if at.pos < at.bytes.len() {
-                at.end_line();
+            if at.remaining() > 0 {
+                at.0.end_line();
             }
         }
         at
@@ -119,33 +103,33 @@ impl<'a> Text<'a> {
     /// A cursor of the same text that sees only the bytes from one to another.
     pub(crate) fn between(&self, from: usize, to: usize) -> Self {
         let mut at = self.at(from);
-        at.bytes = &self.bytes[..to.min(self.bytes.len())];
+        at.0.bytes = &self.0.bytes[..to.min(self.0.bytes.len())];
         at
     }
 
     /// The error for what stands at the cursor.
     pub(crate) fn error(&self, expected: &str, found: &str) -> IoError {
-        IoError::Syntax(self.fault_here(expected, found))
+        IoError::Syntax(self.0.fault_here(expected, found))
     }
 
     /// How many bytes are still to be read: an upper bound for all that a header may promise.
     pub(crate) fn remaining(&self) -> usize {
-        self.bytes.len() - self.pos
+        self.0.remaining()
     }
 
     /// The next word, on this line or a later one.
     pub(crate) fn word(&mut self) -> Option<Word<'a>> {
         loop {
-            match self.bytes.get(self.pos)? {
-                b'\n' | b'\r' => self.end_line(),
-                &b if is_blank(b) => self.pos += 1,
+            match self.0.byte()? {
+                b'\n' | b'\r' => self.0.end_line(),
+                b if is_blank(b) => self.0.pos += 1,
                 _ => break,
             }
         }
-        let rest = &self.bytes[self.pos..];
+        let rest = self.0.rest();
         let length = rest.iter().position(|&b| is_blank(b) || ends_line(b)).unwrap_or(rest.len());
-        let word = Word { text: &rest[..length], line: self.line, column: self.column() };
-        self.pos += length;
+        let word = Word { text: &rest[..length], line: self.0.line, column: self.0.column() };
+        self.0.pos += length;
         Some(word)
     }
 
@@ -157,11 +141,11 @@ impl<'a> Text<'a> {
     /// What is left of this line, if there is more than blanks, or else the next line that is not blank.
     pub(crate) fn line(&mut self) -> Option<Word<'a>> {
         loop {
-            let rest = &self.bytes[self.pos..];
+            let rest = self.0.rest();
             let length = rest.iter().position(|&b| ends_line(b)).unwrap_or(rest.len());
-            let whole = Word { text: &rest[..length], line: self.line, column: self.column() };
+            let whole = Word { text: &rest[..length], line: self.0.line, column: self.0.column() };
             let is_last = length == rest.len();
-            self.pos += length;
+            self.0.pos += length;
             let trimmed = whole.part(0, length);
             if !trimmed.text.is_empty() {
                 return Some(trimmed);
@@ -169,14 +153,13 @@ impl<'a> Text<'a> {
             if is_last {
                 return None;
             }
-            self.end_line();
+            self.0.end_line();
         }
     }
 
     /// Passes over the rest of this line.
     pub(crate) fn skip_line(&mut self) {
-        let rest = &self.bytes[self.pos..];
-        self.pos += rest.iter().position(|&b| ends_line(b)).unwrap_or(rest.len());
+        self.0.skip_line();
     }
 
     /// The next word, which must be there.
@@ -187,8 +170,8 @@ impl<'a> Text<'a> {
     /// The error for a file that ends too early.
     pub(crate) fn ended(&self, expected: &str) -> IoError {
         let mut at_end = self.clone();
-        at_end.seek(self.bytes.len());
-        IoError::Syntax(at_end.fault_here(expected, "the end of the file"))
+        at_end.0.seek(self.0.bytes.len());
+        IoError::Syntax(at_end.0.fault_here(expected, "the end of the file"))
     }
 
     /// A finite number.
@@ -219,53 +202,13 @@ impl<'a> Text<'a> {
 
     /// The error for text that is not what the format wants.
     pub(crate) fn syntax(&self, word: Word<'_>, expected: &str) -> IoError {
-        IoError::Syntax(self.fault(word.line, word.column, expected, quote(word.text)))
+        IoError::Syntax(self.0.fault(word.line, word.column, expected, quote(word.text)))
     }
 
     /// The error for text whose value is not allowed.
     pub(crate) fn value(&self, word: Word<'_>, expected: &str) -> IoError {
-        IoError::Value(self.fault(word.line, word.column, expected, quote(word.text)))
+        IoError::Value(self.0.fault(word.line, word.column, expected, quote(word.text)))
     }
-
-    fn fault_here(&self, expected: &str, found: &str) -> Box<Fault> {
-        self.fault(self.line, self.column(), expected, found.to_owned())
-    }
-
-    fn fault(&self, line: u64, column: u64, expected: &str, found: String) -> Box<Fault> {
-        let place = Place { file: self.name.to_owned(), line, column };
-        Box::new(Fault { place, expected: expected.to_owned(), found })
-    }
-
-    fn column(&self) -> u64 {
-        (self.pos - self.line_start) as u64 + 1
-    }
-
-    /// Steps over the line end under the cursor; CR LF is one.
-    fn end_line(&mut self) {
-        let both = self.bytes.get(self.pos..self.pos + 2) == Some(b"\r\n");
-        self.pos += if both { 2 } else { 1 };
-        self.line += 1;
-        self.line_start = self.pos;
-    }
-
-    /// Moves to a byte offset, counting the lines on the way.
-    fn seek(&mut self, offset: usize) {
-        while self.pos < offset {
-            if ends_line(self.bytes[self.pos]) {
-                self.end_line();
-            } else {
-                self.pos += 1;
-            }
-        }
-    }
-}
-
-fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)
-}
-
-fn ends_line(byte: u8) -> bool {
-    matches!(byte, b'\n' | b'\r')
 }
 
 #[cfg(test)]

@@ -4,12 +4,11 @@
 //! skipped. Lines end with LF, CR LF or a lone CR; the last one needs no end. Blanks are space, tab, vertical tab and
 //! form feed. One comma between two fields, or after the last field of a line, separates like a blank. A decimal comma
 //! would be read as two fields, so a line with commas must have exactly the declared number of fields:
-//! [`Reader::end_record`]. A byte order mark at the start is skipped. Comments may hold any bytes (old drawings carry
+//! [`Reader::end_record`]. Comments may hold any bytes (old drawings carry
 //! Latin-1) except NUL, which no text has: a NUL byte anywhere is refused before anything else is read.
 
+use crate::cursor::{Cursor, ends_line, is_blank};
 use crate::error::{Fault, IoError, Note, Place, quote};
-
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A field: consecutive bytes that are neither blank nor comment.
 #[derive(Clone, Copy, Debug)]
@@ -26,11 +25,7 @@ pub(crate) struct Mark(usize);
 /// A cursor over the records and fields of one file.
 #[derive(Debug)]
 pub(crate) struct Reader<'a> {
-    name: &'a str,
-    bytes: &'a [u8],
-    pos: usize,
-    line: u64,
-    line_start: usize,
+    at: Cursor<'a>,
     /// Whether the field read last may be followed by a comma: it is on this line, and no comma was read since.
     takes_comma: bool,
     /// Whether a comma separates fields of this line.
@@ -41,36 +36,19 @@ pub(crate) struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// A cursor at the start of `bytes`; `name` is what errors call the file.
     pub(crate) fn new(bytes: &'a [u8], name: &'a str) -> Result<Self, IoError> {
-        let start = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
-        let mut reader = Self {
-            name,
-            bytes,
-            pos: start,
-            line: 1,
-            line_start: start,
-            takes_comma: false,
-            has_commas: false,
-            notes: Vec::new(),
-        };
-        match not_text(bytes) {
-            None => Ok(reader),
-            Some((offset, found)) => {
-                reader.seek(offset);
-                Err(IoError::Syntax(reader.fault_here("text", found)))
-            }
-        }
+        Ok(Self { at: Cursor::new(bytes, name)?, takes_comma: false, has_commas: false, notes: Vec::new() })
     }
 
     /// How many bytes are still to be read: an upper bound for everything a header may promise.
     pub(crate) fn remaining(&self) -> usize {
-        self.bytes.len() - self.pos
+        self.at.remaining()
     }
 
     /// Moves to the next field, on this line or a later one; `false` at the end of the file.
     pub(crate) fn advance(&mut self) -> bool {
         loop {
             self.skip_blanks();
-            match self.bytes.get(self.pos) {
+            match self.at.byte() {
                 None => return false,
                 Some(b'\n' | b'\r') => self.end_line(),
                 Some(_) => return true,
@@ -80,37 +58,41 @@ impl<'a> Reader<'a> {
 
     /// Moves to the next record, which `expected` describes.
     pub(crate) fn record(&mut self, expected: impl FnOnce() -> String) -> Result<(), IoError> {
-        if self.advance() { Ok(()) } else { Err(IoError::Syntax(self.fault_here(&expected(), "the end of the file"))) }
+        if self.advance() {
+            Ok(())
+        } else {
+            Err(IoError::Syntax(self.at.fault_here(&expected(), "the end of the file")))
+        }
     }
 
     /// The next field of this line, if there is one.
     pub(crate) fn field(&mut self) -> Option<Token<'a>> {
         self.skip_blanks();
-        if self.takes_comma && self.bytes.get(self.pos) == Some(&b',') {
+        if self.takes_comma && self.at.byte() == Some(b',') {
             (self.takes_comma, self.has_commas) = (false, true);
-            self.pos += 1;
+            self.at.pos += 1;
             self.skip_blanks();
         }
-        let rest = self.bytes.get(self.pos..).unwrap_or_default();
+        let rest = self.at.rest();
         let length = match rest.iter().position(|&b| ends_field(b)).unwrap_or(rest.len()) {
             0 if rest.first() == Some(&b',') => 1, // A comma with no field before it: no field of any format.
             0 => return None,
             length => length,
         };
-        let token = Token { text: &rest[..length], line: self.line, column: self.column() };
-        self.pos += length;
+        let token = Token { text: &rest[..length], line: self.at.line, column: self.at.column() };
+        self.at.pos += length;
         self.takes_comma = true;
         Some(token)
     }
 
     /// The next field of this line, which must be there.
     pub(crate) fn expect(&mut self, expected: &str) -> Result<Token<'a>, IoError> {
-        let end = self.pos;
+        let end = self.at.pos;
         match self.field() {
             Some(token) => Ok(token),
             None => {
-                self.pos = end;
-                Err(IoError::Syntax(self.fault_here(expected, "the end of the line")))
+                self.at.pos = end;
+                Err(IoError::Syntax(self.at.fault_here(expected, "the end of the line")))
             }
         }
     }
@@ -155,11 +137,11 @@ impl<'a> Reader<'a> {
 
     /// The first number of this line that looks as if it had a decimal comma, such as `0,5`.
     fn decimal_comma(&self) -> Option<Token<'a>> {
-        let line = self.bytes.get(self.line_start..)?.split(|&b| ends_line(b) || b == b'#').next()?;
+        let line = self.at.bytes.get(self.at.line_start..)?.split(|&b| ends_line(b) || b == b'#').next()?;
         let mut words = line.split(|&b| is_blank(b));
         let word = words.find(|word| looks_like_a_decimal_comma(word))?;
         let offset = word.as_ptr() as usize - line.as_ptr() as usize;
-        Some(Token { text: word, line: self.line, column: offset as u64 + 1 })
+        Some(Token { text: word, line: self.at.line, column: offset as u64 + 1 })
     }
 
     /// Remembers that something was ignored.
@@ -174,7 +156,7 @@ impl<'a> Reader<'a> {
 
     /// Where a field stands.
     pub(crate) fn place(&self, token: Token<'_>) -> Place {
-        Place { file: self.name.to_owned(), line: token.line, column: token.column }
+        self.at.place(token.line, token.column)
     }
 
     /// Checks that nothing but blanks and comments follows.
@@ -190,13 +172,13 @@ impl<'a> Reader<'a> {
 
     /// The place of the cursor, to be handed to [`since`](Self::since) on the same line.
     pub(crate) fn mark(&self) -> Mark {
-        Mark(self.pos)
+        Mark(self.at.pos)
     }
 
     /// The text of this line from `mark` to the end of the field read last.
     pub(crate) fn since(&self, mark: Mark) -> Token<'a> {
-        let column = (mark.0 - self.line_start) as u64 + 1;
-        Token { text: &self.bytes[mark.0..self.pos], line: self.line, column }
+        let column = (mark.0 - self.at.line_start) as u64 + 1;
+        Token { text: &self.at.bytes[mark.0..self.at.pos], line: self.at.line, column }
     }
 
     /// The error for a field that is not what the format wants.
@@ -210,61 +192,24 @@ impl<'a> Reader<'a> {
     }
 
     fn fault_at(&self, token: Token<'_>, expected: &str) -> Box<Fault> {
-        self.fault(token.line, token.column, expected, quote(token.text))
-    }
-
-    fn fault_here(&self, expected: &str, found: &str) -> Box<Fault> {
-        self.fault(self.line, self.column(), expected, found.to_owned())
-    }
-
-    fn fault(&self, line: u64, column: u64, expected: &str, found: String) -> Box<Fault> {
-        let place = Place { file: self.name.to_owned(), line, column };
-        Box::new(Fault { place, expected: expected.to_owned(), found })
-    }
-
-    fn column(&self) -> u64 {
-        (self.pos - self.line_start) as u64 + 1
+        self.at.fault(token.line, token.column, expected, quote(token.text))
     }
 
     /// Skips blanks, and a comment up to the end of its line.
     fn skip_blanks(&mut self) {
-        while self.bytes.get(self.pos).is_some_and(|&b| is_blank(b)) {
-            self.pos += 1;
+        while self.at.byte().is_some_and(is_blank) {
+            self.at.pos += 1;
         }
-        if self.bytes.get(self.pos) == Some(&b'#') {
-            while self.bytes.get(self.pos).is_some_and(|&b| !ends_line(b)) {
-                self.pos += 1;
-            }
+        if self.at.byte() == Some(b'#') {
+            self.at.skip_line();
         }
     }
 
-    /// Steps over the line end under the cursor; CR LF is one.
+    /// Steps over the line end under the cursor.
     fn end_line(&mut self) {
-        let both = self.bytes.get(self.pos..self.pos + 2) == Some(b"\r\n");
-        self.pos += if both { 2 } else { 1 };
-        self.line += 1;
-        self.line_start = self.pos;
+        self.at.end_line();
         (self.takes_comma, self.has_commas) = (false, false);
     }
-
-    /// Moves to a byte offset, counting the lines on the way.
-    fn seek(&mut self, offset: usize) {
-        while self.pos < offset {
-            if ends_line(self.bytes[self.pos]) {
-                self.end_line();
-            } else {
-                self.pos += 1;
-            }
-        }
-    }
-}
-
-fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)
-}
-
-fn ends_line(byte: u8) -> bool {
-    matches!(byte, b'\n' | b'\r')
 }
 
 fn ends_field(byte: u8) -> bool {
@@ -278,20 +223,6 @@ fn looks_like_a_decimal_comma(word: &[u8]) -> bool {
     let whole = whole.strip_prefix(b"-").or_else(|| whole.strip_prefix(b"+")).unwrap_or(whole);
     let digits = |text: &[u8]| !text.is_empty() && text.iter().all(u8::is_ascii_digit);
     digits(whole) && fraction.split(|b| matches!(b, b'e' | b'E')).next().is_some_and(digits)
-}
-
-/// The offset and description of what shows that `bytes` are no text.
-pub(crate) fn not_text(bytes: &[u8]) -> Option<(usize, &'static str)> {
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Some((0, "UTF-16"));
-    }
-    if bytes.starts_with(b"\x1f\x8b") {
-        return Some((0, "gzip-compressed data"));
-    }
-    if !bytes.contains(&0) {
-        return None; // At many bytes a step, which a search for the place is not.
-    }
-    bytes.iter().position(|&b| b == 0).map(|offset| (offset, "a NUL byte"))
 }
 
 #[cfg(test)]
