@@ -9,16 +9,9 @@
 #define VOID void
 #define ANSI_DECLARATORS
 #include "triangle.h"
+#include "check.h"
 
 const char *triangulate_error(void);
-
-#define CHECK(what)                                                         \
-    do {                                                                    \
-        if (!(what)) {                                                      \
-            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #what); \
-            exit(1);                                                        \
-        }                                                                   \
-    } while (0)
 
 static double XY[] = {0, 0, 4, 0, 4, 3, 0, 3, 1, 1, 2, 1, 2, 2, 1, 2};
 static double ATTRIBUTES[] = {0, 4, 7, 3, 2, 3, 4, 3}; /* x + y */
