@@ -58,6 +58,12 @@ if cargo fetch --quiet --locked --manifest-path fuzz/Cargo.toml 2>/dev/null; the
 else
     echo "skipped: random inputs (the packages of fuzz/ cannot be fetched)"
 fi
+step "the package for Python"
+if [ $(($(date +%s) - start)) -lt 960 ]; then
+    sh scripts/python.sh
+else
+    echo "skipped: the package for Python (16 minutes are over; scripts/python.sh runs it)"
+fi
 step "studio in a browser"
 # The last one, as all else matters more: everything is to end within 25 minutes.
 if [ $(($(date +%s) - start)) -lt 1020 ]; then

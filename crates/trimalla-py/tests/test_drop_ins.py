@@ -165,3 +165,21 @@ def test_meshpy():
     sizes = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
     assert (sizes <= 0.01 + 0.05 * corners[:, :, 0].mean(axis=1)).all() and np.isclose(sizes.sum(), 16)
     assert len(trimalla.meshpy.refine(fine, max_volume=0.005).elements) > len(fine.elements)
+
+
+def test_section_properties_on_our_meshes(monkeypatch):
+    pre = pytest.importorskip("sectionproperties.pre.pre", reason="the package sectionproperties is not installed")
+    from sectionproperties.analysis import Section
+    from sectionproperties.pre.library import i_section
+
+    def torsion():
+        section = i_section(d=203, b=133, t_f=7.8, t_w=5.8, r=8.9, n_r=8)
+        section.create_mesh(mesh_sizes=[5])
+        made = Section(section)
+        made.calculate_geometric_properties()
+        made.calculate_warping_properties()
+        return made.get_area(), made.get_j()
+
+    expected = torsion()
+    monkeypatch.setattr(pre, "triangle", ours)
+    assert torsion() == pytest.approx(expected, rel=1e-4)

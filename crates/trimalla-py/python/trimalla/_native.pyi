@@ -6,7 +6,34 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-__all__: list[str]
+__all__ = [
+    "DrawingError",
+    "Error",
+    "FileError",
+    "Locator",
+    "MeshError",
+    "OptionError",
+    "Refinement",
+    "Triangulation",
+    "boundary",
+    "by_switches",
+    "check",
+    "clean",
+    "compare",
+    "delaunay",
+    "edges",
+    "mesh",
+    "neighbours",
+    "option_names",
+    "picture",
+    "read_drawing",
+    "read_mesh",
+    "recipe",
+    "refine",
+    "triangulate",
+    "write",
+    "write_drawing",
+]
 
 _Arrays = dict[str, Any]
 _Made = tuple[_Arrays, _Arrays | None, list[str]]
