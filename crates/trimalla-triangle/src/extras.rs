@@ -13,10 +13,12 @@ use crate::triangulate::{Bare, Given};
 /// The mesh with all that the switches ask for beside it.
 pub(crate) fn laid_out(bare: Bare, switches: &Switches) -> Result<Made, TriangleError> {
     let Bare { mut mesh, given, regions, report, warnings, outside_holes } = bare;
-    mark_vertices(&mut mesh, &given);
-    let mut mesh = if switches.jettison { jettisoned(mesh) } else { mesh };
     let neighbours = mesh.neighbours();
-    let sides = edges::sides(&mesh.triangles, &neighbours);
+    mark_vertices(&mut mesh, &given, &neighbours);
+    // Triangles keep their numbers, so neighbours stay as they are.
+    let mut mesh = if switches.jettison { jettisoned(mesh) } else { mesh };
+    let lists_edges = switches.edges || switches.voronoi;
+    let sides = if lists_edges || switches.six_nodes { edges::sides(&mesh.triangles, &neighbours) } else { Vec::new() };
     if mesh.segment_markers.is_empty() {
         mesh.segment_markers = vec![0; mesh.segments.len()];
     }
@@ -30,13 +32,14 @@ pub(crate) fn laid_out(bare: Bare, switches: &Switches) -> Result<Made, Triangle
         mesh.segment_markers.clear();
         edges.markers.clear();
     }
-    let edge_counts = [sides.len(), sides.iter().filter(|side| side.right.is_none()).count()];
+    let boundary = neighbours.iter().flatten().filter(|beyond| beyond.is_none()).count();
+    let edge_counts = [(3 * neighbours.len() + boundary) / 2, boundary];
     Ok(Made {
         mesh,
         vertices,
         middles,
         edge_counts,
-        edges: (switches.edges || switches.voronoi).then_some(edges),
+        edges: lists_edges.then_some(edges),
         neighbours: switches.neighbours.then_some(neighbours),
         voronoi,
         regions,
@@ -49,11 +52,14 @@ pub(crate) fn laid_out(bare: Bare, switches: &Switches) -> Result<Made, Triangle
 
 /// Gives each vertex its own marker from the input; else that of a segment on which it lies, also of one outside the
 /// domain; else 1 on the boundary and 0 inside.
-fn mark_vertices(mesh: &mut IndexedMesh, given: &Given) {
+fn mark_vertices(mesh: &mut IndexedMesh, given: &Given, neighbours: &[[Option<u32>; 3]]) {
     const BOUNDARY: i32 = 1;
     let mut markers = vec![0; mesh.points.len()];
-    for v in mesh.boundary_edges().into_iter().flatten() {
-        markers[v as usize] = BOUNDARY;
+    for (corners, beyond) in mesh.triangles.iter().zip(neighbours) {
+        for k in (0..3).filter(|&k| beyond[k].is_none()) {
+            markers[corners[(k + 1) % 3] as usize] = BOUNDARY;
+            markers[corners[(k + 2) % 3] as usize] = BOUNDARY;
+        }
     }
     let of_input = given.segments.iter().zip(&given.segment_markers).rev();
     let of_mesh = mesh.segments.iter().zip(&mesh.segment_markers).rev();
