@@ -7,8 +7,8 @@
 //! 3. Step 2 is repeated with the new cells, until none is divided, at most [`LEVELS`] times and with at most
 //!    [`MOST_SAMPLES`] samples.
 //!
-//! Between samples the length is bilinear, and what counts for a triangle is the least in it. The thread that refines asks no
-//! function, and the same function gives the same mesh.
+//! Between samples the length is bilinear, and what counts for a triangle is the least in it. The thread that
+//! refines asks no function, and the same function gives the same mesh.
 
 use std::collections::HashMap;
 

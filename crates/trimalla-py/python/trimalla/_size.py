@@ -15,7 +15,7 @@ Size = Union[float, npt.ArrayLike, Callable[..., Any], "Raster"]
 
 
 class Raster:
-    """Lengths on a grid, bilinear between its nodes, and those of its border outside it.
+    """Lengths on a grid, bilinear between its nodes, and the nearest of them outside it.
 
     Parameters
     ----------

@@ -53,6 +53,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("trimalla-studio", &["trimalla", "trimalla-io", "trimalla-workbench"]),
     ("trimalla-triangle", &["trimalla"]),
     ("trimalla-c", &["trimalla", "trimalla-triangle"]),
+    ("trimalla-py", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-triangle"]),
     ("trimalla-cli", &["trimalla", "trimalla-io", "trimalla-compare", "trimalla-workbench", "trimalla-triangle"]),
 ];
 
