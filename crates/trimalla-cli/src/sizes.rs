@@ -26,7 +26,7 @@ pub(crate) struct SizeOptions {
     ///
     /// Other sizes keep their proportions and are scaled. The mesh is made a few times, until the count is near enough.
     /// Angles and bounds on areas hold all the same, so that a mesh may need more.
-    #[arg(long, value_name = "N", help_heading = "Sizes")]
+    #[arg(long, value_name = "N", help_heading = "Sizes", conflicts_with = "pick")]
     triangles: Option<usize>,
 
     /// Let edges grow by no more than this factor from one to the next, away from small features and small sizes

@@ -59,14 +59,11 @@ pub(crate) fn advice(drawing: &Input<Pslg>) -> Option<String> {
     ))
 }
 
-/// The number with one digit that is not below this one.
+/// A number with one digit that is not below this one, and less than three times as large.
 fn rounded_up(value: f64) -> f64 {
-    let text = format!("{value:.0e}");
-    match text.parse::<f64>() {
-        Ok(rounded) if rounded >= value => rounded,
-        Ok(rounded) => 2.0 * rounded,
-        Err(_) => value,
-    }
+    let rounded = |value: f64| format!("{value:.0e}").parse::<f64>().unwrap_or(value);
+    let up = rounded(value);
+    if up >= value { up } else { rounded(1.5 * value).max(value) }
 }
 
 /// A change in words, in the numbers of the file.

@@ -24,7 +24,14 @@ pub fn find(drawing: &Pslg, options: &CleanOptions) -> Result<Findings, CleanErr
     validate(drawing)?;
     let tolerance = options.tolerance_for(&drawing.points)?;
     let near = Near::of(drawing, tolerance);
-    let mut search = Search { near: &near, options: *options, tolerance, slivers: Vec::new(), faults: Vec::new() };
+    let mut search = Search {
+        near: &near,
+        options: *options,
+        tolerance,
+        slivers: Vec::new(),
+        slivers_at: BTreeMap::new(),
+        faults: Vec::new(),
+    };
     let faces = Faces::of(&near.graph, &near.pieces);
     search.slivers(&faces);
     search.copies();
@@ -75,6 +82,8 @@ struct Search<'a> {
     tolerance: f64,
     /// The segments and the vertices around each sliver.
     slivers: Vec<(BTreeSet<u32>, BTreeSet<u32>)>,
+    /// By vertex: the slivers around it, by number.
+    slivers_at: BTreeMap<u32, Vec<usize>>,
     faults: Vec<Fault>,
 }
 
@@ -105,13 +114,16 @@ impl Search<'_> {
                     .of_vertices(vertices.iter().copied().collect::<Vec<_>>())
                     .of_segments(segments.iter().copied().collect::<Vec<_>>()),
             );
+            let number = self.slivers.len();
+            vertices.iter().for_each(|&v| self.slivers_at.entry(v).or_default().push(number));
             self.slivers.push((segments, vertices));
         }
     }
 
     /// Whether these vertices and segments are all around one sliver.
     fn is_of_sliver(&self, vertices: &[u32], segments: &[u32]) -> bool {
-        self.slivers.iter().any(|(around, corners)| {
+        let at = vertices.first().and_then(|v| self.slivers_at.get(v)).map_or(&[][..], Vec::as_slice);
+        at.iter().map(|&number| &self.slivers[number]).any(|(around, corners)| {
             vertices.iter().all(|v| corners.contains(v)) && segments.iter().all(|s| around.contains(s))
         })
     }

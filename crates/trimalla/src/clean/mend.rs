@@ -6,7 +6,7 @@ use super::find::{Near, find};
 use super::graph::Graph;
 use super::rework::Rework;
 use crate::drawing::Pslg;
-use crate::geometry::{BoundingBox, Point};
+use crate::geometry::{BoundingBox, Point, math};
 
 /// Splits make new neighbours, which the next round mends.
 const ROUNDS: usize = 16;
@@ -100,9 +100,8 @@ fn merge(rework: &mut Rework, near: &Near<'_>, tolerance: f64) -> bool {
     let mut into = graph.first_at.clone();
     for group in groups(near) {
         let bounds = BoundingBox::of(group.iter().map(|&v| graph.point(v))).unwrap_or_default();
-        let (width, height) = (bounds.width(), bounds.height());
         // Near enough to each other, all of them.
-        if (width * width + height * height).sqrt() <= tolerance {
+        if math::hypot(bounds.width(), bounds.height()) <= tolerance {
             group.iter().for_each(|&v| into[v as usize] = group[0]);
         }
     }

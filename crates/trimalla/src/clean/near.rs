@@ -50,7 +50,7 @@ pub(super) fn near_pairs(graph: &Graph<'_>, tolerance: f64) -> Vec<NearPair> {
     pairs
 }
 
-/// The twelve cells around one, out of those up to three away, that come before it: points further away are further
+/// The twelve cells around one, out of those up to two away, that come before it: points further away are further
 /// than the tolerance.
 const BEFORE: [[i64; 2]; 12] =
     [[-2, -2], [-2, -1], [-2, 0], [-2, 1], [-2, 2], [-1, -2], [-1, -1], [-1, 0], [-1, 1], [-1, 2], [0, -2], [0, -1]];

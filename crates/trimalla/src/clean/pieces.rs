@@ -29,7 +29,8 @@ impl Pieces {
         let (mut boxes, mut segment_of) = (Vec::new(), Vec::new());
         for s in graph.kept() {
             let line = graph.line(s);
-            let pieces = (length(s) / piece).ceil().min(PIECES * count).max(1.0) as u32;
+            // Lengths may all vanish beside the extent.
+            let pieces = if piece > 0.0 { (length(s) / piece).ceil().min(PIECES * count).max(1.0) as u32 } else { 1 };
             let mut from = line.start;
             for i in 1..=pieces {
                 let to = if i == pieces { line.end } else { line.at(f64::from(i) / f64::from(pieces)) };

@@ -11,7 +11,9 @@ use std::sync::Arc;
 use super::quiet::Quiet;
 use super::{Refined, refined_at_once};
 use crate::geometry::math;
-use crate::refine::{NoObserver, Observer, OptionError, RefineOptions, Refinement, Start, StopReason, gradation};
+use crate::refine::{
+    NoObserver, Observer, OptionError, Outlook, RefineOptions, Refinement, Start, StopReason, gradation,
+};
 use crate::size::{AreaBound, Graded, Scaled, SizeBounds, SizeError, SizeField, Uniform};
 
 /// A count is near enough if it is off by this part at most.
@@ -135,7 +137,7 @@ fn refined_to_count(
     let mut search = ScaleSearch::new(&start, sizing, triangles);
     let fields = search.fields.clone();
     let at_scale = |scale: f64| sizing.add_to(start.clone(), options, fields.clone(), scale);
-    announce(at_scale(search.scale()), options, observer)?;
+    let outlook = announce(at_scale(search.scale()), options, observer)?;
     let mut quiet = Quiet::new(observer);
     let mut best: Option<(f64, Refined)> = None;
     for _ in 0..MOST_TRIALS {
@@ -155,24 +157,29 @@ fn refined_to_count(
         Some((scale, _)) if !is_cancelled && (observer.wants_events() || observer.clock().is_some()) => {
             refined_at_once(at_scale(scale), options, observer)
         }
-        Some((_, made)) => Ok(made),
+        Some((_, made)) => Ok(Refined { outlook, ..made }),
         None => refined_at_once(at_scale(1.0), options, &mut NoObserver),
     }
 }
 
 /// Shows the outlook and the beginning to an observer that sees only the progress afterwards.
-fn announce(start: Start, options: &RefineOptions, observer: &mut dyn Observer) -> Result<(), OptionError> {
+fn announce(
+    start: Start,
+    options: &RefineOptions,
+    observer: &mut dyn Observer,
+) -> Result<Option<Outlook>, OptionError> {
     if observer.wants_events() || observer.clock().is_some() {
-        return Ok(());
+        return Ok(None);
     }
-    if observer.wants_outlook() {
-        observer.outlook(&start.outlook(options));
+    let outlook = observer.wants_outlook().then(|| start.outlook(options));
+    if let Some(outlook) = &outlook {
+        observer.outlook(outlook);
     }
     let mut refinement = Refinement::new(start, *options)?;
     if refinement.prepare(observer) {
         observer.begins(&mut refinement);
     }
-    Ok(())
+    Ok(outlook)
 }
 
 /// The search for the scale at which there are so many triangles.
