@@ -42,7 +42,7 @@ impl Legalising {
     /// Tests the next edges, at most so many, and flips those that fail the circle test; whether some are left.
     ///
     /// # Complexity
-    /// Linear in the number of edges, besides the flips: at most quadratic in the vertices in all [Lawson77].
+    /// Linear in the number of edges, besides the flips: at most quadratic in the vertices in all `[Lawson77]`.
     pub fn advance(&mut self, most: usize) -> bool {
         Edit::new(&mut self.data, &mut self.work, &mut NoJournal).legalise_next(&mut self.rest, most);
         !self.rest.is_done(&self.data)
