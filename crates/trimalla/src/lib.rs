@@ -85,6 +85,7 @@ pub mod dual;
 mod facade;
 pub mod geometry;
 pub mod half_edge;
+pub mod improve;
 pub mod interpolate;
 pub mod locate;
 pub mod optimal;
