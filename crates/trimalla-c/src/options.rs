@@ -34,7 +34,7 @@ impl Options {
             named.preset = None;
         }
         let refine = named.refine_options();
-        MeshOptions { domain: options.domain, refine }
+        MeshOptions { domain: options.domain, refine, ..MeshOptions::default() }
     }
 
     fn set(&mut self, key: &str, text: &str) -> Result<(), Fault> {

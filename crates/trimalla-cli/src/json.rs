@@ -12,7 +12,7 @@ use crate::exit::Failure;
 
 /// The report of a refinement.
 pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Value {
-    let Outcome { meshed: Meshed { mesh, report, outlook, attempted, .. }, warnings, foreseen, .. } = outcome;
+    let Outcome { meshed: Meshed { mesh, report, outlook, attempted, improved, .. }, warnings, foreseen, .. } = outcome;
     let reasons: Map<_, _> =
         report.reasons().into_iter().map(|(reason, count)| (reason.key().to_owned(), json!(count))).collect();
     let warnings: Vec<&String> = warnings.iter().chain(foreseen).collect();
@@ -26,6 +26,8 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
         "below_bound": report.leftovers.len(),
         "bound_met": attempted.map(|attempted| attempted.bound_deg),
         "attempts": attempted.map_or(1, |attempted| attempted.runs),
+        "improved_from": improved.map(|improved| improved.vertices_before),
+        "proved": improved.map(|improved| improved.is_proved),
         "reasons": reasons,
         "algorithm": algorithm,
         "seconds": seconds,

@@ -146,6 +146,7 @@ impl RefiningOptions {
                 lines.row("sizes", sizes);
             }
             text::add_attempts(&mut lines, outcome.meshed.attempted.as_ref());
+            text::add_improved(&mut lines, outcome.meshed.improved.as_ref());
             if let Some(floor) = &outcome.floor {
                 lines.row("floor", floor);
             }

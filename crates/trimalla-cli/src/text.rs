@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use trimalla::Attempted;
 use trimalla::drawing::{IndexedMesh, Pslg};
 use trimalla::quality::aspect_ratio;
 use trimalla::refine::{Leftover, Missed, NamedOptions, Overview, Protect, Reason, Report, StopReason};
+use trimalla::{Attempted, Improved};
 use trimalla_compare::facts;
 use trimalla_workbench::numbers::{count, short};
 use trimalla_workbench::refining::{MissedBounds, corners};
@@ -80,6 +80,14 @@ pub(crate) fn add_outcome(lines: &mut Lines, report: &Report, asked: &NamedOptio
 pub(crate) fn add_attempts(lines: &mut Lines, attempted: Option<&Attempted>) {
     if let Some(Attempted { preset, bound_deg, runs, .. }) = attempted {
         lines.row("attempts", format_args!("{}; kept: {preset} at {} degrees", count(*runs, "run"), short(*bound_deg)));
+    }
+}
+
+/// How much smaller the mesh was made after its refinement.
+pub(crate) fn add_improved(lines: &mut Lines, improved: Option<&Improved>) {
+    if let Some(Improved { vertices_before, vertices, is_proved }) = improved {
+        let proof = if *is_proved { ", every angle proved" } else { "" };
+        lines.row("improved", format_args!("{vertices_before} to {vertices} vertices{proof}"));
     }
 }
 

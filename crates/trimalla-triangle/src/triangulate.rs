@@ -102,7 +102,8 @@ fn once(
 ) -> Result<(IndexedMesh, Option<Report>, Vec<Warning>), Error> {
     let domain = switches.domain_options();
     if switches.asks_for_quality() || switches.conforming {
-        let options = MeshOptions { domain, refine: switches.refine_options(drawing.points.len()) };
+        let options =
+            MeshOptions { domain, refine: switches.refine_options(drawing.points.len()), ..MeshOptions::default() };
         let made = trimalla::mesh_with(drawing, &options, observer)?;
         return Ok((made.mesh, Some(made.report), made.warnings));
     }

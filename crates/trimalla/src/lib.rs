@@ -101,9 +101,9 @@ pub use constrained::{ConstrainedDelaunay, Crossings};
 pub use delaunay::Delaunay;
 pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
-    Attempted, ByMethod, DomainOptions, DomainPolygon, Error, MeshOptions, Meshed, Method, Sizing, Triangulated, mesh,
-    mesh_sized, mesh_with, refine_mesh, refine_mesh_sized, refine_mesh_with, triangulate, triangulate_by,
-    triangulate_conforming, triangulate_domain,
+    Attempted, ByMethod, DomainOptions, DomainPolygon, Error, Improve, Improved, MeshOptions, Meshed, Method, Sizing,
+    Triangulated, mesh, mesh_sized, mesh_with, refine_mesh, refine_mesh_sized, refine_mesh_with, triangulate,
+    triangulate_by, triangulate_conforming, triangulate_domain,
 };
 
 pub use geometry::Point;

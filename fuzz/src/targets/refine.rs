@@ -140,7 +140,7 @@ fn told_truly(mesh: &IndexedMesh, report: &Report, options: &RefineOptions, case
 
 /// The one-call function gives the same mesh.
 fn again_the_same(case: &Case, mesh: &IndexedMesh) -> Verdict {
-    let options = MeshOptions { domain: case.domain, refine: case.recipe.refine_options() };
+    let options = MeshOptions { domain: case.domain, refine: case.recipe.refine_options(), ..MeshOptions::default() };
     match trimalla::mesh_with(&case.drawing, &options, &mut cancel_at(case.cancel)) {
         Ok(again) => must(again.mesh == *mesh, "the same run differs", || {
             format!("{} and {} vertices", mesh.points.len(), again.mesh.points.len())

@@ -30,7 +30,7 @@ fn judge(input: &Input, tally: &mut Tally) -> Verdict {
     let first_index = d.below(2) as u32;
     drawing(&case.drawing, first_index)?;
     recipe_file(case)?;
-    let options = MeshOptions { domain: case.domain, refine: case.recipe.refine_options() };
+    let options = MeshOptions { domain: case.domain, refine: case.recipe.refine_options(), ..MeshOptions::default() };
     let Ok(trimalla::Meshed { mesh, report, .. }) = trimalla::mesh(&case.drawing, &options) else {
         tally.refused += 1;
         return Ok(());

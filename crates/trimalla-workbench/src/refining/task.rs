@@ -3,8 +3,10 @@
 use trimalla::constrained::ConstrainedTriangulation;
 use trimalla::domain::Warning;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla::refine::{Beginning, Clock, Event, NamedOptions, Observer, Outlook, Overview, Progress, RefineOptions};
-use trimalla::{DomainOptions, Error, MeshOptions, Meshed, Sizing};
+use trimalla::refine::{
+    Beginning, Clock, Event, NamedOptions, Observer, Outlook, Overview, Progress, RefineOptions, StopReason,
+};
+use trimalla::{DomainOptions, Error, Improve, MeshOptions, Meshed, Sizing};
 
 use super::foresight::Foresight;
 use super::missed::MissedBounds;
@@ -19,6 +21,8 @@ pub enum TaskInput<'a> {
         drawing: &'a Pslg,
         /// How it is read.
         domain: DomainOptions,
+        /// What makes the mesh smaller afterwards.
+        improve: Improve,
         /// The numbers of its file.
         numbers: FileNumbers<'a>,
     },
@@ -88,9 +92,9 @@ impl Task<'_> {
     pub fn run(&self, watch: &mut dyn Watch) -> Result<Outcome, TaskError> {
         let mut run = Run { watch, picks: &self.picks, foresight: None, before: None, fault: None, picked: true };
         let made = match &self.input {
-            TaskInput::Drawing { drawing, domain, numbers } => {
+            TaskInput::Drawing { drawing, domain, improve, numbers } => {
                 run.foresight = Some(Foresight::new(numbers, self.options));
-                let options = MeshOptions { domain: *domain, refine: self.options };
+                let options = MeshOptions { domain: *domain, refine: self.options, improve: *improve };
                 trimalla::mesh_sized(drawing, &options, &self.sizing, &mut run)
             }
             TaskInput::Mesh { mesh, areas, drawing, .. } => {
@@ -103,14 +107,28 @@ impl Task<'_> {
         if let Some(fault) = fault {
             return Err(TaskError::Pick(fault));
         }
+        let mut warnings: Vec<String> = meshed.warnings.iter().map(|warning| self.input.describe(warning)).collect();
+        warnings.extend(self.not_improved(&meshed));
         Ok(Outcome {
             before,
-            warnings: meshed.warnings.iter().map(|warning| self.input.describe(warning)).collect(),
+            warnings,
             foreseen: foresight.map(Foresight::into_warnings).unwrap_or_default(),
             floor: self.input.floor(&meshed, &self.options),
             missed: MissedBounds::of(&meshed.mesh, &meshed.report, &self.options.criteria),
             meshed,
         })
+    }
+
+    /// Why the mesh was not made smaller, where that was asked for.
+    fn not_improved(&self, meshed: &Meshed) -> Option<String> {
+        let TaskInput::Drawing { improve: Improve::Sift { .. }, .. } = self.input else { return None };
+        let why = match meshed {
+            Meshed { improved: Some(_), .. } => return None,
+            Meshed { report, .. } if report.stop == StopReason::Cancelled => "the work was cancelled",
+            Meshed { report, .. } if !report.leftovers.is_empty() => "some triangles miss their bounds",
+            _ => "it has sizes of its own",
+        };
+        Some(format!("the mesh was not made smaller: {why}"))
     }
 }
 

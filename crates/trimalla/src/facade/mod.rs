@@ -2,12 +2,14 @@
 
 mod attempts;
 mod by_method;
+mod improving;
 mod polygons;
 mod quiet;
 mod sizing;
 
 pub use attempts::Attempted;
 pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
+pub use improving::{Improve, Improved};
 pub use polygons::DomainPolygon;
 pub use sizing::Sizing;
 
@@ -45,6 +47,8 @@ pub struct MeshOptions {
     pub domain: DomainOptions,
     /// How it is refined.
     pub refine: RefineOptions,
+    /// What is done to make the mesh smaller afterwards.
+    pub improve: Improve,
 }
 
 /// Why there is no mesh.
@@ -125,6 +129,8 @@ pub struct Meshed {
     pub outlook: Option<Outlook>,
     /// Which run gave the mesh, if several were made: see [`Attempts`](crate::refine::Attempts).
     pub attempted: Option<Attempted>,
+    /// How much smaller the mesh was made after its refinement, if that was asked for and could be done.
+    pub improved: Option<Improved>,
 }
 
 /// [`mesh`] with an observer, which gets the outlook, then the progress, and may cancel; then the mesh so far is
@@ -149,8 +155,12 @@ pub fn mesh_sized(
     options.refine.validate()?;
     let DomainOptions { rule, crossings, algorithm } = options.domain;
     let (cdt, warnings) = domain::build(pslg, rule, crossings, algorithm)?;
-    let Refined { cdt, report, outlook, attempted } = sizing::refined(cdt.into(), &options.refine, sizing, observer)?;
-    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook, attempted })
+    let mut refined = sizing::refined(cdt.into(), &options.refine, sizing, observer)?;
+    if let (Improve::Sift { effort }, true) = (options.improve, sizing.is_none()) {
+        refined = improving::improved(refined, effort, &options.refine, observer)?;
+    }
+    let Refined { cdt, report, outlook, attempted, improved } = refined;
+    Ok(Meshed { mesh: cdt.into_indexed(pslg), report, warnings, outlook, attempted, improved })
 }
 
 /// A refined triangulation, and what is to be said of it.
@@ -159,6 +169,7 @@ struct Refined {
     report: Report,
     outlook: Option<Outlook>,
     attempted: Option<Attempted>,
+    improved: Option<Improved>,
 }
 
 /// Refines a triangulation under an observer; the outlook is shown to one that wants it.
@@ -176,7 +187,7 @@ fn refined_at_once(start: Start, options: &RefineOptions, observer: &mut dyn Obs
         refinement.run(observer);
     }
     let (cdt, report) = refinement.finish();
-    Ok(Refined { cdt, report, outlook, attempted: None })
+    Ok(Refined { cdt, report, outlook, attempted: None, improved: None })
 }
 
 /// Refines in several runs, of which the best counts.
@@ -191,7 +202,7 @@ fn refined_by_attempts(
         observer.outlook(&outlook);
     }
     let (cdt, report, attempted) = attempts::best_of(start, options, &outlook, observer)?;
-    Ok(Refined { cdt, report, outlook: is_wanted.then_some(outlook), attempted: Some(attempted) })
+    Ok(Refined { cdt, report, outlook: is_wanted.then_some(outlook), attempted: Some(attempted), improved: None })
 }
 
 /// Refines a mesh that exists, without triangulating it anew.
@@ -267,11 +278,11 @@ pub fn refine_mesh_sized(
             return Err(Error::NotOfDrawing(faults));
         }
     }
-    let Refined { cdt, report, outlook, attempted } = sizing::refined(taken.into(), options, sizing, observer)?;
+    let Refined { cdt, report, outlook, attempted, .. } = sizing::refined(taken.into(), options, sizing, observer)?;
     if report.edges_flipped > 0 {
         warnings.push(Warning::Flipped { flips: report.edges_flipped });
     }
-    Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook, attempted })
+    Ok(Meshed { mesh: given.to_indexed(&cdt), report, warnings, outlook, attempted, improved: None })
 }
 
 /// A triangulation without refinement, and what is to be said of it.

@@ -4,8 +4,8 @@ use crate::geometry::{Point, math};
 
 /// A smallest angle that every triangle must have.
 ///
-/// It is kept as a cotangent that is not greater than the true one: a triangle whose cotangents are proved to be at most
-/// that has no smaller angle.
+/// It is kept as a cotangent that is not greater than the true one: a triangle whose cotangents are proved to be at
+/// most that has no smaller angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AngleBound {
     degrees: f64,

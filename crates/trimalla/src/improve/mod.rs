@@ -36,9 +36,12 @@ pub struct SiftOptions {
 
 impl SiftOptions {
     /// A modest effort.
+    pub const EFFORT: u8 = 3;
+
+    /// The bound with a modest effort.
     #[must_use]
     pub const fn new(bound: AngleBound) -> Self {
-        Self { bound, effort: 3, seed: 0 }
+        Self { bound, effort: Self::EFFORT, seed: 0 }
     }
 }
 

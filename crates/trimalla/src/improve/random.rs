@@ -1,6 +1,6 @@
 //! Random numbers that are the same everywhere.
 
-/// A sequence of random numbers [SteeleLeaFlood14].
+/// A sequence of random numbers `[SteeleLeaFlood14]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Random(pub(super) u64);
 

@@ -1,6 +1,6 @@
 //! Vertices of a patch move, and edges flip, until every angle is at least a bound.
 //!
-//! What is lowered is a sum over the corners of triangles: the square of what the cotangent exceeds that of the bound by.
+//! What is lowered is a sum over the corners of triangles: the square of what a cotangent exceeds that of the bound by.
 //! It is 0 where all angles are met, and needs neither roots nor angles. Each vertex in turn searches its star along
 //! eight directions, or along its segment; between the rounds an edge flips where that lowers the sum.
 
@@ -15,7 +15,7 @@ const FIRST_STEP: f64 = 0.25;
 /// A step that is this part of the first one ends the search of a vertex in a round.
 const HALVINGS: usize = 3;
 /// After so many rounds, a round that lowers the sum by less than a fiftieth is the last.
-const PATIENCE: usize = 6;
+const FEWEST_ROUNDS: usize = 6;
 
 /// Relaxes patches; keeps its scratch from one to the next.
 #[derive(Clone, Debug, Default)]
@@ -45,7 +45,7 @@ impl Relaxer {
             }
             flip_where_lower(patch, bound);
             let sum = total(patch, bound);
-            if round >= PATIENCE && sum > 0.98 * before {
+            if round >= FEWEST_ROUNDS && sum > 0.98 * before {
                 break;
             }
             before = sum;

@@ -3,9 +3,9 @@
 //! An attempt on vertex `v`:
 //!
 //! ```text
-//!   take v out of the mesh ─> copy the rings around it ─> relax the copy ─> move the vertices of the mesh ─> prove every angle
-//!          (recorded)             (patch.rs)              (relax.rs)             (recorded)                  (bound.rs)
-//!              └───────────────────────────── rolled back where one of these fails ◄──────────────────────────────┘
+//!   take v out ─> copy the rings around it ─> relax the copy ─> move the vertices of the mesh ─> prove every angle
+//!    (recorded)        (patch.rs)               (relax.rs)              (recorded)                  (bound.rs)
+//!        └──────────────────────── rolled back where one of these fails ◄─────────────────────────────────┘
 //! ```
 //!
 //! The mesh stays constrained Delaunay at every step. Of all triangulations of its vertices with its segments that is
@@ -25,6 +25,8 @@ use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 const MOST_MOVED: usize = 40;
 /// The rounds of an attempt.
 const ROUNDS: usize = 40;
+/// What an attempt costs besides the stars that it measures, in stars: each has a price, so that every sift ends.
+const ATTEMPT: u64 = 50;
 
 /// A mesh, and what is needed to take vertices out of it.
 pub(super) struct Sifter<'a> {
@@ -75,9 +77,13 @@ impl<'a> Sifter<'a> {
         self.t.into()
     }
 
-    /// Tries to take out each Steiner vertex once, in a random order; `None` where `goes_on` says to stop.
+    /// Tries to take out each Steiner vertex once, in a random order; `None` where none is left or `goes_on` says to
+    /// stop.
     pub(super) fn pass(&mut self, goes_on: &mut dyn FnMut(Progress) -> bool) -> Option<usize> {
         let mut order = self.steiner_vertices();
+        if order.is_empty() {
+            return None;
+        }
         self.random.shuffle(&mut order);
         let before = self.vertices;
         for v in order {
@@ -103,6 +109,7 @@ impl<'a> Sifter<'a> {
                 return None;
             }
             if self.t.is_used(v) {
+                self.relaxer.work += ATTEMPT;
                 let more = 1.0 + self.random.below(12) as f64;
                 let cotangent = AngleBound::new((self.bound.degrees() + more).min(60.0))?.cotangent();
                 self.ring.clear();
@@ -121,7 +128,7 @@ impl<'a> Sifter<'a> {
 
     /// How a vertex may move: input vertices, crossings and those where segments part do not.
     fn freedom(&self, v: VertexId) -> Freedom {
-        if v.index() < self.t.given_points() {
+        if v.index() < self.t.input_points() {
             return Freedom::Fixed;
         }
         match self.t.provenance(v) {
@@ -179,6 +186,7 @@ impl<'a> Sifter<'a> {
     }
 
     fn remove(&mut self, v: VertexId) -> bool {
+        self.relaxer.work += ATTEMPT;
         let freedom = self.freedom(v);
         let mut edit = self.t.edit(&mut self.workspace, &mut self.log);
         match freedom {

@@ -65,6 +65,13 @@ impl SizeBounds {
         self.fields.iter().map(|field| say(field.as_ref())).fold(of_options, AreaBound::least)
     }
 
+    /// Whether a face is small enough.
+    #[must_use]
+    pub fn admit(&self, cdt: &ConstrainedTriangulation, f: FaceId) -> bool {
+        let corners @ [a, b, c] = cdt.corners_from_newest(f);
+        !self.refuse((b - a).cross(c - a), cdt, f, corners)
+    }
+
     /// Whether a face with these corners and this doubled area is too large.
     #[inline(always)] // For each triangle that is tested.
     pub(crate) fn refuse(

@@ -24,7 +24,7 @@ const TIERS: &[&[&str]] = &[
     &["constrained"],
     &["domain", "size"],
     &["quality", "dual", "interpolate", "optimal"],
-    &["refine"],
+    &["refine", "improve"],
     &["facade"],
 ];
 

@@ -323,6 +323,7 @@ fn options() -> impl Strategy<Value = MeshOptions> {
                 limits: Limits { max_vertices: BUDGET, length_floor },
                 ..RefineOptions::of(preset)
             },
+            ..MeshOptions::default()
         })
 }
 

@@ -17,6 +17,7 @@ mod fill;
 mod forecast;
 mod glossary;
 mod history;
+mod improve;
 mod layers;
 mod library_errors;
 mod operators;

@@ -30,7 +30,7 @@ const MEAN: f64 = 1.02;
 fn meshed(a: &Pslg, degrees: u32, algorithm: AlgorithmKey) -> Meshed {
     let refine = RefineOptions::of(Preset::OffCenter).with_min_angle_deg(f64::from(degrees)).with_max_vertices(20_000);
     let domain = DomainOptions { algorithm, ..DomainOptions::default() };
-    trimalla::mesh(a, &MeshOptions { domain, refine }).expect("A is a clean drawing")
+    trimalla::mesh(a, &MeshOptions { domain, refine, ..Default::default() }).expect("A is a clean drawing")
 }
 
 #[test]
