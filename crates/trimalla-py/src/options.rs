@@ -43,7 +43,7 @@ impl Options {
         if !self.names_recipe {
             named.preset = None;
         }
-        MeshOptions { domain: self.domain, refine: named.refine_options() }
+        MeshOptions { domain: self.domain, refine: named.refine_options(), ..MeshOptions::default() }
     }
 
     fn set(&mut self, key: &str, text: &str) -> Result<(), Fault> {
