@@ -1,5 +1,7 @@
 //! What came of a meshing, for people and for programs.
 
+use std::path::Path;
+
 use crate::common::Scratch;
 
 const REQUIRED: [&str; 10] = [
@@ -22,15 +24,30 @@ const EXTRA: [&str; 15] = [
     "bounds",
     "command",
     "forecast_triangles",
+    "improved_from",
     "insertions",
     "lepp_lengths",
     "lost_segments",
     "missed",
+    "proved",
     "recipe",
     "stop",
     "version",
     "warnings",
 ];
+
+#[test]
+fn a_mesh_is_made_smaller_and_says_so() {
+    let scratch = Scratch::new("improve");
+    let key = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/shapes/key.poly");
+    let json =
+        scratch.run(&format!("mesh {} --improve sift --effort 1 --json -o key.1.ele", key.display())).expect(0).json();
+    let [before, now] = ["improved_from", "vertices"].map(|key| json[key].as_u64().unwrap());
+    assert!(now < before && json["proved"] == true, "{json:?}");
+    scratch.run(&format!("check key.1 --input {} --min-angle 30", key.display())).expect(0);
+    let run = scratch.run(&format!("mesh {} --improve sift --size 1", key.display())).expect(0);
+    run.says("the mesh was not made smaller: it has sizes of its own");
+}
 
 #[test]
 fn json_has_the_promised_keys_and_no_others() {
