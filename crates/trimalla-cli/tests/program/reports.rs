@@ -16,7 +16,7 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 15] = [
+const EXTRA: [&str; 17] = [
     "angle_ceiling",
     "attempts",
     "before",
