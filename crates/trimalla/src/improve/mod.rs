@@ -78,8 +78,8 @@ pub struct Sifted {
 /// never more vertices than before. The same mesh and options give the same result.
 ///
 /// # Complexity
-/// Bounded by the effort: 30,000 stars a vertex at effort 3, twice as many with each further step. What an attempt
-/// takes does not depend on the size of the mesh.
+/// Bounded by the effort: 32,000 stars a vertex at effort 3, twice as many with each further step; an attempt counts as
+/// fifty at least. What an attempt takes does not depend on the size of the mesh.
 #[must_use]
 pub fn sift(
     mesh: ConstrainedDelaunay,

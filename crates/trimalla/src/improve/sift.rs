@@ -18,7 +18,6 @@ use super::relax::Relaxer;
 use super::{Fits, Progress, SiftOptions};
 use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation, Provenance, Workspace};
 use crate::delaunay::Inserted;
-use crate::drawing::SegmentId;
 use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 
 /// No more vertices than these move in one attempt.
@@ -200,7 +199,6 @@ impl<'a> Sifter<'a> {
     fn gather(&mut self, radius: usize) {
         self.numbers.resize(self.t.points().len(), NONE);
         let (mut level, inner) = (0, self.ring.len());
-        let mut moving = 0;
         // `ring` grows by the neighbours of what it holds.
         let mut begin = 0;
         for (number, &v) in (0..).zip(&self.ring) {
@@ -226,12 +224,10 @@ impl<'a> Sifter<'a> {
             let freedom = self.freedom(v);
             self.patch.add_corner(v, self.t.point(v), freedom);
             if freedom != Freedom::Fixed || k < inner {
-                moving += 1;
                 let faces = self.t.star(v).map(HalfEdgeId::face).filter(|&f| self.t.is_real(f));
                 self.faces.extend(faces);
             }
         }
-        debug_assert!(moving > 0);
         self.faces.sort_unstable();
         self.faces.dedup();
         self.copy_faces();
@@ -319,10 +315,7 @@ impl<'a> Sifter<'a> {
         let [first, between @ .., last] = run else { return false };
         let [first, last] = [*first, *last].map(|v| self.patch.corner(v).id);
         let Some(mut h) = self.t.half_edge_between(first, last).filter(|&h| self.t.is_marked(h)) else { return false };
-        let [segment]: [SegmentId; 1] = match self.t.segments_of(h)[..] {
-            [segment] => [segment],
-            _ => return false,
-        };
+        let [segment] = self.t.segments_of(h)[..] else { return false };
         let (mut from, to) = (self.t.parameter(segment, first), self.t.parameter(segment, last));
         for &v in between {
             let Freedom::Segment { t, .. } = self.patch.corner(v).freedom else { return false };
