@@ -4,7 +4,7 @@ use std::ffi::{CStr, c_char, c_int};
 
 use trimalla::constrained::Crossings;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
+use trimalla::refine::{Group, NamedOptions, OPTIONS, Preset};
 use trimalla::{DomainOptions, MeshOptions};
 
 use crate::interface::{BAD_OPTION, CError, Fault, call, handle};
@@ -52,7 +52,7 @@ impl Options {
             _ => {
                 let row = OPTIONS.iter().find(|row| row.flag == key || row.key == key);
                 let row = row.ok_or_else(|| Fault::new(BAD_OPTION, format!("there is no option '{key}'")))?;
-                let value = value(row, text).ok_or_else(|| wrong(row.values.expected()))?;
+                let value = row.values.of_text(text).ok_or_else(|| wrong(row.values.expected()))?;
                 row.set(&mut self.named, &value).map_err(|error| Fault::new(BAD_OPTION, error.to_string()))?;
                 let checked = self.named.refine_options().validate();
                 checked.map_err(|error| Fault::new(BAD_OPTION, error.to_string()))?;
@@ -60,17 +60,6 @@ impl Options {
             }
         }
         Ok(())
-    }
-}
-
-/// A text as the value of an option.
-fn value(row: &OptionRow, text: &str) -> Option<Value> {
-    match row.values {
-        Values::Keys(_) => row.values.of_key(text),
-        Values::Truth(_) => text.parse().ok().map(Value::Truth),
-        Values::Number { .. } => text.parse().ok().map(Value::Number),
-        Values::Count(_) => text.parse().ok().map(Value::Count),
-        Values::Text(_) => Some(Value::Text(text.to_owned())),
     }
 }
 

@@ -6,7 +6,7 @@ use pyo3::types::{PyBool, PyDict};
 use trimalla::constrained::Crossings;
 use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::DomainRule;
-use trimalla::refine::{Group, NamedOptions, OPTIONS, OptionRow, Preset, Value, Values};
+use trimalla::refine::{Group, NamedOptions, OPTIONS, Preset};
 use trimalla::{DomainOptions, MeshOptions};
 
 use crate::errors::Fault;
@@ -75,7 +75,7 @@ impl Options {
     fn set_row(&mut self, key: &str, text: &str) -> Result<(), Fault> {
         let row = OPTIONS.iter().find(|row| row.flag == key || row.key == key || row.key.replace('_', "-") == key);
         let row = row.ok_or_else(|| Fault::option(format!("there is no option '{}'", key.replace('-', "_"))))?;
-        let value = value(row, text).ok_or_else(|| {
+        let value = row.values.of_text(text).ok_or_else(|| {
             let expected = row.values.expected();
             Fault::option(format!("{}: expected {expected}, found '{text}'", key.replace('-', "_")))
         })?;
@@ -92,15 +92,4 @@ fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
         return Ok(truth.is_true().to_string());
     }
     value.str()?.extract()
-}
-
-/// A text as the value of an option.
-fn value(row: &OptionRow, text: &str) -> Option<Value> {
-    match row.values {
-        Values::Keys(_) => row.values.of_key(text),
-        Values::Truth(_) => text.parse().ok().map(Value::Truth),
-        Values::Number { .. } => text.parse().ok().map(Value::Number),
-        Values::Count(_) => text.parse().ok().map(Value::Count),
-        Values::Text(_) => Some(Value::Text(text.to_owned())),
-    }
 }

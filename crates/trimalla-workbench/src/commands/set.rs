@@ -1,6 +1,6 @@
 //! `Set`.
 
-use trimalla::refine::{OPTIONS, OptionRow, Value, Values};
+use trimalla::refine::{OPTIONS, OptionRow};
 
 use super::{Act, CommandRow, Deed};
 use crate::changes::Work;
@@ -33,21 +33,11 @@ impl Act for Set {
     fn act(&self, work: &mut Work<'_>) -> Result<(), CommandError> {
         let fault = |message: String| CommandError::at(self.place.0, self.place.1, message);
         let expected = || fault(format!("expected {}, found '{}'", self.row.values.expected(), self.value));
-        let value = value_of(self.row.values, &self.value).ok_or_else(expected)?;
+        let value = self.row.values.of_text(&self.value).ok_or_else(expected)?;
         let mut options = work.state().options.clone();
         self.row.set(&mut options, &value).map_err(|error| fault(error.to_string()))?;
         options.refine_options().validate().map_err(|error| fault(error.to_string()))?;
         work.set_options(options);
         Ok(())
-    }
-}
-
-/// The value that a word stands for, if it is one of these.
-fn value_of(values: Values, word: &str) -> Option<Value> {
-    match values {
-        Values::Keys(_) | Values::Truth(_) => values.of_key(word),
-        Values::Number { is_allowed, .. } => word.parse().ok().filter(|&x| is_allowed(x)).map(Value::Number),
-        Values::Count(_) => word.parse().ok().map(Value::Count),
-        Values::Text(_) => Some(Value::Text(word.to_owned())),
     }
 }

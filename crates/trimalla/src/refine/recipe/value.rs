@@ -81,6 +81,25 @@ impl Values {
         }
     }
 
+    /// The value that a word stands for, if it is one of these.
+    ///
+    /// # Examples
+    /// ```
+    /// use trimalla::refine::{Value, Values};
+    ///
+    /// assert_eq!(Values::Count("a whole number").of_text("12"), Some(Value::Count(12)));
+    /// assert_eq!(Values::Count("a whole number").of_text("-1"), None);
+    /// ```
+    #[must_use]
+    pub fn of_text(self, text: &str) -> Option<Value> {
+        match self {
+            Self::Keys(_) | Self::Truth(_) => self.of_key(text),
+            Self::Number { is_allowed, .. } => text.parse().ok().filter(|&x| is_allowed(x)).map(Value::Number),
+            Self::Count(_) => text.parse().ok().map(Value::Count),
+            Self::Text(_) => Some(Value::Text(text.to_owned())),
+        }
+    }
+
     /// The value of a key.
     #[must_use]
     pub fn of_key(self, key: &str) -> Option<Value> {
