@@ -85,7 +85,7 @@ pub(crate) fn read_drawing(path: &Path, import: &ImportOptions) -> Result<Input<
             .map_err(|failure| failure.hint("an .ele file is a mesh; the drawing it was made from is needed here")),
         _ if Format::of_mesh(path) == Some(Format::Soup) => read.map(Input::of).map_err(|failure| {
             failure.hint(format!(
-                "{} may be a soup of triangles, which is a mesh: 'trimalla refine' takes it",
+                "{} may be a soup of triangles, which is a mesh: 'trimalla refine' takes it, 'trimalla triangulate' too",
                 shown(path)
             ))
         }),
@@ -102,6 +102,37 @@ pub(crate) fn read_mesh(path: &Path) -> Result<Input<IndexedMesh>, Failure> {
             .map_err(|failure| failure.hint("a .poly file is a drawing; 'trimalla mesh' makes a mesh of it")),
         _ => read.map(Input::of),
     }
+}
+
+/// Reads what is triangulated: a drawing; or a mesh, with the drawing of its segments.
+///
+/// A file in a format of meshes that holds no drawing is a mesh, and a `.txt` that is a soup and no drawing.
+pub(crate) fn read_drawing_or_mesh(
+    path: &Path,
+    import: &ImportOptions,
+) -> Result<(Input<Pslg>, Option<IndexedMesh>), Failure> {
+    let format = Format::from_path(path).filter(|format| format.holds_triangles() && !format.holds_drawings());
+    if format.is_some() {
+        return read_mesh(path).map(with_drawing);
+    }
+    let drawing = read_drawing(path, import);
+    match (drawing, Format::of_mesh(path)) {
+        (Err(failure), Some(Format::Soup)) => read_mesh(path).map(with_drawing).map_err(|_| failure),
+        (drawing, _) => drawing.map(|drawing| (drawing, None)),
+    }
+}
+
+/// A mesh, and the drawing of its vertices and segments.
+fn with_drawing(mut mesh: Input<IndexedMesh>) -> (Input<Pslg>, Option<IndexedMesh>) {
+    let mut taken = std::mem::take(&mut mesh.value);
+    taken.input_points = taken.points.len();
+    let drawing = Pslg {
+        points: taken.points.clone(),
+        segments: taken.segments.clone(),
+        segment_markers: taken.segment_markers.clone(),
+        ..Pslg::default()
+    };
+    (mesh.with_value(drawing), Some(taken))
 }
 
 /// Whether a path names a mesh: a file that holds triangles, or the stem of an `.ele` file.

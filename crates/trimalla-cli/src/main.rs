@@ -26,6 +26,7 @@ mod drawing_faults;
 mod exit;
 mod input;
 mod json;
+mod mesh_faults;
 mod outputs;
 mod picks;
 mod player;

@@ -41,6 +41,14 @@ pub(crate) fn of_drawing(drawing: &Input<Pslg>) -> String {
     format!("{}: {}{}", drawing.name(), facts(&drawing.value), told.collect::<String>())
 }
 
+/// A mesh that was read, in one line.
+pub(crate) fn of_mesh(name: &str, mesh: &IndexedMesh) -> String {
+    let IndexedMesh { points, triangles, segments, .. } = mesh;
+    let parts = [(points.len(), "vertex"), (triangles.len(), "triangle"), (segments.len(), "subsegment")];
+    let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
+    format!("{name}: {}", parts.join(", "))
+}
+
 /// The size of a mesh, of whose vertices so many are not new.
 pub(crate) fn add_counts(lines: &mut Lines, mesh: &IndexedMesh, old: usize) {
     let added = mesh.points.len() - old;

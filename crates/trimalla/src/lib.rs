@@ -103,7 +103,7 @@ pub use drawing::{IndexedMesh, Pslg, Region};
 pub use facade::{
     Attempted, ByMethod, DomainOptions, DomainPolygon, Error, Improve, Improved, MeshOptions, Meshed, Method, Sizing,
     Triangulated, mesh, mesh_sized, mesh_with, refine_mesh, refine_mesh_sized, refine_mesh_with, triangulate,
-    triangulate_by, triangulate_conforming, triangulate_domain,
+    triangulate_by, triangulate_conforming, triangulate_domain, triangulate_mesh,
 };
 
 pub use geometry::Point;

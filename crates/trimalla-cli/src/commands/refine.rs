@@ -6,20 +6,16 @@ use clap::Args;
 use trimalla::Error;
 use trimalla::domain::MeshError;
 use trimalla::drawing::{IndexedMesh, Pslg};
-use trimalla_workbench::numbers::{Renumber as _, count};
 use trimalla_workbench::refining::TaskInput;
 
 use crate::args::ImportOptions;
 use crate::console::shown;
-use crate::drawing_faults;
 use crate::exit::{Failure, STATUSES, Status};
 use crate::input::{Input, read_drawing, read_mesh};
 use crate::progress;
 use crate::refining::{Job, RefiningOptions};
 use crate::repeat::CommandLine;
-
-/// No more faults than this are named one by one.
-const MOST_FAULTS: usize = 50;
+use crate::{drawing_faults, mesh_faults, text};
 
 const HELP: &str = "\
 Examples:
@@ -82,7 +78,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let outputs = options.refining.outputs(&mesh)?;
     let job = Job {
         title: mesh.title(),
-        heading: heading(&mesh),
+        heading: text::of_mesh(&mesh.name(), &mesh.value),
         command: options
             .input
             .iter()
@@ -113,24 +109,14 @@ fn read_areas(path: &Path, mesh: &mut Input<IndexedMesh>) -> Result<Vec<Option<f
     }))
 }
 
-/// The input in one line.
-fn heading(mesh: &Input<IndexedMesh>) -> String {
-    let IndexedMesh { points, triangles, segments, .. } = &mesh.value;
-    let parts = [(points.len(), "vertex"), (triangles.len(), "triangle"), (segments.len(), "subsegment")];
-    let parts: Vec<_> = parts.into_iter().filter(|&(n, _)| n > 0).map(|(n, noun)| count(n, noun)).collect();
-    format!("{}: {}", mesh.name(), parts.join(", "))
-}
-
 /// An error of the library in the numbers of the files.
 fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>>) -> Failure {
     let first = mesh.first_index;
     match (error, drawing) {
-        (Error::Mesh(MeshError::Faults(faults)), _) => {
-            of_faults(mesh, faults.into_iter().map(|fault| fault.renumbered(first).to_string()).collect())
-        }
+        (Error::Mesh(MeshError::Faults(faults)), _) => mesh_faults::failure(&mesh.name(), first, faults),
         (Error::NotOfDrawing(faults), _) => {
             let first = drawing.map_or(first, |drawing| drawing.first_index);
-            of_faults(mesh, faults.into_iter().map(|fault| fault.renumbered(first).to_string()).collect())
+            mesh_faults::failure(&mesh.name(), first, faults)
                 .hint("--input takes the drawing that this mesh was made from")
         }
         (Error::Mesh(MeshError::VertexChanged { vertex, was, is }), Some(drawing)) => Failure::bad_input(format!(
@@ -144,14 +130,4 @@ fn failure(error: Error, mesh: &Input<IndexedMesh>, drawing: Option<&Input<Pslg>
         (Error::Option(error), _) => error.into(),
         (other, _) => Failure::bad_input(format!("{}: {other}", mesh.name())),
     }
-}
-
-/// The first faults, one a line, and how many more there are.
-fn of_faults(mesh: &Input<IndexedMesh>, faults: Vec<String>) -> Failure {
-    let name = mesh.name();
-    let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).map(|fault| format!("{name}: {fault}")).collect();
-    if faults.len() > MOST_FAULTS {
-        lines.push(format!("{name}: {} more", count(faults.len() - MOST_FAULTS, "fault")));
-    }
-    Failure::of_many(Status::BadInput, lines)
 }

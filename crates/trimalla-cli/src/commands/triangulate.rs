@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use clap::Args;
 use trimalla::delaunay::AlgorithmKey;
+use trimalla::domain::MeshError;
 use trimalla::optimal::OptimalError;
 use trimalla::trace::Recorder;
 use trimalla::{ByMethod, Error, Method};
@@ -14,23 +15,29 @@ use trimalla_workbench::record::Player;
 use crate::args::{DrawingOptions, OutputOptions, ReportOptions, one_of};
 use crate::console::{self, Stream};
 use crate::exit::{Failure, STATUSES, Status};
-use crate::input::read_drawing;
+use crate::input::read_drawing_or_mesh;
 use crate::outputs::{self, Outputs};
 use crate::player::PlayerOptions;
-use crate::{drawing_faults, json, progress, text};
+use crate::{drawing_faults, json, mesh_faults, progress, text};
 
 const HELP: &str = "\
 Examples:
   trimalla triangulate key.poly -o key.1.ele
   trimalla triangulate points.node -o points.svg --algorithm divide-and-conquer
   trimalla triangulate key.poly --player run.html     point by point, segment by segment, in a browser
+  trimalla triangulate scan.soup --algorithm flip -o delaunay.ele
+                                                      a given triangulation, its illegal edges flipped
 
 The (constrained) Delaunay triangulation is unique: cocircular points are decided by a fixed rule, so
 that its algorithms and the order of the points make no difference, but for the order in which
 triangles are listed. Algorithms for polygons triangulate the corners of the domain, and leave out
 what lies inside; those that are best by a criterion say whether nothing better is possible.
 No vertex is added, but at crossings with --crossings split; except by conforming-delaunay, which
-splits segments and boundaries.";
+splits segments and boundaries.
+
+A mesh (.ele, .soup, .msh and the other formats of meshes) is taken as it is: its triangles are the
+domain, its subsegments stay. The algorithms whose keys begin with flip start from its triangles.
+All algorithms of the Delaunay triangulation reach the same one from there, by flips.";
 
 /// Every key of --algorithm with its line of help.
 pub(crate) fn keys() -> impl Iterator<Item = (&'static str, &'static str, Method)> {
@@ -68,7 +75,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     progress::handle_ctrl_c();
     outputs::recover(options.output.output.iter().chain(&options.player.player), options.report.quiet);
-    let drawing = read_drawing(&options.drawing.input, options.drawing.import())?;
+    let (drawing, given) = read_drawing_or_mesh(&options.drawing.input, options.drawing.import())?;
     let outputs = Outputs::plan(&options.output, &drawing)?.with_player(&options.player)?;
     let stream = outputs.report_stream(&options.report)?;
     let names = drawing.numbers();
@@ -76,11 +83,17 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let mut recorder = Recorder::of_first(if options.player.player.is_some() { Player::MOST_STEPS } else { 0 });
     let domain = options.drawing.domain_options(AlgorithmKey::default());
     let column = options.attribute as usize - 1;
-    let made = trimalla::triangulate_by(&drawing.value, options.algorithm, &domain, column, &mut recorder);
-    let ByMethod { mesh, warnings, attained, gallery } = made.map_err(|error| failure(&names, error))?;
+    let made = match &given {
+        Some(mesh) => trimalla::triangulate_mesh(mesh, options.algorithm, column, &mut recorder),
+        None => trimalla::triangulate_by(&drawing.value, options.algorithm, &domain, column, &mut recorder),
+    };
+    let ByMethod { mesh, warnings, attained, gallery } = made.map_err(|error| match error {
+        Error::Mesh(MeshError::Faults(faults)) => mesh_faults::failure(&drawing.name(), drawing.first_index, faults),
+        error => failure(&names, error),
+    })?;
     let seconds = start.elapsed().as_secs_f64();
     let title = drawing.title();
-    let player = if recorder.count() > 0 {
+    let player = if recorder.count() > 0 || given.is_some() {
         options.player.of_algorithm(&title, &drawing.value, &recorder)?
     } else {
         options.player.of_construction(&title, &drawing.value, domain.crossings, &mesh)?
@@ -108,7 +121,8 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
         ))?;
     } else if stream != Stream::Nowhere {
         let mut lines = text::Lines::default();
-        lines.heading(text::of_drawing(&drawing));
+        let heading = given.as_ref().map(|mesh| text::of_mesh(&drawing.name(), mesh));
+        lines.heading(heading.unwrap_or_else(|| text::of_drawing(&drawing)));
         lines.row("algorithm", options.algorithm.key());
         text::add_counts(&mut lines, &mesh, mesh.input_points);
         lines.row("angles", text::angles(angles_deg()));
@@ -127,6 +141,7 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
 pub(crate) fn failure(names: &FileNumbers<'_>, error: Error) -> Failure {
     match error {
         Error::Domain(error) => drawing_faults::failure(names, &error),
+        Error::NoDrawing => Failure::bad_input(error.to_string()).hint("'trimalla refine' adds vertices to a mesh"),
         Error::NoPolygon => Failure::bad_input(error.to_string())
             .hint("'trimalla list' names the algorithms for points, such as greedy or incremental"),
         Error::Optimal(OptimalError::NoHeights { .. }) => Failure::bad_input(error.to_string())

@@ -37,16 +37,47 @@ fn what_others_read_is_read_and_what_is_ignored_is_said() {
 fn a_soup_is_named_where_a_drawing_is_wanted_and_where_a_mesh_is() {
     let scratch = Scratch::new("soup");
     scratch.write("Triangles1.txt", "0 0 4 0 4 4\n0 0 4 4 0 4\n");
-    let hint = "hint: Triangles1.txt may be a soup of triangles, which is a mesh: 'trimalla refine' takes it";
-    for command in ["mesh", "triangulate"] {
-        scratch.run(&format!("{command} Triangles1.txt")).expect(3).says(hint);
-    }
+    let hint = "hint: Triangles1.txt may be a soup of triangles, which is a mesh: 'trimalla refine' takes it, 'trimalla triangulate' too";
+    scratch.run("mesh Triangles1.txt").expect(3).says(hint);
     scratch.run("refine Triangles1.txt --max-area 1 -o finer.ele").expect(0);
     for command in ["refine", "check", "stats"] {
         let help = scratch.run(&format!("{command} --help")).expect(0).stdout;
         let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(help.contains(".stl, .off, .soup"), "{command}: {help}");
     }
+}
+
+/// The notes' flips begin with any triangulation, and their order says which of two is better.
+#[test]
+fn a_given_triangulation_is_flipped() {
+    let scratch = Scratch::new("flipped");
+    scratch.write("Flat.txt", "0 0 4 -1 8 0\n0 0 8 0 4 1\n");
+    scratch.run("convert Flat.txt flat.ele").expect(0);
+    for (input, key) in [("Flat.txt", "flip"), ("flat.ele", "flip-max-min-angle"), ("flat.ele", "incremental")] {
+        scratch.run(&format!("triangulate {input} --algorithm {key} -o {key}.ele --player {key}.html")).expect(0);
+        let run = scratch.run(&format!("stats {key} --against flat.ele")).expect(0);
+        assert!(run.stdout.contains(" is more equiangular than flat.ele\n"), "{}", run.stdout);
+    }
+    let json = scratch.run("stats flat.ele --against flip.ele --json").expect(0).json();
+    assert_eq!(json["equiangularity"], "less");
+    let json = scratch.run("stats flip.ele --against incremental.ele --json").expect(0).json();
+    assert_eq!(json["equiangularity"], "equal");
+    // A subsegment stays an edge; points inside are not looked for by algorithms of polygons.
+    scratch.write("flat.poly", "0 2 0 0\n1\n1 1 3\n0\n");
+    scratch.run("triangulate flat.ele --algorithm flip -o kept.ele").expect(0);
+    assert_eq!(scratch.run("stats kept.ele --against flat.ele --json").expect(0).json()["equiangularity"], "equal");
+    scratch.run("triangulate flat.ele --algorithm ears -o ears.ele").expect(0);
+    scratch
+        .run("triangulate flat.ele --algorithm conforming-delaunay")
+        .expect(3)
+        .says("hint: 'trimalla refine' adds vertices to a mesh");
+    scratch.write("Twice.txt", "0 0 4 -1 8 0\n0 0 4 -1 8 0\n");
+    let run = scratch.run("triangulate Twice.txt --algorithm flip -o twice.ele").expect(3);
+    assert!(run.stderr.starts_with("error: Twice.txt: triangles 1 and 2 both lie left of"), "{}", run.stderr);
+    scratch.write("other.ele", "1 3 0\n1 1 2 3\n");
+    scratch.write("other.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+    let run = scratch.run("stats flat.ele --against other.ele").expect(3);
+    run.says("hint: equiangularity compares triangulations of the same points");
 }
 
 /// What each rule keeps of drawings with holes and their seeds.

@@ -14,11 +14,12 @@
 use super::{DomainOptions, DomainPolygon, Error, Triangulated, triangulate, triangulate_conforming};
 use crate::by_key::{Row, UnknownKey};
 use crate::delaunay::AlgorithmKey;
-use crate::domain::Warning;
+use crate::domain::{MeshError, Warning};
 use crate::drawing::{IndexedMesh, Pslg};
-use crate::optimal::{OptimalInput, OptimalMethod};
+use crate::optimal::{FlipCriterion, OptimalInput, OptimalMethod, locally_optimal};
 use crate::polygon::{Gallery, PolygonMethod, art_gallery};
 use crate::trace::{Renumbered, Trace};
+use crate::triangulation::check_mesh;
 
 /// A way to triangulate a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,6 +165,50 @@ pub fn triangulate_domain(
     }
 }
 
+/// Triangulates the domain of a given mesh anew by a method, which tells its steps.
+///
+/// # Shape
+/// Listed segments of the mesh stay edges; what it says of triangles is dropped. Methods `flip`, `flip-max-min-angle`,
+/// `flip-min-max-angle` and `flip-shortest-diagonal` begin with its triangles, whatever they are: the result of the
+/// last two depends on them. The constrained Delaunay triangulation is unique, so all its methods flip here. Methods
+/// for polygons triangulate the corners of the domain alone.
+///
+/// # Errors
+/// [`Error::Mesh`] lists what is no mesh, [`Error::NoDrawing`] is said of `conforming-delaunay`, which adds vertices;
+/// others as for [`triangulate_by()`].
+///
+/// # Examples
+/// ```
+/// use trimalla::trace::NoTrace;
+/// use trimalla::{IndexedMesh, Point, triangulate_mesh};
+///
+/// let points = [[0.0, 0.0], [4.0, -1.0], [8.0, 0.0], [4.0, 1.0]].map(Point::from).to_vec();
+/// let given = IndexedMesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]], ..IndexedMesh::default() };
+/// let made = triangulate_mesh(&given, "flip".parse()?, 0, &mut NoTrace)?;
+/// assert_eq!(made.mesh.edges(), [[0, 1], [0, 3], [1, 2], [1, 3], [2, 3]]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn triangulate_mesh(
+    mesh: &IndexedMesh,
+    method: Method,
+    height: usize,
+    trace: &mut (impl Trace + ?Sized),
+) -> Result<ByMethod, Error> {
+    let faults = check_mesh(mesh);
+    if !faults.is_empty() {
+        return Err(MeshError::Faults(faults).into());
+    }
+    match method {
+        Method::Conforming => Err(Error::NoDrawing),
+        Method::Delaunay(_) => {
+            let mut made = locally_optimal(mesh, FlipCriterion::MaxMinAngle, trace)?;
+            forget_triangles(&mut made);
+            Ok(ByMethod::unchanged(made))
+        }
+        Method::Optimal(_) | Method::Polygon(_) => triangulate_domain(mesh.clone(), true, method, height, trace),
+    }
+}
+
 fn by_criterion(
     mut domain: IndexedMesh,
     has_segments: bool,
@@ -226,9 +271,14 @@ fn left_out(domain: &mut IndexedMesh, is_corner: &[bool]) -> Option<Warning> {
     (!inside.is_empty() || gone > 0).then_some(Warning::InsideLeftOut { points: inside.len(), segments: gone })
 }
 
-/// Other triangles of the same domain. What was said of each triangle is no longer known.
+/// Other triangles of the same domain.
 fn put_in_place(mesh: &mut IndexedMesh, triangles: Vec<[u32; 3]>) {
     mesh.triangles = triangles;
+    forget_triangles(mesh);
+}
+
+/// What was said of each triangle is no longer known.
+fn forget_triangles(mesh: &mut IndexedMesh) {
     mesh.triangle_attributes.clear();
     mesh.attributes_per_triangle = 0;
 }

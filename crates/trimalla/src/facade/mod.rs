@@ -8,7 +8,7 @@ mod quiet;
 mod sizing;
 
 pub use attempts::Attempted;
-pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain};
+pub use by_method::{ByMethod, Method, triangulate_by, triangulate_domain, triangulate_mesh};
 pub use improving::{Improve, Improved};
 pub use polygons::DomainPolygon;
 pub use sizing::Sizing;
@@ -73,6 +73,9 @@ pub enum Error {
     /// An algorithm for polygons got points alone.
     #[error("there is no polygon to triangulate: the drawing has no segments")]
     NoPolygon,
+    /// An algorithm that adds vertices got a mesh, not its drawing.
+    #[error("conforming-delaunay splits the segments of a drawing, and this is a mesh")]
+    NoDrawing,
     /// A polygon of the domain is at fault, or the algorithm cannot take it.
     #[error(transparent)]
     Polygon(#[from] PolygonError),

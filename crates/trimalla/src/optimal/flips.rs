@@ -14,7 +14,7 @@
 //! ```
 //!
 //! # Steps
-//! 1. Begin with the triangulation that is given, or with a sweep over the points.
+//! 1. Begin with the triangulation that is given (`trimalla triangulate MESH`), or with a sweep over the points.
 //! 2. Put all inner edges, segments left out, into a queue.
 //! 3. While the queue is not empty, take an edge out of it. If the other diagonal is better, flip it, and put the four
 //!    sides of the quadrilateral into the queue.
@@ -46,7 +46,7 @@ use crate::delaunay::{BuildError, flip_illegal, flip_to_delaunay, sweep};
 use crate::drawing::IndexedMesh;
 use crate::geometry::{Orientation, Point, Triangle, compare_angles, compare_lengths, orient2d};
 use crate::half_edge::{HalfEdgeId, NoJournal, VertexId};
-use crate::trace::Trace;
+use crate::trace::{Shape, Trace};
 use crate::triangulation::Triangulation;
 
 keyed! {
@@ -98,6 +98,7 @@ pub fn locally_optimal(
     trace: &mut (impl Trace + ?Sized),
 ) -> Result<IndexedMesh, OptimalError> {
     let mut t = with_segments(mesh)?;
+    tell_given(&t, trace);
     flip(&mut t, criterion, trace)?;
     Ok(IndexedMesh { triangles: triangles_of(&t), ..mesh.clone() })
 }
@@ -113,6 +114,15 @@ fn with_segments(mesh: &IndexedMesh) -> Result<Triangulation, OptimalError> {
     Ok(t)
 }
 
+/// Step 1 for a triangulation that is given: its edges.
+fn tell_given(t: &Triangulation, trace: &mut (impl Trace + ?Sized)) {
+    if trace.is_listening() {
+        for e in t.edges() {
+            trace.add(Shape::Edge([t.origin(e).0, t.dest(e).0]), "given");
+        }
+    }
+}
+
 /// Triangulates points or a domain: a sweep, or the domain as it is, and flips.
 pub(super) fn triangulate(
     input: &OptimalInput<'_>,
@@ -121,7 +131,11 @@ pub(super) fn triangulate(
 ) -> Result<Optimal, OptimalError> {
     let prepared = input.prepare()?;
     let mut t = match input.domain {
-        Some(domain) => with_segments(domain)?,
+        Some(domain) => {
+            let t = with_segments(domain)?;
+            tell_given(&t, trace);
+            t
+        }
         None => {
             let vertices: Vec<VertexId> = prepared.vertices.iter().map(|&v| VertexId(v)).collect();
             sweep(input.points, Some(&vertices), trace).map_err(|_| OptimalError::Cancelled)?
