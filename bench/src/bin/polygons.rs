@@ -12,7 +12,7 @@ use trimalla::polygon::{Polygon, PolygonError, Triangulator};
 use trimalla_bench::Outcome;
 use trimalla_bench::random::Random;
 
-const SIZES: [usize; 8] = [4, 10, 30, 100, 300, 1000, 10_000, 100_000];
+const SIZES: [usize; 11] = [4, 5, 7, 10, 20, 30, 100, 300, 1000, 10_000, 100_000];
 /// How many corners all polygons of a row have together.
 const CORNERS: usize = 200_000;
 

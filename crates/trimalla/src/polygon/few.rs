@@ -1,8 +1,8 @@
-//! Polygons of few corners: ears by plain lists.
+//! Polygons of few corners: three or four by signs, rings that are known to be simple by ears.
 //!
-//! A ring of few corners is proved simple by comparing every side with every other one, and ears are cut off with a
-//! list of the corners that are not convex. Below some tens of corners this takes less time than the sweep. Whatever
-//! is not simple in the strictest sense (a corner at another side, a spike, a repeated point) is left to the sweep.
+//! Ears are cut off with a list of the corners that are not convex. Below some hundred corners this takes less time
+//! than the sweep. Whatever is not simple in the strictest sense (a corner at another side, a spike, a repeated point)
+//! is left to the sweep.
 
 use crate::geometry::{Orientation, Point, Turn, ccw, lexicographically_less, orient2d};
 
@@ -17,29 +17,22 @@ pub(super) struct Few {
     convex: Vec<bool>,
     /// The corners that do not turn left.
     reflex: Vec<(Point, u32)>,
-    /// The boxes of the sides: least x, greatest x, least y, greatest y.
-    boxes: Vec<[f64; 4]>,
-    /// Sides whose boxes meet.
-    pairs: Vec<[u8; 2]>,
 }
 
 impl Few {
-    /// The most corners for which this is the best way.
-    pub(super) const MOST: usize = 16;
-
     /// The most corners that [`cut_simple`](Self::cut_simple) takes.
     const MOST_LEFT: usize = 200;
 
-    /// Triangulates a ring whose first point is vertex `first`, if it is simple; false if it is not, or if that is not
-    /// clear.
-    pub(super) fn triangulate(&mut self, ring: &[Point], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {
+    /// Triangulates a ring of three or four corners whose first point is vertex `first`, if it is simple; false if it is
+    /// not, or if that is not clear.
+    pub(super) fn triangulate(ring: &[Point], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {
         match *ring {
             [a, b, c] => one_triangle([a, b, c], first, triangles),
             [a, b, c, d] => {
                 two_triangles([a, b, c, d], [0, 1, 2, 3], first, triangles)
                     || two_triangles([b, c, d, a], [1, 2, 3, 0], first, triangles)
             }
-            _ => self.many_triangles(ring, first, triangles),
+            _ => false,
         }
     }
 
@@ -51,34 +44,6 @@ impl Few {
         self.corners.clear();
         self.corners.extend_from_slice(corners);
         self.fill() && self.cut_ears(triangles)
-    }
-
-    fn many_triangles(&mut self, ring: &[Point], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {
-        if ring.len() < 3 || !self.begin(ring, first) || !self.fill() {
-            return false;
-        }
-        let begun = triangles.len();
-        let done = self.is_simple() && self.cut_ears(triangles);
-        if !done {
-            triangles.truncate(begun);
-        }
-        done
-    }
-
-    /// Takes up the corners of a ring, counter-clockwise if the ring is simple; false if it is not.
-    fn begin(&mut self, ring: &[Point], first: u32) -> bool {
-        let n = ring.len();
-        self.corners.clear();
-        self.corners.extend(ring.iter().copied().zip(first..));
-        let least = (1..n).fold(0, |a, b| if lexicographically_less(ring[b], ring[a]) { b } else { a });
-        let before = ring[if least == 0 { n - 1 } else { least - 1 }];
-        let after = ring[if least + 1 == n { 0 } else { least + 1 }];
-        match orient2d(before, ring[least], after) {
-            Orientation::CounterClockwise => {}
-            Orientation::Clockwise => self.corners.reverse(),
-            Orientation::Collinear => return false,
-        }
-        true
     }
 
     /// Finds which corners are convex; false if a point repeats the one before, or if there is a spike.
@@ -102,46 +67,6 @@ impl Few {
             (a, b) = (b, c);
         }
         true
-    }
-
-    /// Whether no side meets one that is not its neighbour.
-    fn is_simple(&mut self) -> bool {
-        let n = self.corners.len();
-        self.boxes.clear();
-        let mut a = self.corners[0].0;
-        for i in 1..=n {
-            let b = self.corners[if i == n { 0 } else { i }].0;
-            self.boxes.push([a.x.min(b.x), a.x.max(b.x), a.y.min(b.y), a.y.max(b.y)]);
-            a = b;
-        }
-        self.collect_pairs(n);
-        self.pairs.iter().all(|&[i, j]| self.are_apart(i.into(), j.into()))
-    }
-
-    /// Collects the pairs of sides that are no neighbours and whose boxes meet, without a branch for each pair.
-    fn collect_pairs(&mut self, n: usize) {
-        self.pairs.clear();
-        self.pairs.resize(n * n / 2, [0; 2]);
-        let mut count = 0;
-        for i in 0..n - 2 {
-            let [west, east, south, north] = self.boxes[i];
-            let end = if i == 0 { n - 1 } else { n };
-            for (other, j) in self.boxes[i + 2..end].iter().zip(i as u8 + 2..) {
-                let meet = (other[0] <= east) & (other[1] >= west) & (other[2] <= north) & (other[3] >= south);
-                self.pairs[count] = [i as u8, j];
-                count += usize::from(meet);
-            }
-        }
-        self.pairs.truncate(count);
-    }
-
-    /// Whether two sides are on different sides of the line through one of them.
-    fn are_apart(&self, i: usize, j: usize) -> bool {
-        let after = |i: usize| if i + 1 == self.corners.len() { 0 } else { i + 1 };
-        let [a, b] = [self.corners[i].0, self.corners[after(i)].0];
-        let [c, d] = [self.corners[j].0, self.corners[after(j)].0];
-        let surely = surely_beside(a, b, c, d) | surely_beside(c, d, a, b);
-        surely || beside(a, b, c, d) || beside(c, d, a, b)
     }
 
     /// Cuts off ears until a triangle is left.
@@ -219,24 +144,29 @@ impl Few {
     }
 }
 
+/// Takes up the corners of a ring, counter-clockwise if the ring is simple; false if it is not. Of a point that is
+/// repeated at once the first is taken.
+pub(super) fn counter_clockwise(ring: &[Point], first: u32, corners: &mut Vec<(Point, u32)>) -> bool {
+    corners.clear();
+    corners.extend(ring.iter().copied().zip(first..));
+    corners.dedup_by_key(|corner| corner.0);
+    let n = corners.len();
+    let at = |i: usize| corners[i].0;
+    let least = (1..n).fold(0, |a, b| if lexicographically_less(at(b), at(a)) { b } else { a });
+    let before = at(if least == 0 { n - 1 } else { least - 1 });
+    let after = at(if least + 1 == n { 0 } else { least + 1 });
+    match orient2d(before, at(least), after) {
+        Orientation::CounterClockwise => {}
+        Orientation::Clockwise => corners.reverse(),
+        Orientation::Collinear => return false,
+    }
+    true
+}
+
 /// Whether a point is outside a triangle, its boundary included.
 fn is_outside(a: Point, b: Point, c: Point, p: Point) -> bool {
     let outside = |a, b| orient2d(a, b, p) == Orientation::Clockwise;
     outside(c, a) || outside(a, b) || outside(b, c)
-}
-
-/// Whether two points are on one side of a line.
-fn beside(a: Point, b: Point, p: Point, q: Point) -> bool {
-    let turn = orient2d(a, b, p);
-    turn != Orientation::Collinear && turn == orient2d(a, b, q)
-}
-
-/// Whether rounded numbers prove that two points are on one side of a line. There is no branch in it.
-#[inline]
-fn surely_beside(a: Point, b: Point, p: Point, q: Point) -> bool {
-    let (to_p, to_q) = (Turn::of(a, b, p), Turn::of(a, b, q));
-    (to_p.is_surely_counter_clockwise() & to_q.is_surely_counter_clockwise())
-        | (to_p.reversed().is_surely_counter_clockwise() & to_q.reversed().is_surely_counter_clockwise())
 }
 
 fn one_triangle([a, b, c]: [Point; 3], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {

@@ -26,6 +26,7 @@ mod lone_points;
 mod loops;
 mod method;
 mod monotone;
+mod proving_ears;
 mod rings;
 mod seidel;
 mod stack;

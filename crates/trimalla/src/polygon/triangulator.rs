@@ -4,6 +4,7 @@ use super::constrained_delaunay::Flips;
 use super::corners::Corners;
 use super::few::Few;
 use super::lone_points::LonePoints;
+use super::proving_ears::ProvingEars;
 use super::stack::{Stacks, Triangles};
 use super::sweep::Sweep;
 use super::{Polygon, PolygonError, easy, monotone};
@@ -22,7 +23,7 @@ use crate::trace::NoTrace;
 /// 1. Three or four corners: the signs of two triangles decide.
 /// 2. One ring that is convex, or monotone along x or y, or all of which its middle sees: linear time proves it simple
 ///    (`easy.rs`).
-/// 3. One ring of few corners: all sides are compared with all, and ears are cut off (`few.rs`).
+/// 3. One ring of few corners, if it is not monotone along x: ears that prove it simple while they are cut off (`proving_ears.rs`).
 /// 4. All others: the sweep of [`monotone`](super::monotone()).
 ///
 /// # Complexity
@@ -45,6 +46,7 @@ use crate::trace::NoTrace;
 #[derive(Clone, Debug, Default)]
 pub struct Triangulator {
     few: Few,
+    proving: ProvingEars,
     left: Vec<(Point, u32)>,
     corners: Corners,
     sweep: Sweep,
@@ -114,29 +116,37 @@ impl Triangulator {
             }
         }
         if ring.len() < 5 {
-            return self.few.triangulate(ring, first, &mut self.triangles);
+            return Few::triangulate(ring, first, &mut self.triangles);
+        }
+        if ring.len() <= ProvingEars::MOST_AT_ONCE {
+            return (ring.len() > 7 && easy::convex_ring(ring, first, &mut self.triangles))
+                || self.along_x(ring, first)
+                || self.proving.triangulate(ring, first, &mut self.triangles);
         }
         easy::convex_ring(ring, first, &mut self.triangles)
-            || self.as_monotone(ring, first)
+            || self.along_x(ring, first)
+            || self.along_y(ring, first)
             || easy::star_ring(ring, first, &mut self.left, &mut self.few, &mut self.triangles)
-            || (ring.len() <= Few::MOST && self.few.triangulate(ring, first, &mut self.triangles))
+            || (ring.len() <= ProvingEars::MOST && self.proving.triangulate(ring, first, &mut self.triangles))
     }
 
-    /// Triangulates a ring that is monotone along x or along y.
-    fn as_monotone(&mut self, ring: &[Point], first: u32) -> bool {
-        let Self { stacks, triangles, .. } = self;
+    /// Triangulates a ring that is monotone along x.
+    fn along_x(&mut self, ring: &[Point], first: u32) -> bool {
+        self.along(ring.len(), first, |i| ring[i])
+    }
+
+    /// Triangulates a ring that is monotone along y: turned by a right angle, which changes no sign.
+    fn along_y(&mut self, ring: &[Point], first: u32) -> bool {
+        self.along(ring.len(), first, |i| Point::new(ring[i].y, -ring[i].x))
+    }
+
+    #[inline]
+    fn along(&mut self, count: usize, first: u32, at: impl Fn(usize) -> Point) -> bool {
         let nobody = &mut NoTrace;
-        let mut along_x = Triangles::new(stacks, triangles, nobody);
-        if easy::monotone_ring(ring.len(), first, |i| ring[i], &mut along_x) {
-            return true;
-        }
-        triangles.clear();
-        // Turned by a right angle, which changes no sign.
-        let turned = |i: usize| Point::new(ring[i].y, -ring[i].x);
-        let mut along_y = Triangles::new(stacks, triangles, nobody);
-        let done = easy::monotone_ring(ring.len(), first, turned, &mut along_y);
+        let mut pieces = Triangles::new(&mut self.stacks, &mut self.triangles, nobody);
+        let done = easy::monotone_ring(count, first, at, &mut pieces);
         if !done {
-            triangles.clear();
+            self.triangles.clear();
         }
         done
     }
