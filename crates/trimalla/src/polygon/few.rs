@@ -23,8 +23,8 @@ impl Few {
     /// The most corners that [`cut_simple`](Self::cut_simple) takes.
     const MOST_LEFT: usize = 200;
 
-    /// Triangulates a ring of three or four corners whose first point is vertex `first`, if it is simple; false if it is
-    /// not, or if that is not clear.
+    /// Triangulates a ring of three or four corners whose first point is vertex `first`, if it is simple; false if it
+    /// is not, or if that is not clear.
     pub(super) fn triangulate(ring: &[Point], first: u32, triangles: &mut Vec<[u32; 3]>) -> bool {
         match *ring {
             [a, b, c] => one_triangle([a, b, c], first, triangles),

@@ -10,13 +10,13 @@
 //!        .' '.            Most ears are proved by one line: all other corners lie beyond the side that the ear
 //!      .'     '.          leaves, from a to c. Then no side can meet the triangle.
 //!     a ─ ─ ─ ─ c
-//!      \  .──.  |         Otherwise each other side must have both ends beyond one of the three lines of the triangle,
-//!       \/    \_|           or the triangle on one side of its own line.
+//!      \  .──.  |         Otherwise each other side must have both ends beyond one of the three lines of the
+//!       \/    \_|         triangle, or the triangle on one side of its own line.
 //! ```
 //!
 //! # Degenerate cases
-//! Rounded numbers must prove every sign. Where they do not (a corner on a side, repeated points), or where sides cross,
-//! a corner is no ear, and in the end none is left: the sweep follows.
+//! Rounded numbers must prove every sign. Where they do not (a corner on a side, repeated points), or where sides
+//! cross, a corner is no ear, and in the end none is left: the sweep follows.
 //!
 //! # Complexity
 //! O(n²) if ears are found soon, O(n³) at worst.

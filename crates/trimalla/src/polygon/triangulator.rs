@@ -23,7 +23,8 @@ use crate::trace::NoTrace;
 /// 1. Three or four corners: the signs of two triangles decide.
 /// 2. One ring that is convex, or monotone along x or y, or all of which its middle sees: linear time proves it simple
 ///    (`easy.rs`).
-/// 3. One ring of few corners, if it is not monotone along x: ears that prove it simple while they are cut off (`proving_ears.rs`).
+/// 3. One ring of few corners, if it is not monotone along x: ears that prove it simple while they are cut off
+///    (`proving_ears.rs`).
 /// 4. All others: the sweep of [`monotone`](super::monotone()).
 ///
 /// # Complexity
