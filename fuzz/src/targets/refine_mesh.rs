@@ -67,7 +67,9 @@ fn given_mesh(case: &Case, d: &mut Draws<'_>) -> Option<IndexedMesh> {
     refine.limits.max_vertices = drawing.points.len() + d.below(30);
     refine.recipe.insert = d.pick(&[Insert::Flip, Insert::Cavity, Insert::Partition]);
     refine.recipe.recover = trimalla::refine::Recover::WholeEdge;
-    trimalla::mesh(&drawing, &MeshOptions { domain: case.domain, refine, ..MeshOptions::default() }).ok().map(|made| made.mesh)
+    trimalla::mesh(&drawing, &MeshOptions { domain: case.domain, refine, ..MeshOptions::default() })
+        .ok()
+        .map(|made| made.mesh)
 }
 
 fn areas_of(mesh: &IndexedMesh, d: &mut Draws<'_>) -> Vec<Option<f64>> {
