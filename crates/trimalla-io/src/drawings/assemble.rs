@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use trimalla::drawing::Pslg;
 use trimalla::geometry::math::hypot;
-use trimalla::geometry::{BoundingBox, Point, Ring};
+use trimalla::geometry::{BoundingBox, Point, Ring, Short};
 
 use super::curve::flatten;
 use super::join::join_ends;
@@ -86,7 +86,7 @@ fn diagonal(sketch: &Sketch, name: &str) -> Result<f64, IoError> {
                 Piece::Bezier(curve) => curve.end,
             });
             if let Some(bad) = std::iter::once(path.start).chain(ends).find(|v| !v.is_finite()) {
-                let message = format!("expected finite coordinates, found ({}, {})", bad.at.x, bad.at.y);
+                let message = not_finite(&bad);
                 return Err(fault_in(name, sketch.noun, u64::from(shape.origin), message));
             }
             let own = BoundingBox::of(extent(path));
@@ -109,6 +109,9 @@ fn extent(path: &Path) -> impl Iterator<Item = Point> + '_ {
 /// More vertices than this are a tolerance that is too small.
 const MOST_VERTICES: usize = 1 << 30;
 
+/// So many vertices at most replace curves: a small file may place a circle a million times.
+const MOST_ON_CURVES: usize = 1 << 24;
+
 #[derive(Debug, Default)]
 struct Builder {
     made: Assembly,
@@ -118,6 +121,13 @@ struct Builder {
     /// The segments of each ring or set of rings so far, sorted.
     areas: HashSet<Vec<u32>>,
     flat: Vec<Vertex>,
+    /// How many vertices replace curves.
+    on_curves: usize,
+}
+
+/// That a coordinate is no number.
+fn not_finite(vertex: &Vertex) -> String {
+    format!("expected finite coordinates, found {}", vertex.at)
 }
 
 impl Builder {
@@ -175,20 +185,22 @@ impl Builder {
         flat.clear();
         let off = flatten(path, self.made.tolerance, &mut flat);
         let off = off.ok_or_else(|| {
-            format!(
-                "a curve from ({}, {}) needs more than 65536 lines to be within {}",
-                path.start.at.x, path.start.at.y, self.made.tolerance
-            )
+            let (start, tolerance) = (path.start.at, Short(self.made.tolerance));
+            format!("a curve from {start} needs more than 65536 lines to be within {tolerance}")
         })?;
         self.made.off = self.made.off.max(off);
         self.made.curves += path.curves();
-        if flat.len() + self.made.pslg.points.len() > MOST_VERTICES {
-            return Err(format!("more than {MOST_VERTICES} vertices are needed to be within {}", self.made.tolerance));
+        if path.curves() > 0 {
+            self.on_curves += flat.len();
+        }
+        if self.on_curves > MOST_ON_CURVES || flat.len() + self.made.pslg.points.len() > MOST_VERTICES {
+            let (count, tolerance) = (self.on_curves.max(self.made.pslg.points.len()), Short(self.made.tolerance));
+            return Err(format!("more than {count} vertices are needed to be within {tolerance}"));
         }
         let mut ids: Vec<u32> = Vec::with_capacity(flat.len());
         for vertex in &flat {
             if !vertex.is_finite() {
-                return Err(format!("expected finite coordinates, found ({}, {})", vertex.at.x, vertex.at.y));
+                return Err(not_finite(vertex));
             }
             let id = self.vertex(*vertex);
             if ids.last() != Some(&id) {

@@ -323,3 +323,23 @@ fn maps_of_other_people_are_meshed() {
         assert!(made.mesh.triangles.len() > least, "{name}");
     }
 }
+
+/// Found by random inputs: hundreds of digits in one message.
+#[test]
+fn huge_numbers_are_told_with_an_exponent() {
+    let text = include_str!("../../../../data/issues/curve-with-huge-coordinates.svg");
+    let error = refused(DrawingFormat::Svg, text);
+    assert!(error.starts_with("f:1: a curve from (1e300, -1e300) needs more than 65536 lines"), "{error}");
+    assert!(error.len() < 150, "{error}");
+    let error = refused(DrawingFormat::Wkt, "LINESTRING (0 0, 5e-324 nan)");
+    assert!(error.len() < 150, "{error}");
+}
+
+/// A block of one circle in 32,767 rows and columns would be a thousand million circles.
+#[test]
+fn blocks_are_placed_as_often_as_fits_into_memory() {
+    let text = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n10\n0\n20\n0\n0\nCIRCLE\n10\n0\n20\n0\n40\n1\n0\nENDBLK\n0\nENDSEC\n\
+                0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nB\n70\n32767\n71\n32767\n44\n4\n45\n4\n0\nENDSEC\n0\nEOF\n";
+    let error = refused(DrawingFormat::Dxf, text);
+    assert!(error.contains("blocks with at most 2097152 pairs in all"), "{error}");
+}

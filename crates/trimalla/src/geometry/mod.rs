@@ -32,7 +32,7 @@ pub use containment::Containment;
 pub(crate) use frame::Frame;
 pub use hilbert::{hilbert_key_16, hilbert_key_32};
 pub use order::{lexicographic, lexicographically_less};
-pub use point::{Point, Vector};
+pub use point::{Point, Short, Vector};
 pub(crate) use predicates::{
     AngleMeasure, HeightMeasure, Natural, SlopeMeasure, Turn, angles_of_two, barycentric, compare_angles,
     compare_lengths, inside_two_circles, largest_corner, order_if_clear, sides_angle_excess, tangent_radii,

@@ -171,8 +171,9 @@ impl From<Point> for [f64; 2] {
     }
 }
 
-/// A number in full, with an exponent where it would be long without.
-struct Short(f64);
+/// Shows a number in full, with an exponent where it would be long without.
+#[derive(Clone, Copy, Debug)]
+pub struct Short(pub f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
