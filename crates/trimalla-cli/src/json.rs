@@ -27,6 +27,7 @@ pub(crate) fn of_meshing(outcome: &Outcome, algorithm: &str, seconds: f64) -> Va
         "bound_met": attempted.map(|attempted| attempted.bound_deg),
         "attempts": attempted.map_or(1, |attempted| attempted.runs),
         "improved_from": improved.map(|improved| improved.vertices_before),
+        "climbed_from": improved.and_then(|improved| improved.climbed_from_deg),
         "proved": improved.map(|improved| improved.is_proved),
         "reasons": reasons,
         "algorithm": algorithm,

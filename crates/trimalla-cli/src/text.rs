@@ -93,9 +93,11 @@ pub(crate) fn add_attempts(lines: &mut Lines, attempted: Option<&Attempted>) {
 
 /// How much smaller the mesh was made after its refinement.
 pub(crate) fn add_improved(lines: &mut Lines, improved: Option<&Improved>) {
-    if let Some(Improved { vertices_before, vertices, is_proved }) = improved {
+    if let Some(Improved { vertices_before, vertices, climbed_from_deg, is_proved }) = improved {
         let proof = if *is_proved { ", every angle proved" } else { "" };
-        lines.row("improved", format_args!("{vertices_before} to {vertices} vertices{proof}"));
+        let climb =
+            climbed_from_deg.map_or_else(String::new, |deg| format!(", from a bound of {} degrees", short(deg)));
+        lines.row("improved", format_args!("{vertices_before} to {vertices} vertices{climb}{proof}"));
     }
 }
 

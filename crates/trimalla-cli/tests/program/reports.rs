@@ -16,12 +16,13 @@ const REQUIRED: [&str; 10] = [
     "seconds",
     "complete",
 ];
-const EXTRA: [&str; 17] = [
+const EXTRA: [&str; 18] = [
     "angle_ceiling",
     "attempts",
     "before",
     "bound_met",
     "bounds",
+    "climbed_from",
     "command",
     "forecast_triangles",
     "improved_from",

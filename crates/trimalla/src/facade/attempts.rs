@@ -120,7 +120,7 @@ pub(super) fn best_of(
 }
 
 /// An angle in degrees, rounded down to four digits: at a ceiling itself rounding decides.
-fn just_below(angle: Angle) -> f64 {
+pub(super) fn just_below(angle: Angle) -> f64 {
     (1e4 * angle.degrees()).floor() / 1e4
 }
 
@@ -225,7 +225,7 @@ fn has_ended(report: &Report) -> bool {
 }
 
 /// Adds the triangles that miss the bound that was asked, where a lower one was met.
-fn judge(cdt: &ConstrainedTriangulation, asked: &RefineOptions, report: &mut Report) {
+pub(super) fn judge(cdt: &ConstrainedTriangulation, asked: &RefineOptions, report: &mut Report) {
     if report.stop == StopReason::Finished {
         report.stop = StopReason::NoLongerImproves;
     }

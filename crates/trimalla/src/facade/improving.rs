@@ -1,9 +1,10 @@
 //! Meshes made smaller after their refinement.
 
 use super::Refined;
-use crate::constrained::ConstrainedDelaunay;
-use crate::improve::{AngleBound, Progress, SiftOptions, sift};
-use crate::refine::{self, Observer, OptionError, RefineOptions, Refinement, Report, Start, StopReason};
+use super::attempts::{Attempted, judge, just_below};
+use crate::constrained::{ConstrainedDelaunay, ConstrainedTriangulation};
+use crate::improve::{AngleBound, Progress, SiftOptions, climb, sift};
+use crate::refine::{self, Observer, OptionError, Reason, RefineOptions, Refinement, Report, Start, StopReason};
 use crate::size::SizeBounds;
 
 /// What is done to make a mesh smaller after its refinement.
@@ -14,8 +15,9 @@ pub enum Improve {
     /// Nothing.
     #[default]
     None,
-    /// Steiner vertices are taken out, and others moved, as long as every bound holds: [`sift`]. Not where a [`Sizing`]
-    /// asks for smaller triangles than the options and regions do, and not where a triangle stayed bad.
+    /// Steiner vertices are taken out, and others moved, as long as every bound holds: [`sift`]. Where no refinement
+    /// met the bound on angles, the mesh is led to it first, as far as that goes: [`climb`]. Not where a [`Sizing`]
+    /// asks for smaller triangles than the options and regions do, and not where a triangle stayed bad otherwise.
     ///
     /// [`Sizing`]: super::Sizing
     Sift {
@@ -25,50 +27,117 @@ pub enum Improve {
 }
 
 /// How much smaller a mesh was made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Improved {
     /// Vertices after the refinement.
     pub vertices_before: usize,
     /// Vertices now.
     pub vertices: usize,
+    /// The bound that the refinement met, in degrees, where the mesh was led to a higher one: [`climb`].
+    pub climbed_from_deg: Option<f64>,
     /// Whether every angle is proved to be at least the bound: [`AngleBound::is_met_by`].
     pub is_proved: bool,
 }
 
-/// Makes a refined mesh smaller. One that was cancelled stays as it is, and so does one with a triangle that stayed
-/// bad: around that nothing could be proved.
+/// A mesh that was made smaller, and the bound that every triangle is proved to meet.
+struct Candidate {
+    cdt: ConstrainedTriangulation,
+    vertices: usize,
+    bound: AngleBound,
+}
+
+/// Makes a refined mesh smaller, and leads it to the bound that is asked where no refinement met it. One that was
+/// cancelled stays as it is, and so does one with a triangle that stayed bad for another reason: around that nothing
+/// could be proved.
 pub(super) fn improved(
     refined: Refined,
     effort: u8,
     options: &RefineOptions,
     observer: &mut dyn Observer,
 ) -> Result<Refined, OptionError> {
-    let asked = options.criteria.effective_min_angle().degrees();
-    let bound_deg = refined.attempted.map_or(asked, |attempted| attempted.bound_deg);
-    let Some(bound) = AngleBound::new(bound_deg) else { return Ok(refined) };
-    if refined.report.stop == StopReason::Cancelled || !refined.report.leftovers.is_empty() {
-        return Ok(refined);
-    }
+    let Some((met, target)) = bounds(&refined, options) else { return Ok(refined) };
     let sizes = SizeBounds::new(options.criteria.max_area, &refined.cdt, Vec::new());
     let fits = |t: &_, f| sizes.admit(t, f);
     let most = options.limits.max_vertices;
     let mut goes_on = |progress: Progress| {
         observer.progress(refine::Progress { vertices: progress.vertices, waiting: 0, max_vertices: most })
     };
-    let (before, vertices_before) = (refined.cdt.clone(), refined.report.vertices);
-    let sifted = sift(
-        ConstrainedDelaunay::from(refined.cdt),
-        &SiftOptions { effort, ..SiftOptions::new(bound) },
-        &fits,
-        &mut goes_on,
-    );
-    let is_smaller = sifted.vertices < sifted.vertices_before;
-    let cdt = if is_smaller { sifted.mesh.into() } else { before };
+    let mut best: Option<Candidate> = None;
+    let (runs, effort) = runs_of(effort);
+    for run in 0..runs {
+        let options = SiftOptions { effort, seed: run, ..SiftOptions::new(met) };
+        let climbed = climb(refined.cdt.clone().into(), &options, target, &fits, &mut goes_on);
+        let options = SiftOptions { bound: climbed.bound, ..options };
+        let sifted = sift(climbed.mesh, &options, &fits, &mut goes_on);
+        let is_better =
+            |old: &Candidate| (climbed.bound.degrees(), old.vertices) > (old.bound.degrees(), sifted.vertices);
+        if best.as_ref().is_none_or(is_better) {
+            best = Some(Candidate { cdt: sifted.mesh.into(), vertices: sifted.vertices, bound: climbed.bound });
+        }
+        if climbed.is_cancelled || sifted.is_cancelled {
+            break;
+        }
+    }
+    match best.filter(|best| best.bound.degrees() > met.degrees() || best.vertices < refined.report.vertices) {
+        Some(best) => with_mesh(refined, best, (met, target), options),
+        None => {
+            let Refined { cdt, report, .. } = &refined;
+            let same = Candidate { cdt: cdt.clone(), vertices: report.vertices, bound: met };
+            with_mesh(refined, same, (met, target), options)
+        }
+    }
+}
+
+/// How many runs share an effort, and the effort of each.
+const fn runs_of(effort: u8) -> (u64, u8) {
+    match effort {
+        0..=4 => (1, effort),
+        5 | 6 => (4, effort - 2),
+        _ => (8, effort - 3),
+    }
+}
+
+/// The bound that a refined mesh meets, and the one that is asked; `None` where the mesh stays as it is.
+fn bounds(refined: &Refined, options: &RefineOptions) -> Option<(AngleBound, AngleBound)> {
+    let asked = options.criteria.effective_min_angle().degrees();
+    let met = refined.attempted.map_or(asked, |attempted| attempted.bound_deg);
+    let target =
+        refined.attempted.and_then(|attempted| attempted.ceiling).map_or(asked, |ceiling| just_below(ceiling.bound));
+    let is_expected = |reason: Reason| met < target && reason == Reason::StrategyCannotImprove;
+    let is_sound = refined.report.stop != StopReason::Cancelled
+        && refined.report.leftovers.iter().all(|leftover| is_expected(leftover.reason));
+    if is_sound { AngleBound::new(met).zip(AngleBound::new(target.max(met))) } else { None }
+}
+
+/// The same refinement with a smaller mesh, or one that meets a higher bound.
+fn with_mesh(
+    refined: Refined,
+    found: Candidate,
+    (met, target): (AngleBound, AngleBound),
+    options: &RefineOptions,
+) -> Result<Refined, OptionError> {
+    let Candidate { cdt, bound, .. } = found;
     let is_proved = cdt.real_faces().all(|f| bound.is_met_by(cdt.face_points(f)));
-    let (cdt, survey) = Refinement::new(Start::from(ConstrainedDelaunay::from(cdt)), *options)?.finish();
+    let met_deg = bound.degrees();
+    let is_asked = met_deg == options.criteria.min_angle.degrees();
+    let own = if is_asked { *options } else { options.with_min_angle_deg(met_deg) };
+    let (cdt, survey) = Refinement::new(Start::from(ConstrainedDelaunay::from(cdt)), own)?.finish();
     let Report { vertices, triangles, steiner_points, min_angle_deg, max_angle_deg, leftovers, .. } = survey;
-    let report =
+    let vertices_before = refined.report.vertices;
+    let mut report =
         Report { vertices, triangles, steiner_points, min_angle_deg, max_angle_deg, leftovers, ..refined.report };
-    let improved = Improved { vertices_before, vertices, is_proved };
-    Ok(Refined { cdt, report, improved: Some(improved), ..refined })
+    let is_lowered = met_deg < target.degrees();
+    if met_deg > met.degrees() && !is_lowered {
+        report.stop = StopReason::Finished;
+    }
+    let attempted = refined.attempted.map(|attempted| {
+        let is_below_asked = met_deg < options.criteria.min_angle.degrees();
+        if is_below_asked {
+            judge(&cdt, options, &mut report);
+        }
+        Attempted { bound_deg: met_deg, is_lowered: is_below_asked, ..attempted }
+    });
+    let climbed_from_deg = (met_deg > met.degrees()).then_some(met.degrees());
+    let improved = Improved { vertices_before, vertices, climbed_from_deg, is_proved };
+    Ok(Refined { cdt, report, attempted, improved: Some(improved), ..refined })
 }

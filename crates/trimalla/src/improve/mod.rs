@@ -9,6 +9,8 @@
 //! The local search of the winners of the CG:SHOP challenge of 2025, carried over from obtuse angles to small ones.
 
 mod bound;
+mod climb;
+mod kick;
 mod patch;
 mod random;
 mod relax;
@@ -69,6 +71,46 @@ pub struct Sifted {
     pub is_cancelled: bool,
 }
 
+/// What came of a climb.
+#[derive(Clone, Debug)]
+pub struct Climbed {
+    /// The mesh; its vertices have other ids than before, but those of the input.
+    pub mesh: ConstrainedDelaunay,
+    /// The bound that every triangle is proved to meet now.
+    pub bound: AngleBound,
+    /// Whether it was cancelled: the mesh is as good as it was then.
+    pub is_cancelled: bool,
+}
+
+/// Leads a mesh whose triangles all meet a bound to a higher one, as far as that goes: from where refinements end to
+/// where none does.
+///
+/// # Guarantees
+/// Those of [`sift()`], but that vertices may come. No angle gets smaller than the bound it begins with; a mesh that
+/// does not meet that comes back as it is.
+///
+/// # Complexity
+/// Bounded by the effort: eight times the work of [`sift()`].
+#[must_use]
+pub fn climb(
+    mesh: ConstrainedDelaunay,
+    options: &SiftOptions,
+    target: AngleBound,
+    fits: Fits<'_>,
+    goes_on: &mut dyn FnMut(Progress) -> bool,
+) -> Climbed {
+    let mut sifter = Sifter::new(mesh, options, fits);
+    let budget = (sifter.vertices() as u64 * 32_000) << options.effort.clamp(1, 9);
+    let mut is_cancelled = false;
+    if sifter.meets_bound() {
+        sifter.climb(target, &mut |progress: Progress| {
+            is_cancelled = is_cancelled || !goes_on(progress);
+            !is_cancelled && progress.work < budget
+        });
+    }
+    Climbed { bound: sifter.bound, is_cancelled, mesh: sifter.into_mesh() }
+}
+
 /// Takes out as many Steiner vertices as can be found unnecessary within the effort; `goes_on` is called before each
 /// attempt, and cancels by `false`.
 ///
@@ -95,12 +137,16 @@ pub fn sift(
         is_cancelled.set(is_cancelled.get() || !goes_on(progress));
         !is_cancelled.get() && progress.work < budget
     };
-    // A pass that finds nothing is followed by a shake, and by further passes.
-    while let Some(found) = sifter.pass(&mut watch) {
+    // A pass that finds nothing is followed by a shake and another pass, and then by kicks.
+    let mut idle = 0;
+    while idle < 2 {
+        let Some(found) = sifter.pass(&mut watch) else { break };
+        idle = if found == 0 { idle + 1 } else { 0 };
         if found == 0 && sifter.shake(&mut watch).is_none() {
             break;
         }
     }
+    while idle == 2 && sifter.kick(&mut watch).is_some() {}
     Sifted {
         vertices_before,
         vertices: sifter.vertices(),

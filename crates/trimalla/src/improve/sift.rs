@@ -23,26 +23,29 @@ use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 /// No more vertices than these move in one attempt.
 const MOST_MOVED: usize = 40;
 /// The rounds of an attempt.
-const ROUNDS: usize = 40;
+pub(super) const ROUNDS: usize = 40;
 /// What an attempt costs besides the stars that it measures, in stars: each has a price, so that every sift ends.
 const ATTEMPT: u64 = 50;
 
 /// A mesh, and what is needed to take vertices out of it.
 pub(super) struct Sifter<'a> {
-    t: ConstrainedTriangulation,
-    workspace: Workspace,
-    log: UndoLog,
-    bound: AngleBound,
+    pub(super) t: ConstrainedTriangulation,
+    pub(super) workspace: Workspace,
+    pub(super) log: UndoLog,
+    /// What every triangle keeps that is made.
+    pub(super) bound: AngleBound,
     fits: Fits<'a>,
-    patch: Patch,
-    relaxer: Relaxer,
+    pub(super) patch: Patch,
+    pub(super) relaxer: Relaxer,
     /// By vertex: its number in the patch, or [`NONE`].
     numbers: Vec<u32>,
     /// Scratch: the vertices and faces of the patch.
-    ring: Vec<VertexId>,
+    pub(super) ring: Vec<VertexId>,
     faces: Vec<FaceId>,
-    random: Random,
-    vertices: usize,
+    pub(super) random: Random,
+    pub(super) vertices: usize,
+    /// Whether a change is part of a larger one that may be rolled back.
+    is_nested: bool,
 }
 
 impl<'a> Sifter<'a> {
@@ -60,6 +63,7 @@ impl<'a> Sifter<'a> {
             ring: Vec::new(),
             faces: Vec::new(),
             random: Random(options.seed),
+            is_nested: false,
             t,
         }
     }
@@ -92,7 +96,7 @@ impl<'a> Sifter<'a> {
             // Vertices that moved may have changed their ids.
             if self.t.is_used(v) && self.freedom(v) != Freedom::Fixed {
                 let radius = 2 + self.random.below(2);
-                self.vertices -= usize::from(self.take_out(v, radius));
+                self.take_out(v, radius, self.bound);
             }
         }
         Some(before - self.vertices)
@@ -115,18 +119,18 @@ impl<'a> Sifter<'a> {
                 self.ring.push(v);
                 self.gather(2);
                 self.relaxer.relax(&mut self.patch, cotangent, 8);
-                self.keep_if_good();
+                self.recorded(Self::carry_out);
             }
         }
         Some(())
     }
 
-    fn steiner_vertices(&self) -> Vec<VertexId> {
+    pub(super) fn steiner_vertices(&self) -> Vec<VertexId> {
         self.t.used_vertices().filter(|v| self.freedom(*v) != Freedom::Fixed).collect()
     }
 
     /// How a vertex may move: input vertices, crossings and those where segments part do not.
-    fn freedom(&self, v: VertexId) -> Freedom {
+    pub(super) fn freedom(&self, v: VertexId) -> Freedom {
         if v.index() < self.t.input_points() {
             return Freedom::Fixed;
         }
@@ -155,36 +159,48 @@ impl<'a> Sifter<'a> {
         self.t.edges_around(v).filter(|&h| self.t.is_marked(h))
     }
 
-    /// Takes a vertex out, if every angle can be kept.
-    fn take_out(&mut self, v: VertexId, radius: usize) -> bool {
+    /// Takes a vertex out, if every triangle around meets a bound then.
+    pub(super) fn take_out(&mut self, v: VertexId, radius: usize, bound: AngleBound) -> bool {
         self.ring.clear();
         self.ring.extend(self.t.edges_around(v).map(|h| self.t.dest(h)));
+        let is_out = self.recorded(|sifter| sifter.remove(v) && sifter.relaxed(radius, bound));
+        self.vertices -= usize::from(is_out);
+        is_out
+    }
+
+    /// Copies what is around the ring, relaxes it, and moves the mesh as the copy has moved.
+    pub(super) fn relaxed(&mut self, radius: usize, bound: AngleBound) -> bool {
+        self.gather(radius);
+        self.relaxer.relax(&mut self.patch, bound.cotangent() * (1.0 - 1e-9), ROUNDS) && self.carry_out()
+    }
+
+    /// Makes a change, if every triangle keeps the bounds; rolled back otherwise.
+    pub(super) fn recorded(&mut self, change: impl FnOnce(&mut Self) -> bool) -> bool {
         let start = self.log.checkpoint();
-        let is_out = self.remove(v);
-        if is_out {
-            self.gather(radius);
-        }
-        let is_kept = is_out
-            && self.relaxer.relax(&mut self.patch, self.bound.cotangent() * (1.0 - 1e-9), ROUNDS)
-            && self.carry_out()
-            && self.is_good();
+        let is_kept = change(self) && self.is_good();
         if !is_kept {
             self.t.rollback(&mut self.log, start);
         }
-        self.log.clear();
+        if !self.is_nested {
+            self.log.clear();
+        }
         is_kept
     }
 
-    /// Moves the vertices of the mesh as those of the patch have moved, if every angle can be kept.
-    fn keep_if_good(&mut self) {
-        let start = self.log.checkpoint();
-        if !(self.carry_out() && self.is_good()) {
+    /// Makes a change that may not make the mesh larger; rolled back where it does, or where it says so.
+    pub(super) fn at_no_cost(&mut self, change: impl FnOnce(&mut Self) -> bool) {
+        let (start, before) = (self.log.checkpoint(), self.vertices);
+        self.is_nested = true;
+        let is_wanted = change(self);
+        self.is_nested = false;
+        if !is_wanted || self.vertices > before {
             self.t.rollback(&mut self.log, start);
+            self.vertices = before;
         }
         self.log.clear();
     }
 
-    fn remove(&mut self, v: VertexId) -> bool {
+    pub(super) fn remove(&mut self, v: VertexId) -> bool {
         self.relaxer.work += ATTEMPT;
         let freedom = self.freedom(v);
         let mut edit = self.t.edit(&mut self.workspace, &mut self.log);
@@ -196,7 +212,7 @@ impl<'a> Sifter<'a> {
     }
 
     /// Copies the triangles around the vertices of the ring and around those that may move within so many edges.
-    fn gather(&mut self, radius: usize) {
+    pub(super) fn gather(&mut self, radius: usize) {
         self.numbers.resize(self.t.points().len(), NONE);
         let (mut level, inner) = (0, self.ring.len());
         // `ring` grows by the neighbours of what it holds.
@@ -256,7 +272,7 @@ impl<'a> Sifter<'a> {
 
     /// Moves the vertices of the mesh as those of the patch have moved: all are taken out first, so that none is in
     /// the way of another.
-    fn carry_out(&mut self) -> bool {
+    pub(super) fn carry_out(&mut self) -> bool {
         let moved: Vec<u32> =
             (0..self.patch.corners().len() as u32).filter(|&v| self.patch.corner(v).has_moved).collect();
         let runs = self.runs(&moved);
@@ -335,11 +351,16 @@ impl<'a> Sifter<'a> {
     }
 
     /// Whether every triangle around the vertices of the patch is proved to keep the bounds.
-    fn is_good(&self) -> bool {
+    pub(super) fn is_good(&self) -> bool {
         self.ring.iter().all(|&v| {
             let mut faces = self.t.star(v).map(HalfEdgeId::face).filter(|&f| self.t.is_real(f));
             faces.all(|f| self.keeps_bounds(f))
         })
+    }
+
+    /// Whether every triangle keeps the bounds.
+    pub(super) fn meets_bound(&self) -> bool {
+        self.t.real_faces().all(|f| self.keeps_bounds(f))
     }
 
     fn keeps_bounds(&self, f: FaceId) -> bool {

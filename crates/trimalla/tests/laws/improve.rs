@@ -63,6 +63,36 @@ fn shapes_get_much_smaller() {
     }
 }
 
+/// Above 38 degrees no refinement ends: meshes are led there.
+#[test]
+fn meshes_climb_where_no_refinement_ends() {
+    for (name, degrees) in [("mesh-b", 41.0), ("key", 40.0)] {
+        let drawing = shape(name);
+        let refine = RefineOptions::default().with_min_angle_deg(degrees);
+        let refined = mesh(&drawing, &MeshOptions { refine, ..MeshOptions::default() }).expect("a sound drawing");
+        let met = refined.attempted.expect("several runs").bound_deg;
+        assert!(met < degrees, "{name}: a refinement meets {met}");
+        let made = mesh(&drawing, &sifted(refine, 1)).expect("a sound drawing");
+        assert_sound(&drawing, &made, &refine, name);
+        assert_eq!(made.improved.and_then(|improved| improved.climbed_from_deg), Some(met), "{name}");
+        assert!(made.report.complete() && made.attempted.is_some_and(|a| !a.is_lowered), "{name}: {:?}", made.report);
+        assert_eq!(mesh(&drawing, &sifted(refine, 1)).expect("a sound drawing"), made, "{name}: the same again");
+    }
+}
+
+/// A square corner forbids more than 45 degrees, and 45 itself by rounding: the mesh gets near it, and says how near.
+#[test]
+fn a_climb_ends_below_the_ceiling() {
+    let drawing = Pslg::of_ring([[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.2]]);
+    let refine = RefineOptions::default().with_min_angle_deg(50.0);
+    let made = mesh(&drawing, &sifted(refine, 1)).expect("a sound drawing");
+    let attempted = made.attempted.expect("several runs");
+    assert!(attempted.is_lowered && attempted.bound_deg < 45.0, "{attempted:?}");
+    assert!(made.report.min_angle_deg >= attempted.bound_deg * (1.0 - 1e-12), "{:?}", made.report);
+    let faults = check_indexed_with(&made.mesh, Some(&drawing), DelaunayRule::Delaunay);
+    assert_eq!(faults, Vec::<String>::new());
+}
+
 #[test]
 fn random_drawings_stay_sound() {
     let mut random = SplitMix64::new(2112);
