@@ -1,9 +1,9 @@
 //! A mesh that meets a bound is led to a higher one, where no refinement ends.
 //!
 //! # Idea
-//! The bound rises in small steps. At each, the triangles that miss it are treated one by one: the vertices around move,
-//! one of its own vertices is taken out, or one is put in, and all around move again. What succeeds is proved to make no
-//! angle smaller than the last step has; all else is rolled back.
+//! The bound rises in small steps. At each, the triangles that miss it are treated one by one: the vertices around
+//! move, one of its own vertices is taken out, or one is put in, and all around move again. What succeeds is proved to
+//! make no angle smaller than the last step has; all else is rolled back.
 //!
 //! ```text
 //!   38 met ──> 38.25: 9 triangles miss it ──> 2 ──> 0, met ──> 38.5: …  ──> the bound that is asked, or the last one met

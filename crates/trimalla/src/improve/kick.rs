@@ -1,8 +1,8 @@
 //! Where no vertex can be taken out, vertices are put in and others taken out.
 //!
-//! A local search ends where no single step helps. A *kick* leads on: around some vertex one or two are put in, and then
-//! as many as can be are taken out there. What has more vertices in the end is rolled back; what has as many is kept,
-//! so that the next kick begins at another mesh.
+//! A local search ends where no single step helps. A *kick* leads on: around some vertex one or two are put in, and
+//! then as many as can be are taken out there. What has more vertices in the end is rolled back; what has as many is
+//! kept, so that the next kick begins at another mesh.
 //!
 //! # Source
 //! Iterated local search, as the winners of the CG:SHOP challenge of 2025 use it.
@@ -13,12 +13,13 @@ use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// So many passes around a kick at most.
 const MOST_PASSES: usize = 3;
+/// So many vertices are drawn before all are listed.
+const MOST_TRIES: usize = 100;
 
 impl Sifter<'_> {
     /// Kicks the mesh once; `None` where there is nothing to kick or `goes_on` says to stop.
     pub(super) fn kick(&mut self, goes_on: &mut dyn FnMut(Progress) -> bool) -> Option<()> {
-        let steiner = self.steiner_vertices();
-        let v = *steiner.get(self.random.below(steiner.len().max(1)))?;
+        let v = self.some_steiner_vertex()?;
         let mut is_told_to_stop = false;
         self.at_no_cost(|sifter| {
             let before = sifter.vertices;
@@ -49,6 +50,19 @@ impl Sifter<'_> {
             is_larger
         });
         (!is_told_to_stop).then_some(())
+    }
+
+    /// A random vertex that may move; with few of them, from a list of all.
+    fn some_steiner_vertex(&mut self) -> Option<VertexId> {
+        let slots = self.t.points().len();
+        for _ in 0..MOST_TRIES {
+            let v = VertexId(self.random.below(slots) as u32);
+            if self.is_free(v) {
+                return Some(v);
+            }
+        }
+        let steiner = self.steiner_vertices();
+        steiner.get(self.random.below(steiner.len())).copied()
     }
 
     /// Whether a vertex is there and may move.

@@ -38,7 +38,7 @@ pub struct SiftOptions {
 
 impl SiftOptions {
     /// A modest effort.
-    pub const EFFORT: u8 = 3;
+    pub const EFFORT: u8 = 5;
 
     /// The bound with a modest effort.
     #[must_use]

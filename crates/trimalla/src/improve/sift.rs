@@ -35,33 +35,38 @@ pub(super) struct Sifter<'a> {
     /// What every triangle keeps that is made.
     pub(super) bound: AngleBound,
     fits: Fits<'a>,
-    pub(super) patch: Patch,
+    pub(super) copy: Copied,
     pub(super) relaxer: Relaxer,
-    /// By vertex: its number in the patch, or [`NONE`].
-    numbers: Vec<u32>,
-    /// Scratch: the vertices and faces of the patch.
+    /// The vertices around which is copied; those of the copy then.
     pub(super) ring: Vec<VertexId>,
-    faces: Vec<FaceId>,
     pub(super) random: Random,
     pub(super) vertices: usize,
     /// Whether a change is part of a larger one that may be rolled back.
     is_nested: bool,
 }
 
+/// A part of the mesh that was copied.
+#[derive(Debug, Default)]
+pub(super) struct Copied {
+    pub(super) patch: Patch,
+    /// By vertex of the mesh: its number in the patch, or [`NONE`].
+    numbers: Vec<u32>,
+    /// The faces of the patch.
+    faces: Vec<FaceId>,
+}
+
 impl<'a> Sifter<'a> {
     pub(super) fn new(cdt: ConstrainedDelaunay, options: &SiftOptions, fits: Fits<'a>) -> Self {
         let t = ConstrainedTriangulation::from(cdt);
         Self {
-            numbers: vec![NONE; t.points().len()],
+            copy: Copied { numbers: vec![NONE; t.points().len()], ..Copied::default() },
             vertices: t.used_vertices().count(),
             bound: options.bound,
             fits,
             workspace: Workspace::default(),
             log: UndoLog::new(),
-            patch: Patch::default(),
             relaxer: Relaxer::default(),
             ring: Vec::new(),
-            faces: Vec::new(),
             random: Random(options.seed),
             is_nested: false,
             t,
@@ -118,7 +123,7 @@ impl<'a> Sifter<'a> {
                 self.ring.clear();
                 self.ring.push(v);
                 self.gather(2);
-                self.relaxer.relax(&mut self.patch, cotangent, 8);
+                self.relaxer.relax(&mut self.copy.patch, cotangent, 8);
                 self.recorded(Self::carry_out);
             }
         }
@@ -171,7 +176,7 @@ impl<'a> Sifter<'a> {
     /// Copies what is around the ring, relaxes it, and moves the mesh as the copy has moved.
     pub(super) fn relaxed(&mut self, radius: usize, bound: AngleBound) -> bool {
         self.gather(radius);
-        self.relaxer.relax(&mut self.patch, bound.cotangent() * (1.0 - 1e-9), ROUNDS) && self.carry_out()
+        self.relaxer.relax(&mut self.copy.patch, bound.cotangent() * (1.0 - 1e-9), ROUNDS) && self.carry_out()
     }
 
     /// Makes a change, if every triangle keeps the bounds; rolled back otherwise.
@@ -213,78 +218,78 @@ impl<'a> Sifter<'a> {
 
     /// Copies the triangles around the vertices of the ring and around those that may move within so many edges.
     pub(super) fn gather(&mut self, radius: usize) {
-        self.numbers.resize(self.t.points().len(), NONE);
+        self.copy.numbers.resize(self.t.points().len(), NONE);
         let (mut level, inner) = (0, self.ring.len());
         // `ring` grows by the neighbours of what it holds.
         let mut begin = 0;
         for (number, &v) in (0..).zip(&self.ring) {
-            self.numbers[v.index()] = number;
+            self.copy.numbers[v.index()] = number;
         }
         while level + 1 < radius && self.ring.len() < MOST_MOVED {
             let end = self.ring.len();
             for k in begin..end {
                 let around: Vec<VertexId> = self.t.edges_around(self.ring[k]).map(|h| self.t.dest(h)).collect();
                 for w in around {
-                    if self.numbers[w.index()] == NONE && self.ring.len() < MOST_MOVED {
-                        self.numbers[w.index()] = self.ring.len() as u32;
+                    if self.copy.numbers[w.index()] == NONE && self.ring.len() < MOST_MOVED {
+                        self.copy.numbers[w.index()] = self.ring.len() as u32;
                         self.ring.push(w);
                     }
                 }
             }
             (begin, level) = (end, level + 1);
         }
-        self.patch.clear();
-        self.faces.clear();
+        self.copy.patch.clear();
+        self.copy.faces.clear();
         for k in 0..self.ring.len() {
             let v = self.ring[k];
             let freedom = self.freedom(v);
-            self.patch.add_corner(v, self.t.point(v), freedom);
+            self.copy.patch.add_corner(v, self.t.point(v), freedom);
             if freedom != Freedom::Fixed || k < inner {
                 let faces = self.t.star(v).map(HalfEdgeId::face).filter(|&f| self.t.is_real(f));
-                self.faces.extend(faces);
+                self.copy.faces.extend(faces);
             }
         }
-        self.faces.sort_unstable();
-        self.faces.dedup();
+        self.copy.faces.sort_unstable();
+        self.copy.faces.dedup();
         self.copy_faces();
-        for corner in self.patch.corners() {
-            self.numbers[corner.id.index()] = NONE;
+        for corner in self.copy.patch.corners() {
+            self.copy.numbers[corner.id.index()] = NONE;
         }
     }
 
     fn copy_faces(&mut self) {
-        for k in 0..self.faces.len() {
-            let f = self.faces[k];
-            let corners = self.t.face_vertices(f).map(|v| match self.numbers[v.index()] {
+        for k in 0..self.copy.faces.len() {
+            let f = self.copy.faces[k];
+            let corners = self.t.face_vertices(f).map(|v| match self.copy.numbers[v.index()] {
                 NONE => {
-                    let number = self.patch.add_corner(v, self.t.point(v), Freedom::Fixed);
-                    self.numbers[v.index()] = number;
+                    let number = self.copy.patch.add_corner(v, self.t.point(v), Freedom::Fixed);
+                    self.copy.numbers[v.index()] = number;
                     number
                 }
                 number => number,
             });
             // Half-edge `i` of a face begins at corner `i`: it lies opposite corner `i + 2`.
             let [h0, h1, h2] = f.half_edges().map(|h| self.t.is_marked(h));
-            self.patch.add_triangle(corners, [h1, h2, h0]);
+            self.copy.patch.add_triangle(corners, [h1, h2, h0]);
         }
-        self.patch.join();
+        self.copy.patch.join();
     }
 
     /// Moves the vertices of the mesh as those of the patch have moved: all are taken out first, so that none is in
     /// the way of another.
     pub(super) fn carry_out(&mut self) -> bool {
         let moved: Vec<u32> =
-            (0..self.patch.corners().len() as u32).filter(|&v| self.patch.corner(v).has_moved).collect();
+            (0..self.copy.patch.corners().len() as u32).filter(|&v| self.copy.patch.corner(v).has_moved).collect();
         let runs = self.runs(&moved);
         self.ring.clear();
-        self.ring.extend(self.patch.corners().iter().filter(|corner| !corner.has_moved).map(|corner| corner.id));
-        moved.iter().all(|&v| self.remove(self.patch.corner(v).id))
+        self.ring.extend(self.copy.patch.corners().iter().filter(|corner| !corner.has_moved).map(|corner| corner.id));
+        moved.iter().all(|&v| self.remove(self.copy.patch.corner(v).id))
             && runs.iter().all(|run| self.put_on_segment(run))
             && moved.iter().all(|&v| self.put_in_plane(v))
     }
 
     fn put_in_plane(&mut self, v: u32) -> bool {
-        let corner = *self.patch.corner(v);
+        let corner = *self.copy.patch.corner(v);
         if corner.freedom != Freedom::Plane {
             return true;
         }
@@ -303,8 +308,8 @@ impl<'a> Sifter<'a> {
         let mut runs: Vec<Vec<u32>> = Vec::new();
         for &v in moved {
             let is_new = !runs.iter().any(|run| run.contains(&v));
-            if is_new && matches!(self.patch.corner(v).freedom, Freedom::Segment { .. }) {
-                let [Some(a), Some(b)] = self.patch.along_segment(v) else { continue };
+            if is_new && matches!(self.copy.patch.corner(v).freedom, Freedom::Segment { .. }) {
+                let [Some(a), Some(b)] = self.copy.patch.along_segment(v) else { continue };
                 let mut run = self.walk(v, a);
                 run.reverse();
                 run.push(v);
@@ -318,8 +323,8 @@ impl<'a> Sifter<'a> {
     /// The vertices along a segment from the neighbour of a vertex to the first that has not moved.
     fn walk(&self, from: u32, first: u32) -> Vec<u32> {
         let (mut before, mut at, mut way) = (from, first, vec![first]);
-        while self.patch.corner(at).has_moved && way.len() <= MOST_MOVED {
-            let next = self.patch.along_segment(at).into_iter().flatten().find(|&w| w != before);
+        while self.copy.patch.corner(at).has_moved && way.len() <= MOST_MOVED {
+            let next = self.copy.patch.along_segment(at).into_iter().flatten().find(|&w| w != before);
             let Some(next) = next else { break };
             (before, at) = (at, next);
             way.push(at);
@@ -329,12 +334,12 @@ impl<'a> Sifter<'a> {
 
     fn put_on_segment(&mut self, run: &[u32]) -> bool {
         let [first, between @ .., last] = run else { return false };
-        let [first, last] = [*first, *last].map(|v| self.patch.corner(v).id);
+        let [first, last] = [*first, *last].map(|v| self.copy.patch.corner(v).id);
         let Some(mut h) = self.t.half_edge_between(first, last).filter(|&h| self.t.is_marked(h)) else { return false };
         let [segment] = self.t.segments_of(h)[..] else { return false };
         let (mut from, to) = (self.t.parameter(segment, first), self.t.parameter(segment, last));
         for &v in between {
-            let Freedom::Segment { t, .. } = self.patch.corner(v).freedom else { return false };
+            let Freedom::Segment { t, .. } = self.copy.patch.corner(v).freedom else { return false };
             let part = (t - from) / (to - from);
             if !(part > 0.0 && part < 1.0) {
                 return false;

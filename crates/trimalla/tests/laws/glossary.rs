@@ -20,7 +20,7 @@ const ROOMS: [&str; 11] = [
 ];
 
 /// Public types whose name says all, and is no term: besides errors, which end in `Error`.
-const PLAIN: [&str; 37] = [
+const PLAIN: [&str; 38] = [
     "Algorithm",
     "AlgorithmKey",
     "Angle",
@@ -46,6 +46,7 @@ const PLAIN: [&str; 37] = [
     "Point",
     "Progress",
     "Row",
+    "Short",
     "Spread",
     "Statistics",
     "StepTimes",
