@@ -8,7 +8,7 @@
 //! Iterated local search, as the winners of the CG:SHOP challenge of 2025 use it.
 
 use super::Progress;
-use super::sift::Sifter;
+use super::sift::{ATTEMPT, Sifter};
 use crate::half_edge::{HalfEdgeId, VertexId};
 
 /// So many passes around a kick at most.
@@ -19,7 +19,10 @@ const MOST_TRIES: usize = 100;
 impl Sifter<'_> {
     /// Kicks the mesh once; `None` where there is nothing to kick or `goes_on` says to stop.
     pub(super) fn kick(&mut self, goes_on: &mut dyn FnMut(Progress) -> bool) -> Option<()> {
-        let v = self.some_steiner_vertex()?;
+        let (v, work) = (self.some_steiner_vertex()?, self.work());
+        if !goes_on(Progress { vertices: self.vertices, work }) {
+            return None;
+        }
         let mut is_told_to_stop = false;
         self.at_no_cost(|sifter| {
             let before = sifter.vertices;
@@ -49,6 +52,10 @@ impl Sifter<'_> {
             }
             is_larger
         });
+        // Each kick has a price, so that every sift ends.
+        if self.work() == work {
+            self.relaxer.work += ATTEMPT;
+        }
         (!is_told_to_stop).then_some(())
     }
 

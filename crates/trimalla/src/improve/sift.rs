@@ -25,7 +25,7 @@ const MOST_MOVED: usize = 40;
 /// The rounds of an attempt.
 pub(super) const ROUNDS: usize = 40;
 /// What an attempt costs besides the stars that it measures, in stars: each has a price, so that every sift ends.
-const ATTEMPT: u64 = 50;
+pub(super) const ATTEMPT: u64 = 50;
 
 /// A mesh, and what is needed to take vertices out of it.
 pub(super) struct Sifter<'a> {
