@@ -80,9 +80,9 @@ pub(crate) struct Options {
 
     /// Make the mesh smaller afterwards: 'sift' takes vertices out, and moves others, as long as every bound holds
     ///
-    /// About half of the vertices that a refinement adds are unnecessary, and more above 33 degrees. Where no refinement
-    /// meets the bound, the mesh is led up to it in small steps, past 40 degrees in many drawings. Each angle is proved
-    /// in the end. Vertices of the drawing stay where they are.
+    /// About half of the vertices that a refinement adds are unnecessary, and more above 33 degrees. Where no
+    /// refinement meets the bound, the mesh is led up to it in small steps, past 40 degrees in many drawings. Each
+    /// angle is proved in the end. Vertices of the drawing stay where they are.
     #[arg(long, value_name = "HOW", help_heading = "Strategy", default_value = NONE, value_parser = [NONE, SIFT])]
     improve: String,
 
