@@ -22,9 +22,9 @@ Examples:
 Angles are in degrees, lengths in the units of the mesh, areas in their squares. The aspect ratio
 is the circumradius over twice the inradius: 1 for an equilateral triangle.
 
---against compares two triangulations of the same points by the order of equiangularity: all angles of each,
-sorted, the smallest first; where they differ first, the larger angle is better. The comparison is exact. The
-Delaunay triangulation is best.";
+--against compares two triangulations of the same points by the order of equiangularity: all angles of
+each, sorted, the smallest first; where they differ first, the larger angle is better. The comparison is
+exact. The Delaunay triangulation is best.";
 
 /// Count and measure a mesh: sizes, angles, quality, histograms
 #[derive(Debug, Args)]

@@ -7,7 +7,7 @@ use trimalla::delaunay::AlgorithmKey;
 use trimalla::domain::MeshError;
 use trimalla::optimal::OptimalError;
 use trimalla::trace::Recorder;
-use trimalla::{ByMethod, Error, Method};
+use trimalla::{ByMethod, DomainOptions, Error, Method};
 use trimalla_io::Overlay;
 use trimalla_workbench::numbers::FileNumbers;
 use trimalla_workbench::record::Player;
@@ -35,8 +35,8 @@ what lies inside; those that are best by a criterion say whether nothing better 
 No vertex is added, but at crossings with --crossings split; except by conforming-delaunay, which
 splits segments and boundaries.
 
-A mesh (.ele, .soup, .msh and the other formats of meshes) is taken as it is: its triangles are the
-domain, its subsegments stay. The algorithms whose keys begin with flip start from its triangles.
+A mesh (.ele, .soup, .msh, .vtu and other formats that hold no drawings) is taken as it is: its
+triangles are the domain, its subsegments stay, and --domain and --crossings have no say. The algorithms whose keys begin with flip start from its triangles.
 All algorithms of the Delaunay triangulation reach the same one from there, by flips.";
 
 /// Every key of --algorithm with its line of help.
@@ -82,6 +82,9 @@ pub(crate) fn run(options: &Options) -> Result<Status, Failure> {
     let start = Instant::now();
     let mut recorder = Recorder::of_first(if options.player.player.is_some() { Player::MOST_STEPS } else { 0 });
     let domain = options.drawing.domain_options(AlgorithmKey::default());
+    if given.is_some() && domain != DomainOptions::default() {
+        return Err(Failure::wrong_use("--domain and --crossings are for drawings, and this is a mesh"));
+    }
     let column = options.attribute as usize - 1;
     let made = match &given {
         Some(mesh) => trimalla::triangulate_mesh(mesh, options.algorithm, column, &mut recorder),

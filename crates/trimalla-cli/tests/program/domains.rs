@@ -62,7 +62,7 @@ fn a_given_triangulation_is_flipped() {
     assert_eq!(json["equiangularity"], "less");
     let json = scratch.run("stats flip.ele --against incremental.ele --json").expect(0).json();
     assert_eq!(json["equiangularity"], "equal");
-    // A subsegment stays an edge; points inside are not looked for by algorithms of polygons.
+    // A subsegment stays an edge.
     scratch.write("flat.poly", "0 2 0 0\n1\n1 1 3\n0\n");
     scratch.run("triangulate flat.ele --algorithm flip -o kept.ele").expect(0);
     assert_eq!(scratch.run("stats kept.ele --against flat.ele --json").expect(0).json()["equiangularity"], "equal");
@@ -71,6 +71,8 @@ fn a_given_triangulation_is_flipped() {
         .run("triangulate flat.ele --algorithm conforming-delaunay")
         .expect(3)
         .says("hint: 'trimalla refine' adds vertices to a mesh");
+    let run = scratch.run("triangulate flat.ele --domain nesting").expect(2);
+    run.says("error: --domain and --crossings are for drawings, and this is a mesh");
     scratch.write("Twice.txt", "0 0 4 -1 8 0\n0 0 4 -1 8 0\n");
     let run = scratch.run("triangulate Twice.txt --algorithm flip -o twice.ele").expect(3);
     assert!(run.stderr.starts_with("error: Twice.txt: triangles 1 and 2 both lie left of"), "{}", run.stderr);

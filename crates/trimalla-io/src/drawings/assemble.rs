@@ -193,9 +193,10 @@ impl Builder {
         if path.curves() > 0 {
             self.on_curves += flat.len();
         }
-        if self.on_curves > MOST_ON_CURVES || flat.len() + self.made.pslg.points.len() > MOST_VERTICES {
-            let (count, tolerance) = (self.on_curves.max(self.made.pslg.points.len()), Short(self.made.tolerance));
-            return Err(format!("more than {count} vertices are needed to be within {tolerance}"));
+        let counts = [(self.on_curves, MOST_ON_CURVES), (flat.len() + self.made.pslg.points.len(), MOST_VERTICES)];
+        if let Some((_, most)) = counts.into_iter().find(|(count, most)| count > most) {
+            let tolerance = Short(self.made.tolerance);
+            return Err(format!("more than {most} vertices are needed to be within {tolerance}"));
         }
         let mut ids: Vec<u32> = Vec::with_capacity(flat.len());
         for vertex in &flat {

@@ -21,7 +21,7 @@ pub enum Improve {
     ///
     /// [`Sizing`]: super::Sizing
     Sift {
-        /// How much work is spent, from 1 to 9.
+        /// How much work is spent, from 1 to 9. From 5 on several runs share it, of which the best counts.
         effort: u8,
     },
 }
@@ -62,30 +62,23 @@ pub(super) fn improved(
     let mut goes_on = |progress: Progress| {
         observer.progress(refine::Progress { vertices: progress.vertices, waiting: 0, max_vertices: most })
     };
-    let mut best: Option<Candidate> = None;
+    let mut best = Candidate { cdt: refined.cdt.clone(), vertices: refined.report.vertices, bound: met };
     let (runs, effort) = runs_of(effort);
     for run in 0..runs {
         let options = SiftOptions { effort, seed: run, ..SiftOptions::new(met) };
         let climbed = climb(refined.cdt.clone().into(), &options, target, &fits, &mut goes_on);
         let options = SiftOptions { bound: climbed.bound, ..options };
         let sifted = sift(climbed.mesh, &options, &fits, &mut goes_on);
-        let is_better =
-            |old: &Candidate| (climbed.bound.degrees(), old.vertices) > (old.bound.degrees(), sifted.vertices);
-        if best.as_ref().is_none_or(is_better) {
-            best = Some(Candidate { cdt: sifted.mesh.into(), vertices: sifted.vertices, bound: climbed.bound });
+        let is_better = (climbed.bound.degrees(), best.vertices) > (best.bound.degrees(), sifted.vertices);
+        // A climb may put vertices in, but no more than the budget allows.
+        if is_better && sifted.vertices <= most.max(refined.report.vertices) {
+            best = Candidate { cdt: sifted.mesh.into(), vertices: sifted.vertices, bound: climbed.bound };
         }
         if climbed.is_cancelled || sifted.is_cancelled {
             break;
         }
     }
-    match best.filter(|best| best.bound.degrees() > met.degrees() || best.vertices < refined.report.vertices) {
-        Some(best) => with_mesh(refined, best, (met, target), options),
-        None => {
-            let Refined { cdt, report, .. } = &refined;
-            let same = Candidate { cdt: cdt.clone(), vertices: report.vertices, bound: met };
-            with_mesh(refined, same, (met, target), options)
-        }
-    }
+    with_mesh(refined, best, (met, target), options)
 }
 
 /// How many runs share an effort, and the effort of each.
@@ -119,24 +112,20 @@ fn with_mesh(
     let Candidate { cdt, bound, .. } = found;
     let is_proved = cdt.real_faces().all(|f| bound.is_met_by(cdt.face_points(f)));
     let met_deg = bound.degrees();
-    let is_asked = met_deg == options.criteria.min_angle.degrees();
-    let own = if is_asked { *options } else { options.with_min_angle_deg(met_deg) };
+    let is_lowered = met_deg < options.criteria.effective_min_angle().degrees();
+    let own = if is_lowered { options.with_min_angle_deg(met_deg) } else { *options };
     let (cdt, survey) = Refinement::new(Start::from(ConstrainedDelaunay::from(cdt)), own)?.finish();
     let Report { vertices, triangles, steiner_points, min_angle_deg, max_angle_deg, leftovers, .. } = survey;
     let vertices_before = refined.report.vertices;
     let mut report =
         Report { vertices, triangles, steiner_points, min_angle_deg, max_angle_deg, leftovers, ..refined.report };
-    let is_lowered = met_deg < target.degrees();
-    if met_deg > met.degrees() && !is_lowered {
+    if met_deg > met.degrees() && met_deg == target.degrees() {
         report.stop = StopReason::Finished;
     }
-    let attempted = refined.attempted.map(|attempted| {
-        let is_below_asked = met_deg < options.criteria.min_angle.degrees();
-        if is_below_asked {
-            judge(&cdt, options, &mut report);
-        }
-        Attempted { bound_deg: met_deg, is_lowered: is_below_asked, ..attempted }
-    });
+    if is_lowered {
+        judge(&cdt, options, &mut report);
+    }
+    let attempted = refined.attempted.map(|attempted| Attempted { bound_deg: met_deg, is_lowered, ..attempted });
     let climbed_from_deg = (met_deg > met.degrees()).then_some(met.degrees());
     let improved = Improved { vertices_before, vertices, climbed_from_deg, is_proved };
     Ok(Refined { cdt, report, attempted, improved: Some(improved), ..refined })

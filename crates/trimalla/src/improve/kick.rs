@@ -72,11 +72,6 @@ impl Sifter<'_> {
         steiner.get(self.random.below(steiner.len())).copied()
     }
 
-    /// Whether a vertex is there and may move.
-    pub(super) fn is_free(&self, v: VertexId) -> bool {
-        self.t.is_used(v) && self.freedom(v) != super::patch::Freedom::Fixed
-    }
-
     /// Puts a vertex into one of the triangles at another.
     fn put_in_at(&mut self, v: VertexId) -> bool {
         if !self.t.is_used(v) {

@@ -23,7 +23,7 @@ use crate::half_edge::{FaceId, HalfEdgeId, UndoLog, VertexId};
 /// No more vertices than these move in one attempt.
 const MOST_MOVED: usize = 40;
 /// The rounds of an attempt.
-pub(super) const ROUNDS: usize = 40;
+const ROUNDS: usize = 40;
 /// What an attempt costs besides the stars that it measures, in stars: each has a price, so that every sift ends.
 pub(super) const ATTEMPT: u64 = 50;
 
@@ -35,7 +35,7 @@ pub(super) struct Sifter<'a> {
     /// What every triangle keeps that is made.
     pub(super) bound: AngleBound,
     fits: Fits<'a>,
-    pub(super) copy: Copied,
+    copy: Copied,
     pub(super) relaxer: Relaxer,
     /// The vertices around which is copied; those of the copy then.
     pub(super) ring: Vec<VertexId>,
@@ -47,8 +47,8 @@ pub(super) struct Sifter<'a> {
 
 /// A part of the mesh that was copied.
 #[derive(Debug, Default)]
-pub(super) struct Copied {
-    pub(super) patch: Patch,
+struct Copied {
+    patch: Patch,
     /// By vertex of the mesh: its number in the patch, or [`NONE`].
     numbers: Vec<u32>,
     /// The faces of the patch.
@@ -99,7 +99,7 @@ impl<'a> Sifter<'a> {
                 return None;
             }
             // Vertices that moved may have changed their ids.
-            if self.t.is_used(v) && self.freedom(v) != Freedom::Fixed {
+            if self.is_free(v) {
                 let radius = 2 + self.random.below(2);
                 self.take_out(v, radius, self.bound);
             }
@@ -134,8 +134,13 @@ impl<'a> Sifter<'a> {
         self.t.used_vertices().filter(|v| self.freedom(*v) != Freedom::Fixed).collect()
     }
 
+    /// Whether a vertex is there and may move.
+    pub(super) fn is_free(&self, v: VertexId) -> bool {
+        self.t.is_used(v) && self.freedom(v) != Freedom::Fixed
+    }
+
     /// How a vertex may move: input vertices, crossings and those where segments part do not.
-    pub(super) fn freedom(&self, v: VertexId) -> Freedom {
+    fn freedom(&self, v: VertexId) -> Freedom {
         if v.index() < self.t.input_points() {
             return Freedom::Fixed;
         }
@@ -205,7 +210,7 @@ impl<'a> Sifter<'a> {
         self.log.clear();
     }
 
-    pub(super) fn remove(&mut self, v: VertexId) -> bool {
+    fn remove(&mut self, v: VertexId) -> bool {
         self.relaxer.work += ATTEMPT;
         let freedom = self.freedom(v);
         let mut edit = self.t.edit(&mut self.workspace, &mut self.log);
@@ -217,7 +222,7 @@ impl<'a> Sifter<'a> {
     }
 
     /// Copies the triangles around the vertices of the ring and around those that may move within so many edges.
-    pub(super) fn gather(&mut self, radius: usize) {
+    fn gather(&mut self, radius: usize) {
         self.copy.numbers.resize(self.t.points().len(), NONE);
         let (mut level, inner) = (0, self.ring.len());
         // `ring` grows by the neighbours of what it holds.
@@ -277,7 +282,7 @@ impl<'a> Sifter<'a> {
 
     /// Moves the vertices of the mesh as those of the patch have moved: all are taken out first, so that none is in
     /// the way of another.
-    pub(super) fn carry_out(&mut self) -> bool {
+    fn carry_out(&mut self) -> bool {
         let moved: Vec<u32> =
             (0..self.copy.patch.corners().len() as u32).filter(|&v| self.copy.patch.corner(v).has_moved).collect();
         let runs = self.runs(&moved);
@@ -356,7 +361,7 @@ impl<'a> Sifter<'a> {
     }
 
     /// Whether every triangle around the vertices of the patch is proved to keep the bounds.
-    pub(super) fn is_good(&self) -> bool {
+    fn is_good(&self) -> bool {
         self.ring.iter().all(|&v| {
             let mut faces = self.t.star(v).map(HalfEdgeId::face).filter(|&f| self.t.is_real(f));
             faces.all(|f| self.keeps_bounds(f))

@@ -39,6 +39,8 @@ const AB: u8 = 2;
 const BC: u8 = 4;
 
 impl ProvingEars {
+    /// From so many corners on it pays to ask first whether the ring is convex.
+    pub(super) const FEWEST_IF_CONVEX: usize = 8;
     /// Up to so many corners this is faster than to look for an easier way.
     pub(super) const MOST_AT_ONCE: usize = 24;
     /// The most corners for which this is faster than the sweep.

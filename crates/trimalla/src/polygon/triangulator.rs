@@ -120,7 +120,8 @@ impl Triangulator {
             return Few::triangulate(ring, first, &mut self.triangles);
         }
         if ring.len() <= ProvingEars::MOST_AT_ONCE {
-            return (ring.len() > 7 && easy::convex_ring(ring, first, &mut self.triangles))
+            return (ring.len() >= ProvingEars::FEWEST_IF_CONVEX
+                && easy::convex_ring(ring, first, &mut self.triangles))
                 || self.along_x(ring, first)
                 || self.proving.triangulate(ring, first, &mut self.triangles);
         }

@@ -88,6 +88,8 @@ fn a_climb_ends_below_the_ceiling() {
     let made = mesh(&drawing, &sifted(refine, 1)).expect("a sound drawing");
     let attempted = made.attempted.expect("several runs");
     assert!(attempted.is_lowered && attempted.bound_deg < 45.0, "{attempted:?}");
+    let from = made.improved.and_then(|improved| improved.climbed_from_deg).expect("a climb");
+    assert!(from < attempted.bound_deg && !made.report.complete(), "{attempted:?} from {from}");
     assert!(made.report.min_angle_deg >= attempted.bound_deg * (1.0 - 1e-12), "{:?}", made.report);
     let faults = check_indexed_with(&made.mesh, Some(&drawing), DelaunayRule::Delaunay);
     assert_eq!(faults, Vec::<String>::new());
